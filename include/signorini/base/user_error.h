@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_base_user_error_h
+#define signorini_base_user_error_h
+
+#include <stdexcept>
+#include <string>
+
+namespace signorini
+{
+  /**
+   * A mistake in the command line or in the scene. The message is complete: it names file, key, value and remedy.
+   * main() prints it once (rank 0) and exits with status 2.
+   */
+  class UserError : public std::runtime_error
+  {
+  public:
+    explicit UserError(const std::string &message)
+      : std::runtime_error(message)
+    {}
+  };
+
+  /**
+   * The run failed although the scene is in order (a solver did not converge, a file could not be written).
+   * main() prints the message once and exits with status 1; what was written before stays whole.
+   */
+  class RunError : public std::runtime_error
+  {
+  public:
+    explicit RunError(const std::string &message)
+      : std::runtime_error(message)
+    {}
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_body_description_h
+#define signorini_scene_body_description_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  /** Linear elastic, homogeneous, isotropic material (paper, equation (44)). */
+  struct Material
+  {
+    double youngs_modulus = 1.; ///< E > 0, force per area
+    double poissons_ratio = 0.; ///< nu in (-1, 1/2); plane strain in 2d
+    double density        = 1.; ///< rho > 0, mass per volume
+    /** First Lame parameter. */
+    double lambda() const
+    {
+      return youngs_modulus * poissons_ratio / ((1. + poissons_ratio) * (1. - 2. * poissons_ratio));
+    }
+    /** Shear modulus. */
+    double mu() const { return youngs_modulus / (2. * (1. + poissons_ratio)); }
+    /** Speed of pressure waves, sqrt((lambda + 2 mu) / rho). */
+    double pressure_wave_speed() const;
+  };
+
+  /**
+   * A condition on one boundary id: expressions in x, y, z, t, one per component. An empty expression (or a "-") leaves this
+   * component free (Dirichlet) or zero (traction).
+   */
+  template <int dim>
+  struct BoundaryCondition
+  {
+    dealii::types::boundary_id   boundary_id = 0;
+    std::array<std::string, dim> expressions;
+  };
+
+  /** Section `Bodies/<name>`: shape, mesh, material, initial state, loads and supports of one body. */
+  template <int dim>
+  struct BodyDescription
+  {
+    std::string name;
+    std::string shape = "ball"; ///< ball | box | cylinder
+
+    dealii::Point<dim>            centre; ///< ball, cylinder
+    double                        radius = 1.;
+    double                        length = 2.; ///< cylinder: full length, centred at `centre`
+    unsigned int                  axis   = dim - 1; ///< cylinder: direction of the axis, 0, 1, 2
+    dealii::Point<dim>            lower_corner, upper_corner;    ///< box
+    std::array<unsigned int, dim> repetitions;                   ///< box: coarse cells per direction
+    unsigned int                  refinements       = 0;         ///< uniform refinements
+    unsigned int                  local_refinements = 0;         ///< further refinements of the cells selected below
+    std::string                   refine_where;                  ///< expression in x, y, z of the cell centre; > 0 selects
+
+    Material                            material;
+    std::array<std::string, dim>        initial_displacement; ///< expressions in x, y, z
+    std::array<std::string, dim>        initial_velocity;
+    std::array<std::string, dim>        body_force; ///< force per *mass* (f of the paper's rho f), expressions in x, y, z, t
+    std::vector<BoundaryCondition<dim>> dirichlet;  ///< prescribed displacement
+    std::vector<BoundaryCondition<dim>> traction;   ///< prescribed stress vector
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_contact_description_h
+#define signorini_scene_contact_description_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  /** One entry of `Contact/Pairs`, `slave : obstacle` or `slave[ids] : obstacle`. */
+  struct PairDescription
+  {
+    std::string                             name;     ///< as written in the scene
+    unsigned int                            slave;    ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id> slave_boundary_ids; ///< empty: the whole boundary of the body
+    unsigned int                            obstacle; ///< index into Scene::obstacles
+    double                                  friction_coefficient = 0.; ///< only 0 so far
+  };
+
+  /** Section `Probes/<name>`: history of the contact node that is closest to a point. */
+  template <int dim>
+  struct ProbeDescription
+  {
+    std::string        name;
+    dealii::Point<dim> point; ///< in the reference configuration
+  };
+} // namespace signorini
+
+#endif

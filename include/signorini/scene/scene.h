@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_scene_h
+#define signorini_scene_scene_h
+
+#include <signorini/scene/body_description.h>
+#include <signorini/scene/contact_description.h>
+#include <signorini/scene/obstacle_description.h>
+#include <signorini/scene/run_parameters.h>
+#include <signorini/scene/time_parameters.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  /** Section `Exact solution`: expressions in x, y, z, t, per component; empty displacement: none given. */
+  template <int dim>
+  struct ExactSolutionDescription
+  {
+    bool                         given = false;
+    std::array<std::string, dim> displacement;
+    std::array<std::string, dim> velocity;
+  };
+
+  /** All that a scene file says, checked. Plain data: built by read_scene(), read by everybody else. */
+  template <int dim>
+  struct Scene
+  {
+    std::string                           file_name;
+    std::string                           output_directory;
+    std::string                           mapping = "linear"; ///< linear | curved (quadratic geometry on the manifolds)
+    TimeParameters                        time;
+    std::vector<BodyDescription<dim>>     bodies;
+    std::vector<ObstacleDescription<dim>> obstacles;
+    std::vector<PairDescription>          pairs;
+    std::vector<ProbeDescription<dim>>    probes;
+    ExactSolutionDescription<dim>         exact_solution;
+    SolverParameters                      solver;
+    OutputParameters                      output;
+    std::string                           original_text;  ///< the scene file as it was read
+    std::string                           all_parameters; ///< every key with the value used, as a .prm
+  };
+} // namespace signorini
+
+#endif

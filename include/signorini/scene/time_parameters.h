@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_time_parameters_h
+#define signorini_scene_time_parameters_h
+
+#include <string>
+
+namespace signorini
+{
+  /** Section `Time`: which scheme, which mass matrix, which steps. */
+  struct TimeParameters
+  {
+    std::string scheme    = "contact-stabilized"; ///< newmark | contact-implicit | contact-stabilized
+    std::string mass      = "consistent";         ///< consistent | lumped
+    std::string predictor = "consistent"; ///< mass of the L2 projection of contact-stabilized: consistent | lumped
+    double      step_size = 0.;           ///< tau > 0
+    double      end_time  = 0.;           ///< T > 0; the number of steps is T/tau rounded to the nearest integer
+    /** Number of steps, at least one. */
+    unsigned int n_steps() const;
+  };
+} // namespace signorini
+
+#endif
