@@ -1,0 +1,79 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Checks of the form of all tracked sources: check_sources.py length|guard|licence [ROOT]."""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+MAXIMUM_LINES = 400
+# Included by the compiler's command line and never by a source.
+WITHOUT_GUARD = {"include/signorini/base/precompiled.h"}
+LICENCE = "SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later"
+COPYRIGHT = "by the signorini authors"
+
+
+def sources(root):
+    """Paths relative to root of the tracked files, or of all files where git cannot tell."""
+    git = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, text=True, check=False)
+    if git.returncode == 0:
+        names = [name for name in git.stdout.split("\0") if name]
+    else:
+        names = [path.relative_to(root).as_posix() for path in root.rglob("*")
+                 if path.is_file() and path.relative_to(root).parts[0] not in ("build", "output", ".git")]
+    return [pathlib.PurePosixPath(name) for name in sorted(names) if (root / name).is_file()]
+
+
+def read(root, name):
+    return (root / name).read_text(encoding="utf-8")
+
+
+def length(root):
+    """Files have at most MAXIMUM_LINES lines."""
+    for name in sources(root):
+        if name.suffix in (".h", ".cc", ".py", ".cmake"):
+            lines = len(read(root, name).splitlines())
+            if lines > MAXIMUM_LINES:
+                yield f"{name} has {lines} lines; at most {MAXIMUM_LINES}: split it by ideas"
+
+
+def guard(root):
+    """The include guard of include/signorini/<module>/<file>.h is signorini_<module>_<file>_h."""
+    for name in sources(root):
+        if name.suffix != ".h" or name.parts[0] != "include" or str(name) in WITHOUT_GUARD:
+            continue
+        expected = "_".join(name.with_suffix("").parts[1:]) + "_h"
+        code = re.sub(r"//[^\n]*|/\*.*?\*/", "", read(root, name), flags=re.DOTALL).strip()
+        if not code.startswith(f"#ifndef {expected}\n#define {expected}\n") or not code.endswith("#endif"):
+            yield f"{name}: the include guard must be {expected}, around the whole file"
+
+
+def licence(root):
+    """Sources and scripts name licence and copyright in their first three lines."""
+    for name in sources(root):
+        list_of_sources = name.match("source/*/CMakeLists.txt")  # nothing in there to license
+        script = name.parts[0] in ("dev", ".ci") or (name.name == "CMakeLists.txt" and not list_of_sources)
+        if script or name.suffix in (".h", ".cc", ".py", ".cmake", ".sh"):
+            top = "\n".join(read(root, name).splitlines()[:3])
+            if read(root, name) and not (LICENCE in top and COPYRIGHT in top):
+                yield f"{name}: the first lines must say '{LICENCE}' and 'Copyright (C) <year> {COPYRIGHT}'"
+
+
+CHECKS = {"length": length, "guard": guard, "licence": licence}
+
+
+def main():
+    if len(sys.argv) < 2 or sys.argv[1] not in CHECKS:
+        sys.exit(__doc__)
+    default = pathlib.Path(__file__).resolve().parents[2]
+    root = pathlib.Path(sys.argv[2]) if len(sys.argv) > 2 else default
+    found = list(CHECKS[sys.argv[1]](root))
+    print("\n".join(found) or f"{sys.argv[1]}: {len(sources(root))} files are in order.")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""The style checks find what they are there for: each gets a small tree with one mistake, and one without."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "tools")]
+import check_dependencies  # noqa: E402
+import check_sources  # noqa: E402
+
+HEADER = (f"// {check_sources.LICENCE}\n// Copyright (C) 2026 {check_sources.COPYRIGHT}\n\n"
+          "#ifndef signorini_time_state_h\n#define signorini_time_state_h\n%s\n#endif\n")
+
+
+class StyleChecks(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name)
+
+    def write(self, text, name="include/signorini/time/state.h"):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+    def findings(self, check):
+        return len(list(check(self.root)))
+
+    def expect_in_order(self):
+        for check in (*check_sources.CHECKS.values(), check_dependencies.violations):
+            self.assertEqual(self.findings(check), 0)
+
+    def test_a_file_in_order(self):
+        self.write(HEADER % "#include <signorini/base/types.h>")
+        self.expect_in_order()
+
+    def test_length(self):
+        self.write(HEADER % ("\n" * check_sources.MAXIMUM_LINES))
+        self.assertEqual(self.findings(check_sources.length), 1)
+
+    def test_guard_of_another_file(self):
+        self.write(HEADER % "", name="include/signorini/time/newmark.h")
+        self.assertEqual(self.findings(check_sources.guard), 1)
+
+    def test_code_behind_the_guard(self):
+        self.write(HEADER % "" + "int x;\n")
+        self.assertEqual(self.findings(check_sources.guard), 1)
+
+    def test_licence(self):
+        self.write("int x;\n", name="source/time/state.cc")
+        self.assertEqual(self.findings(check_sources.licence), 1)
+
+    def test_module_above(self):
+        self.write(HEADER % "#include <signorini/contact/obstacle.h>")
+        self.assertEqual(self.findings(check_dependencies.violations), 1)
+
+    def test_source_of_a_module(self):
+        self.write("#include <signorini/time/state.h>\n", name="source/contact/obstacle.cc")
+        self.assertEqual(self.findings(check_dependencies.violations), 1)
+
+    def test_unknown_module(self):
+        self.write("int x;\n", name="source/utilities/tools.cc")
+        self.assertEqual(self.findings(check_dependencies.violations), 1)
+
+    def test_order_has_no_cycle(self):
+        for module, used in check_dependencies.MAY_USE.items():
+            for below in used:
+                self.assertNotIn(module, check_dependencies.MAY_USE[below])
+
+
+if __name__ == "__main__":
+    unittest.main()
