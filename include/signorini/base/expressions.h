@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_base_expressions_h
+#define signorini_base_expressions_h
+
+#include <deal.II/base/function_parser.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+namespace signorini
+{
+  /**
+   * A function of x, y, (z) and t from one expression per component. An empty expression is 0. The expressions have been
+   * checked when the scene was read.
+   */
+  template <int dim, std::size_t n_components>
+  std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_discretization_discretization_h
+#define signorini_discretization_discretization_h
+
+#include <signorini/linear_algebra/elastic_matrices.h>
+#include <signorini/scene/scene.h>
+
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <deal.II/lac/affine_constraints.h>
+
+namespace signorini
+{
+  /**
+   * Mesh, Q1 displacements, hanging nodes and matrices of all bodies of a scene.
+   *
+   * A node is a vertex with dim consecutive degrees of freedom. Vectors live on the nodes of `matrices.pattern`: owned ones
+   * first, then ghosts. Hanging nodes are eliminated: their entries in vectors are zero but for interpolate_hanging_nodes().
+   */
+  template <int dim>
+  class Discretization
+  {
+  public:
+    /** Builds the mesh and numbers the degrees of freedom; no matrices yet. */
+    Discretization(const Scene<dim> &scene, MPI_Comm communicator);
+
+    /** Assemble mass and stiffness; needed before vectors can be made. */
+    void assemble();
+
+    const Scene<dim>                                  &scene;
+    dealii::parallel::distributed::Triangulation<dim>  triangulation;
+    dealii::FESystem<dim>                              fe;
+    dealii::MappingQ<dim>                              mapping;
+    dealii::DoFHandler<dim>                            dof_handler;
+    dealii::AffineConstraints<double>                  hanging_node_constraints;
+    dealii::IndexSet                                   locally_owned, locally_relevant;
+    ElasticMatrices<dim>                               matrices;
+    /** Positions of the local nodes of the pattern, ghosts included. */
+    std::vector<dealii::Point<dim>> node_positions;
+
+    /** Points per direction of the quadrature formula for cells and faces. */
+    unsigned int n_quadrature_points() const { return mapping.get_degree() + 1; }
+
+    /** A vector of zeros. */
+    Vector make_vector() const { return Vector(matrices.pattern.partitioner); }
+
+    /** Nodal interpolation of expressions given per body (empty: zero), hanging nodes left zero. */
+    Vector interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body, double time = 0.) const;
+
+    /** Copy with ghosts for output: hanging nodes filled by interpolation. */
+    Vector interpolate_hanging_nodes(const Vector &vector) const;
+
+    /** Largest extent of a body: the unit of length for tolerances. */
+    double body_size() const;
+
+    /** Courant number c_p tau / h of the smallest cell. */
+    double courant_number(double step_size) const;
+
+    MPI_Comm communicator() const { return triangulation.get_communicator(); }
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_linear_algebra_conjugate_gradients_h
+#define signorini_linear_algebra_conjugate_gradients_h
+
+#include <signorini/linear_algebra/linear_operator.h>
+#include <signorini/linear_algebra/masked_preconditioner.h>
+
+namespace signorini
+{
+  /**
+   * Preconditioned conjugate gradients on the free entries of K x = b.
+   *
+   * The held entries need no treatment here: the preconditioner returns zero there, so the search directions leave them alone.
+   * The residual is carried for *all* entries. In the held ones it is, at the end, the force that holds them, and no further
+   * product is needed to know it.
+   */
+  class ConjugateGradients
+  {
+  public:
+    struct Report
+    {
+      unsigned int iterations = 0;
+      bool         converged  = false;
+    };
+
+    /**
+     * @param solution  on entry a guess, on exit the solution; held entries are not changed
+     * @param residual  b - K x of all entries, on entry and on exit
+     * @param tolerance bound for (residual' P^-1 residual)^(1/2) over the free entries, P the preconditioner: an estimate of the
+     *                  error in the norm of K
+     * @param reduction stop earlier if this norm has fallen by this factor since the start (0: never)
+     */
+    Report solve(const LinearOperator       &matrix,
+                 const MaskedPreconditioner &preconditioner,
+                 Vector                     &solution,
+                 Vector                     &residual,
+                 double                      tolerance,
+                 double                      reduction,
+                 unsigned int                maximum_iterations);
+
+  private:
+    Vector preconditioned, direction, product;
+  };
+} // namespace signorini
+
+#endif

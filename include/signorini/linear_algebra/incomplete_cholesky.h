@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_linear_algebra_incomplete_cholesky_h
+#define signorini_linear_algebra_incomplete_cholesky_h
+
+#include <signorini/linear_algebra/elastic_matrices.h>
+#include <signorini/linear_algebra/node_masks.h>
+
+#include <memory>
+
+namespace signorini
+{
+  /**
+   * Incomplete Cholesky factor without fill, (D + L) D^-1 (D + L'), of a matrix with blocks per pair of nodes, in single
+   * precision: a preconditioner needs no more, and the sweeps run at the speed of memory.
+   *
+   * `entry` is float for a block-scalar matrix (mass) and a dim x dim block for M + s A. Held entries are skipped *inside* the
+   * sweeps: the inverse of D_p is replaced by its pseudo-inverse on the free directions of node p. Nodes with contact are
+   * eliminated last, and therefore the sweeps with any active set are those of the factor of the masked matrix
+   * (up to the coupling among contact nodes): a change of the active set needs no new factor.
+   *
+   * Several processes: each factors its owned nodes and one layer of ghosts; the local solutions are added with the weights
+   * of a partition of unity to the power 1/2 on both sides, which keeps the preconditioner symmetric.
+   */
+  template <int dim, int block_size>
+  class IncompleteCholesky
+  {
+  public:
+    /**
+     * @param matrices         mass and stiffness
+     * @param mass_factor      a and
+     * @param stiffness_factor b of a M + b A (b = 0 if block_size = 1)
+     * @param eliminate_last   local nodes (owned and ghosts) that come last, ascending
+     */
+    IncompleteCholesky(const ElasticMatrices<dim>      &matrices,
+                       double                           mass_factor,
+                       double                           stiffness_factor,
+                       const std::vector<unsigned int> &eliminate_last);
+
+    /** Replace the free directions of the nodes that are (partly) held. */
+    void set_held_nodes(const HeldNodes<dim> &held);
+
+    /** In Cartesian components. */
+    void vmult(Vector &destination, const Vector &source) const;
+
+    /** Number of applications since the start. */
+    unsigned long n_applications() const { return applications; }
+
+  private:
+    using Entry    = std::array<float, block_size * block_size>;
+    using Diagonal = std::array<float, dim * dim>;
+
+    const NodePattern        &pattern;
+    std::vector<unsigned int> order;      ///< position in the elimination -> local node
+    std::vector<unsigned int> row_start;  ///< strictly lower triangle, rows and columns by position
+    std::vector<unsigned int> columns;
+    std::vector<Entry>        lower;
+    std::vector<Entry>        pivots;           ///< D_p
+    std::vector<Diagonal>     inverse_pivots;   ///< pseudo-inverse on the free directions
+    std::vector<unsigned int> position_of;      ///< local node -> position
+    std::vector<unsigned int> held_positions;   ///< whose inverse pivot differs from the full one
+    std::vector<float>        weights;          ///< per position, root of the partition of unity
+    bool                      overlapping;
+    double                    matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
+    mutable std::vector<float> work;
+    mutable Vector            ghosted_source;
+    mutable unsigned long     applications = 0;
+
+    void build_pattern(const std::vector<unsigned int> &eliminate_last);
+    /** @return false if a pivot is not positive definite. */
+    bool factor(const ElasticMatrices<dim> &matrices, double mass_factor, double stiffness_factor, double shift);
+    void invert_pivot(unsigned int position);
+    void sweep() const;
+  };
+} // namespace signorini
+
+#endif

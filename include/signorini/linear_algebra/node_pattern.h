@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_linear_algebra_node_pattern_h
+#define signorini_linear_algebra_node_pattern_h
+
+#include <signorini/base/types.h>
+
+#include <deal.II/base/partitioner.h>
+
+#include <memory>
+#include <vector>
+
+namespace signorini
+{
+  /**
+   * Which nodes are coupled: compressed rows over the nodes of this process. Rows and columns count local nodes, first the
+   * owned ones, then the ghosts, in the order of the partitioner, which numbers dim entries per node. The rows of the ghosts
+   * (needed by overlapping preconditioners) hold only columns that are local.
+   */
+  struct NodePattern
+  {
+    unsigned int                                             n_owned = 0; ///< nodes of this process
+    unsigned int                                             n_local = 0; ///< with ghosts
+    std::vector<unsigned int>                                row_start;   ///< n_local + 1 entries
+    std::vector<unsigned int>                                columns;     ///< ascending within a row
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner; ///< of vectors with dim entries per node
+  };
+} // namespace signorini
+
+#endif

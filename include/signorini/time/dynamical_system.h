@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_time_dynamical_system_h
+#define signorini_time_dynamical_system_h
+
+#include <signorini/base/types.h>
+
+#include <vector>
+
+namespace signorini
+{
+  /** Distances gamma = g - u.nu of the contact nodes that this process owns; also bounds for normal increments. */
+  using NormalGap = std::vector<double>;
+
+  /** Effort of the inequalities of one step. */
+  struct SolveEffort
+  {
+    unsigned int active_set_iterations = 0;
+    unsigned int linear_iterations     = 0;
+    unsigned int n_active              = 0; ///< contact nodes held at their bound
+    bool         fallback              = false;
+  };
+
+  /**
+   * minimise 1/2 d'(M + s A) d - b'd over increments d with d.nu <= bound at the contact nodes and the prescribed
+   * increments at supports. The step [start_time, start_time + step_size] determines supports and the scale of errors.
+   */
+  struct IncrementProblem
+  {
+    double           stiffness_factor; ///< s, tau^2/4 for the trapezoidal rule
+    const Vector    &right_hand_side;  ///< b
+    const NormalGap &bounds;
+    const Vector    &displacement; ///< u at the start
+    double           start_time;
+    double           step_size;
+  };
+
+  /** The increment and the generalised forces that hold the constraints, all in Cartesian components. */
+  struct IncrementSolution
+  {
+    Vector      increment;        ///< d
+    Vector      contact_reaction; ///< (K d - b) in the contact entries: compression has a negative normal component
+    Vector      support_reaction; ///< (K d - b) in the entries of supports
+    SolveEffort effort;
+  };
+
+  /**
+   * All that a time scheme sees of the bodies. It knows no mesh, no obstacle and no solver; a bouncing mass is a realisation
+   * of twenty lines (tests/time).
+   */
+  class DynamicalSystem
+  {
+  public:
+    virtual ~DynamicalSystem() = default;
+
+    virtual Vector make_vector() const = 0;
+
+    /** destination = M source. */
+    virtual void apply_mass(Vector &destination, const Vector &source) const = 0;
+
+    /** destination = A source. */
+    virtual void apply_stiffness(Vector &destination, const Vector &source) const = 0;
+
+    /** Add factor times the mean of the loads at both ends of a step; @return false if there are none. */
+    virtual bool add_mean_load(Vector &destination, double factor, double start_time, double end_time) = 0;
+
+    virtual NormalGap normal_gap(const Vector &displacement) const = 0;
+
+    /** Solve the inequality of a step. `solution` is overwritten; the system keeps its own history for first guesses. */
+    virtual void solve(const IncrementProblem &problem, IncrementSolution &solution) = 0;
+
+    /**
+     * L2 projection of a free increment onto the admissible ones: the correction c with minimal 1/2 c'Mc and
+     * (free_increment + c).nu <= bound.
+     * @param mass_correction M c, the reaction of the projection
+     * @return effort; no active node means that the free increment was admissible and c = 0, found without any solve
+     */
+    virtual SolveEffort project(const Vector    &free_increment,
+                                const NormalGap &bounds,
+                                double           step_size,
+                                Vector          &correction,
+                                Vector          &mass_correction) = 0;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_time_time_scheme_h
+#define signorini_time_time_scheme_h
+
+#include <signorini/time/dynamical_system.h>
+#include <signorini/time/state.h>
+
+#include <memory>
+#include <string>
+
+namespace signorini
+{
+  /** What happened in a step: effort, and the exact work of each constraint by the energy identity of the scheme. */
+  struct StepReport
+  {
+    SolveEffort corrector;
+    SolveEffort predictor;
+    double      work_contact   = 0.; ///< change of energy by contact forces
+    double      work_predictor = 0.; ///< change of energy by the projection of the predictor
+    double      work_support   = 0.; ///< work of the reactions at prescribed displacements
+  };
+
+  /**
+   * A one-step method for M u'' + A u = f + r with unilateral contact.
+   *
+   * Contract of advance(): on entry the state is complete (momentum = M v, internal_force = A u) and admissible up to
+   * tolerance; on exit it is the complete state one step later. Nothing but `state` is changed, and if an exception
+   * leaves advance(), the state is as it was. The scheme keeps no memory between steps.
+   */
+  class TimeScheme
+  {
+  public:
+    virtual ~TimeScheme() = default;
+
+    virtual StepReport advance(DynamicalSystem &system, State &state, double step_size) = 0;
+  };
+
+  /** The scheme of a name in the scene: newmark, contact-implicit, contact-stabilized. */
+  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_variational_inequality_constrained_problem_h
+#define signorini_variational_inequality_constrained_problem_h
+
+#include <signorini/linear_algebra/linear_operator.h>
+#include <signorini/linear_algebra/masked_preconditioner.h>
+
+#include <vector>
+
+namespace signorini
+{
+  /**
+   * The strictly convex problem of every step,
+   *
+   *   minimise 1/2 x'K x - b'x   subject to   x_i <= g_i (bounded entries),   x_j = d_j (fixed entries).
+   *
+   * Its conditions of optimality with the residual s = b - K x: s_i = 0 in free entries; in bounded entries s_i >= 0,
+   * x_i <= g_i, s_i (g_i - x_i) = 0 (s_i is the multiplier); in fixed entries s_j is minus the reaction.
+   * All indices are local; a process lists the entries that it owns.
+   */
+  struct ConstrainedProblem
+  {
+    const LinearOperator            &matrix;
+    MaskedPreconditioner            &preconditioner;
+    const Vector                    &right_hand_side;
+    const std::vector<unsigned int> &bounded_entries;
+    const std::vector<double>       &upper_bounds; ///< one per bounded entry; infinity: free
+    const std::vector<unsigned int> &fixed_entries;
+    const std::vector<double>       &fixed_values;
+    /** Accepted error in the norm of K, see ConjugateGradients. Absolute; the caller knows the scale of energy. */
+    double tolerance;
+    /** A bound counts as violated beyond this. Absolute, a length. */
+    double bound_tolerance;
+  };
+
+  /** What a solver did. */
+  struct SolveReport
+  {
+    unsigned int active_set_iterations = 0;
+    unsigned int linear_iterations     = 0;
+    unsigned int n_active              = 0;     ///< on all processes
+    bool         fallback              = false; ///< the guaranteed method had to finish the work
+  };
+
+  /** For each bounded entry whether it is held at its bound. */
+  using ActiveSet = std::vector<char>;
+} // namespace signorini
+
+#endif

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/expressions.h>
+#include <signorini/discretization/assemble_matrices.h>
+#include <signorini/discretization/discretization.h>
+#include <signorini/discretization/mesh.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <deal.II/fe/fe_q.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Discretization<dim>::Discretization(const Scene<dim> &scene, const MPI_Comm communicator)
+    : scene(scene)
+    , triangulation(communicator)
+    , fe(FE_Q<dim>(1), dim)
+    , mapping(scene.mapping == "curved" ? 2 : 1)
+    , dof_handler(triangulation)
+  {
+    make_mesh(scene, triangulation);
+    dof_handler.distribute_dofs(fe);
+    locally_owned = dof_handler.locally_owned_dofs();
+    DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+    hanging_node_constraints.reinit(locally_relevant);
+    DoFTools::make_hanging_node_constraints(dof_handler, hanging_node_constraints);
+    hanging_node_constraints.close();
+  }
+
+
+  template <int dim>
+  void Discretization<dim>::assemble()
+  {
+    assemble_matrices(*this, matrices);
+
+    // Positions travel to the ghosts as a vector does.
+    Vector positions = make_vector();
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (locally_owned.is_element(cell->vertex_dof_index(v, 0)))
+            for (unsigned int c = 0; c < dim; ++c)
+              positions(cell->vertex_dof_index(v, c)) = cell->vertex(v)[c];
+    positions.update_ghost_values();
+    node_positions.resize(matrices.pattern.n_local);
+    for (unsigned int node = 0; node < matrices.pattern.n_local; ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        node_positions[node][c] = positions.local_element(dim * node + c);
+  }
+
+
+  template <int dim>
+  Vector
+  Discretization<dim>::interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body,
+                                   const double                                     time) const
+  {
+    std::vector<std::unique_ptr<FunctionParser<dim>>> functions;
+    for (const auto &expressions : expressions_by_body)
+      {
+        functions.push_back(make_function<dim, dim>(expressions));
+        functions.back()->set_time(time);
+      }
+    Vector                    result = make_vector();
+    dealii::Vector<double>    value(dim);
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const auto dof = cell->vertex_dof_index(v, 0);
+            if (!locally_owned.is_element(dof) || hanging_node_constraints.is_constrained(dof))
+              continue;
+            functions[cell->material_id()]->vector_value(cell->vertex(v), value);
+            for (unsigned int c = 0; c < dim; ++c)
+              result(dof + c) = value[c];
+          }
+    return result;
+  }
+
+
+  template <int dim>
+  Vector Discretization<dim>::interpolate_hanging_nodes(const Vector &vector) const
+  {
+    Vector result(locally_owned, locally_relevant, communicator());
+    result.copy_locally_owned_data_from(vector);
+    hanging_node_constraints.distribute(result);
+    result.update_ghost_values();
+    return result;
+  }
+
+
+  template <int dim>
+  double Discretization<dim>::body_size() const
+  {
+    double size = 0.;
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        Point<dim> lower, upper;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            lower[c] = std::numeric_limits<double>::max();
+            upper[c] = -lower[c];
+          }
+        for (const auto &cell : triangulation.cell_iterators_on_level(0))
+          if (cell->material_id() == b)
+            for (const unsigned int v : cell->vertex_indices())
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  lower[c] = std::min(lower[c], cell->vertex(v)[c]);
+                  upper[c] = std::max(upper[c], cell->vertex(v)[c]);
+                }
+        for (unsigned int c = 0; c < dim; ++c)
+          size = std::max(size, upper[c] - lower[c]);
+      }
+    return Utilities::MPI::max(size, communicator());
+  }
+
+
+  template <int dim>
+  double Discretization<dim>::courant_number(const double step_size) const
+  {
+    double number = 0.;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        number = std::max(number,
+                          scene.bodies[cell->material_id()].material.pressure_wave_speed() * step_size
+                            / cell->minimum_vertex_distance());
+    return Utilities::MPI::max(number, communicator());
+  }
+
+
+  template class Discretization<2>;
+  template class Discretization<3>;
+} // namespace signorini

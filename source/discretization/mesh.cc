@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/expressions.h>
+#include <signorini/base/user_error.h>
+#include <signorini/discretization/mesh.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/manifold_lib.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The coarse mesh of one body with the boundary ids of its shape; curved surfaces carry their manifold. */
+    template <int dim>
+    void make_coarse_mesh(const BodyDescription<dim> &body, Triangulation<dim> &mesh)
+    {
+      if (body.shape == "ball")
+        GridGenerator::hyper_ball(mesh, body.centre, body.radius);
+      else if (body.shape == "box")
+        GridGenerator::subdivided_hyper_rectangle(mesh,
+                                                  std::vector<unsigned int>(body.repetitions.begin(),
+                                                                            body.repetitions.end()),
+                                                  body.lower_corner,
+                                                  body.upper_corner,
+                                                  true);
+      else if (body.shape == "cylinder")
+        {
+          if constexpr (dim == 3)
+            {
+              GridGenerator::cylinder(mesh, body.radius, body.length / 2.);
+              // deal.II's cylinder lies along x; turn x into the wanted axis by a proper rotation.
+              GridTools::transform(
+                [&body](const Point<dim> &p) {
+                  const Point<dim> turned = body.axis == 0 ? p :
+                                            body.axis == 1 ? Point<dim>(-p[1], p[0], p[2]) :
+                                                             Point<dim>(-p[2], p[1], p[0]);
+                  return turned + body.centre;
+                },
+                mesh);
+              Tensor<1, dim> direction;
+              direction[body.axis] = 1.;
+              mesh.set_manifold(0, CylindricalManifold<dim>(direction, body.centre));
+            }
+        }
+      else
+        throw UserError("The shape '" + body.shape + "' of body '" + body.name + "' is not known.");
+    }
+
+
+    /** Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold ids by `offset`. */
+    template <int dim>
+    void append(const Triangulation<dim>     &mesh,
+                const types::material_id      material_id,
+                const types::manifold_id      offset,
+                std::vector<Point<dim>>      &vertices,
+                std::vector<CellData<dim>>   &cells,
+                SubCellData                  &faces)
+    {
+      auto [new_vertices, new_cells, new_faces] = GridTools::get_coarse_mesh_description(mesh);
+      const unsigned int first_vertex           = vertices.size();
+      vertices.insert(vertices.end(), new_vertices.begin(), new_vertices.end());
+      const auto shift = [&](auto &list) {
+        for (auto &item : list)
+          {
+            for (unsigned int &vertex : item.vertices)
+              vertex += first_vertex;
+            if (item.manifold_id != numbers::flat_manifold_id)
+              item.manifold_id += offset;
+          }
+      };
+      shift(new_cells);
+      shift(new_faces.boundary_lines);
+      shift(new_faces.boundary_quads);
+      for (CellData<dim> &cell : new_cells)
+        cell.material_id = material_id;
+      cells.insert(cells.end(), new_cells.begin(), new_cells.end());
+      faces.boundary_lines.insert(faces.boundary_lines.end(), new_faces.boundary_lines.begin(), new_faces.boundary_lines.end());
+      faces.boundary_quads.insert(faces.boundary_quads.end(), new_faces.boundary_quads.begin(), new_faces.boundary_quads.end());
+    }
+
+
+    /** Refine all cells for which the predicate holds, `times` times (a child asks again). */
+    template <int dim, typename Predicate>
+    void refine(Triangulation<dim> &mesh, const Predicate &predicate)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned() && predicate(cell))
+          cell->set_refine_flag();
+      mesh.execute_coarsening_and_refinement();
+    }
+  } // namespace
+
+
+  template <int dim>
+  void make_mesh(const Scene<dim> &scene, parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    std::vector<Point<dim>>          vertices;
+    std::vector<CellData<dim>>       cells;
+    SubCellData                      faces;
+    constexpr types::manifold_id     ids_per_body = 4;
+    std::vector<Triangulation<dim>>  coarse_meshes(scene.bodies.size());
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
+        make_coarse_mesh(scene.bodies[b], coarse_meshes[b]);
+        append(coarse_meshes[b], b, ids_per_body * b, vertices, cells, faces);
+      }
+    triangulation.create_triangulation(vertices, cells, faces);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      for (const types::manifold_id id : coarse_meshes[b].get_manifold_ids())
+        if (id != numbers::flat_manifold_id)
+          triangulation.set_manifold(ids_per_body * b + id, coarse_meshes[b].get_manifold(id));
+
+    unsigned int most = 0, most_local = 0;
+    for (const auto &body : scene.bodies)
+      {
+        most       = std::max(most, body.refinements);
+        most_local = std::max(most_local, body.local_refinements);
+      }
+    for (unsigned int level = 0; level < most; ++level)
+      refine(triangulation, [&](const auto &cell) { return scene.bodies[cell->material_id()].refinements > level; });
+
+    std::vector<std::unique_ptr<FunctionParser<dim>>> selections;
+    for (const auto &body : scene.bodies)
+      selections.push_back(make_function<dim, 1>({{body.refine_where}}));
+    for (unsigned int level = 0; level < most_local; ++level)
+      refine(triangulation, [&](const auto &cell) {
+        const unsigned int b = cell->material_id();
+        return scene.bodies[b].local_refinements > level && selections[b]->value(cell->center()) > 0.;
+      });
+  }
+
+
+  template void make_mesh(const Scene<2> &, parallel::distributed::Triangulation<2> &);
+  template void make_mesh(const Scene<3> &, parallel::distributed::Triangulation<3> &);
+} // namespace signorini

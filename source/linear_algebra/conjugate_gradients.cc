@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/conjugate_gradients.h>
+#include <signorini/linear_algebra/vector_kernels.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  ConjugateGradients::Report ConjugateGradients::solve(const LinearOperator       &matrix,
+                                                       const MaskedPreconditioner &preconditioner,
+                                                       Vector                     &solution,
+                                                       Vector                     &residual,
+                                                       const double                tolerance,
+                                                       const double                reduction,
+                                                       const unsigned int          maximum_iterations)
+  {
+    if (preconditioned.get_partitioner() != solution.get_partitioner() || preconditioned.size() == 0)
+      {
+        preconditioned.reinit(solution, true);
+        direction.reinit(solution, true);
+        product.reinit(solution, true);
+      }
+
+    Report report;
+    preconditioner.vmult(preconditioned, residual);
+    double       norm_square = dot(residual, preconditioned);
+    const double goal        = std::max(tolerance, reduction * std::sqrt(std::max(norm_square, 0.)));
+    direction                = preconditioned;
+    while (!(report.converged = norm_square <= goal * goal) && report.iterations < maximum_iterations)
+      {
+        matrix.vmult(product, direction);
+        ++report.iterations;
+        const double curvature = dot(direction, product);
+        if (!(curvature > 0.)) // round-off, or a matrix that is not positive definite: the caller judges the result
+          break;
+        advance(norm_square / curvature, direction, solution, product, residual);
+        preconditioner.vmult(preconditioned, residual);
+        const double new_norm_square = dot(residual, preconditioned);
+        extend_direction(preconditioned, new_norm_square / norm_square, direction);
+        norm_square = new_norm_square;
+      }
+    return report;
+  }
+} // namespace signorini

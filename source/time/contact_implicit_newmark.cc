@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/time/contact_implicit_newmark.h>
+#include <signorini/time/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport ContactImplicitNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    // (33): (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r
+    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const NormalGap         gap      = system.normal_gap(state.displacement);
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const Vector           &d        = solution.increment;
+
+    Vector r = solution.contact_reaction;
+    r *= 2. / (tau * tau);
+
+    StepReport report;
+    report.corrector    = solution.effort;
+    report.work_contact = r * d;
+    report.work_support = trapezoidal_rule::support_work(solution, tau);
+
+    // (34): v_new - v = 2/tau (d - tau v)
+    Vector velocity_change = d;
+    velocity_change.sadd(2. / tau, -2., state.velocity);
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    return report;
+  }
+} // namespace signorini

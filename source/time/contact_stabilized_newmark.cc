@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/time/contact_stabilized_newmark.h>
+#include <signorini/time/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport ContactStabilizedNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    StepReport      report;
+    const NormalGap gap = system.normal_gap(state.displacement);
+
+    // (36): p = tau v + c, the L2 projection of the free increment
+    Vector p = state.velocity;
+    p *= tau;
+    Vector c, mass_c;
+    report.predictor = system.project(p, gap, tau, c, mass_c);
+    p += c;
+
+    // (37): (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r
+    Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
+    b += mass_c;
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const Vector           &d        = solution.increment;
+
+    Vector r = solution.contact_reaction;
+    r *= 2. / (tau * tau);
+
+    // (38): v_new = v + 2/tau (d - p)
+    Vector velocity_change = d;
+    velocity_change -= p;
+
+    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p)
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_predictor = -2. / (tau * tau) * (mass_c * velocity_change);
+    report.work_support   = trapezoidal_rule::support_work(solution, tau);
+
+    velocity_change *= 2. / tau;
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    return report;
+  }
+} // namespace signorini

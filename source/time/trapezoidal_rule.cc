@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/time/trapezoidal_rule.h>
+
+namespace signorini
+{
+  namespace trapezoidal_rule
+  {
+    Vector right_hand_side(DynamicalSystem &system, const State &state, const double step_size)
+    {
+      Vector result = state.momentum;
+      result.sadd(step_size, -step_size * step_size / 2., state.internal_force);
+      system.add_mean_load(result, step_size * step_size / 2., state.time, state.time + step_size);
+      return result;
+    }
+
+
+    IncrementSolution solve(DynamicalSystem &system,
+                            const State     &state,
+                            const double     step_size,
+                            const Vector    &right_hand_side,
+                            const NormalGap &gap)
+    {
+      IncrementSolution solution;
+      system.solve({step_size * step_size / 4., right_hand_side, gap, state.displacement, state.time, step_size}, solution);
+      return solution;
+    }
+
+
+    double support_work(const IncrementSolution &solution, const double step_size)
+    {
+      return 2. / (step_size * step_size) * (solution.support_reaction * solution.increment);
+    }
+
+
+    void finish(const DynamicalSystem &system,
+                State                 &state,
+                const double           step_size,
+                const Vector          &increment,
+                const Vector          &velocity_change,
+                Vector               &&contact_force)
+    {
+      state.displacement += increment;
+      state.velocity += velocity_change;
+      state.contact_force = std::move(contact_force);
+      state.time += step_size;
+      ++state.step;
+      system.apply_mass(state.momentum, state.velocity);
+      system.apply_stiffness(state.internal_force, state.displacement);
+    }
+  } // namespace trapezoidal_rule
+} // namespace signorini

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/variational_inequality/primal_dual_active_set.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cstdint>
+
+namespace signorini
+{
+  namespace
+  {
+    /** A number that tells active sets apart, the same on all processes. */
+    std::size_t fingerprint(const ActiveSet &active, const Vector &like)
+    {
+      const auto    first = like.get_partitioner()->local_range().first;
+      std::uint64_t sum   = 0;
+      for (std::size_t k = 0; k < active.size(); ++k)
+        if (active[k])
+          {
+            std::uint64_t x = (static_cast<std::uint64_t>(first) << 32) + k + 0x9e3779b97f4a7c15ull; // splitmix64
+            x               = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+            x               = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+            sum += x ^ (x >> 31);
+          }
+      return dealii::Utilities::MPI::sum(sum, like.get_mpi_communicator());
+    }
+  } // namespace
+
+
+  SolveReport PrimalDualActiveSet::solve(const ConstrainedProblem &problem,
+                                         ActiveSet                &active,
+                                         Vector                   &solution,
+                                         Vector                   &residual)
+  {
+    SolveReport           report;
+    std::set<std::size_t> seen;
+    double                reduction = parameters.rough_reduction;
+
+    start(problem, active, solution, residual);
+    set_mask(problem, active);
+    while (report.active_set_iterations < parameters.maximum_iterations)
+      {
+        ++report.active_set_iterations;
+        const auto linear = conjugate_gradients.solve(problem.matrix,
+                                                      problem.preconditioner,
+                                                      solution,
+                                                      residual,
+                                                      problem.tolerance,
+                                                      reduction,
+                                                      parameters.maximum_linear_iterations);
+        report.linear_iterations += linear.iterations;
+        if (!linear.converged)
+          break;
+
+        if (update(problem, active, solution, residual) == 0)
+          {
+            if (reduction == 0.)
+              {
+                report.n_active = dealii::Utilities::MPI::sum(
+                  static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)), solution.get_mpi_communicator());
+                return report;
+              }
+            reduction = 0.; // the set stands: now solve accurately and look once more
+            continue;
+          }
+        if (!seen.insert(fingerprint(active, solution)).second)
+          {
+            if (reduction == 0.)
+              break; // a cycle, and not for want of accuracy
+            reduction = 0.;
+            seen.clear();
+          }
+        hold(problem, active, solution, residual);
+        set_mask(problem, active);
+      }
+
+    const unsigned int linear_iterations = report.linear_iterations, active_set_iterations = report.active_set_iterations;
+    report = fallback.solve(problem, active, solution, residual);
+    report.linear_iterations += linear_iterations;
+    report.active_set_iterations += active_set_iterations;
+    report.fallback = true;
+    return report;
+  }
+
+
+  void PrimalDualActiveSet::start(const ConstrainedProblem &problem,
+                                  const ActiveSet          &active,
+                                  Vector                   &solution,
+                                  Vector                   &residual)
+  {
+    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k])
+        solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
+    problem.matrix.vmult(residual, solution);
+    residual.sadd(-1., 1., problem.right_hand_side);
+  }
+
+
+  unsigned int PrimalDualActiveSet::update(const ConstrainedProblem &problem,
+                                           ActiveSet                &active,
+                                           const Vector             &solution,
+                                           const Vector             &residual) const
+  {
+    unsigned int n_changes = 0;
+    for (std::size_t k = 0; k < active.size(); ++k)
+      {
+        const unsigned int i = problem.bounded_entries[k];
+        const bool         now =
+          active[k] ? residual.local_element(i) >= 0. :
+                      solution.local_element(i) > problem.upper_bounds[k] + problem.bound_tolerance;
+        n_changes += (now != static_cast<bool>(active[k]));
+        active[k] = now;
+      }
+    return dealii::Utilities::MPI::sum(n_changes, solution.get_mpi_communicator());
+  }
+
+
+  void PrimalDualActiveSet::hold(const ConstrainedProblem &problem,
+                                 const ActiveSet          &active,
+                                 Vector                   &solution,
+                                 Vector                   &residual)
+  {
+    correction.reinit(solution);
+    unsigned int n_moved = 0;
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k])
+        {
+          const unsigned int i        = problem.bounded_entries[k];
+          const double       distance = problem.upper_bounds[k] - solution.local_element(i);
+          n_moved += (distance != 0.);
+          correction.local_element(i) = distance;
+          solution.local_element(i)   = problem.upper_bounds[k];
+        }
+    if (dealii::Utilities::MPI::sum(n_moved, solution.get_mpi_communicator()) == 0)
+      return; // entries were only released: the solution is as it was
+    product.reinit(solution, true);
+    problem.matrix.vmult(product, correction);
+    residual -= product;
+  }
+
+
+  void PrimalDualActiveSet::set_mask(const ConstrainedProblem &problem, const ActiveSet &active)
+  {
+    mask.assign(problem.right_hand_side.locally_owned_size(), 0);
+    for (const unsigned int j : problem.fixed_entries)
+      mask[j] = 1;
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (active[k])
+        mask[problem.bounded_entries[k]] = 1;
+    problem.preconditioner.set_mask(mask);
+  }
+} // namespace signorini
