@@ -20,7 +20,10 @@ from plotting.tables import read_table
 
 def write(figure, path):
     """Save a figure and free it."""
-    figure.savefig(path)
+    try:
+        figure.savefig(path)
+    except OSError as error:
+        raise Problem(f"cannot write {path}: {error.strerror}") from None
     style.close(figure)
     print(f"  {path}")
 
