@@ -23,7 +23,7 @@ def write(figure, path):
     try:
         figure.savefig(path)
     except OSError as error:
-        raise Problem(f"cannot write {path}: {error.strerror}") from None
+        sys.exit(f"plot.py: cannot write {path}: {error.strerror}")
     style.close(figure)
     print(f"  {path}")
 
