@@ -15,7 +15,7 @@ function(signorini_add_test name)
   endif()
   add_executable(${name} ${TEST_SOURCES})
   deal_ii_setup_target(${name})
-  target_link_libraries(${name} PRIVATE signorini_test_main)
+  target_link_libraries(${name} signorini_test_main)
   target_compile_definitions(${name} PRIVATE
     SIGNORINI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SIGNORINI_EXECUTABLE="$<TARGET_FILE:signorini>")
   target_precompile_headers(${name} REUSE_FROM signorini_test_main)
