@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_base_command_line_h
+#define signorini_base_command_line_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace signorini
+{
+  /** What the user asked for. */
+  struct CommandLine
+  {
+    std::string                                      scene;     ///< file name of the scene
+    std::vector<std::pair<std::string, std::string>> overrides; ///< --set: path of the key, value
+    bool                                             validate         = false;
+    bool                                             print_parameters = false;
+    bool                                             quiet            = false;
+    bool                                             version          = false;
+    bool                                             help             = false;
+  };
+
+  /** @param arguments without the name of the program. @throws UserError for what cannot be understood. */
+  CommandLine parse_command_line(const std::vector<std::string> &arguments);
+
+  /** What a call without arguments shows: a few lines, and which scene to start with. */
+  std::string short_help();
+
+  /** All options. */
+  std::string help();
+
+  /** Name and version of the program and of deal.II. */
+  std::string version();
+} // namespace signorini
+
+#endif

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_pair_name_h
+#define signorini_scene_pair_name_h
+
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  class SectionReader;
+
+  /** `slave : partner` or `slave[ids] : partner`, taken apart. */
+  struct PairName
+  {
+    std::string               slave;
+    std::vector<unsigned int> ids; ///< empty: the whole boundary
+    std::string               partner;
+
+    /** The normal form, `ball[2,3] : floor`. */
+    std::string text() const;
+  };
+
+  /** A name with the white space of the normal form; it need not be a correct name. */
+  std::string with_normal_blanks(const std::string &name);
+
+  /**
+   * The list `Contact/Pairs`; @p in is the section Contact.
+   * @throws UserError for what is not a pair, for unknown names, and for contact that is not available.
+   */
+  std::vector<PairName> parse_pair_names(const SectionReader            &in,
+                                         const std::string              &list,
+                                         const std::vector<std::string> &bodies,
+                                         const std::vector<std::string> &obstacles);
+} // namespace signorini
+
+#endif

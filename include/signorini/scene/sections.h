@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_sections_h
+#define signorini_scene_sections_h
+
+#include <signorini/scene/scene.h>
+#include <signorini/scene/scene_names.h>
+#include <signorini/scene/section_reader.h>
+
+namespace dealii
+{
+  class ParameterHandler;
+}
+
+namespace signorini
+{
+  // A declare_ and a parse_ function per section, in the order in which a scene tells its story. declare_ says which keys
+  // exist, with default, pattern and description; parse_ checks what a pattern cannot and returns plain data. The handler
+  // is inside of the section when declare_ is called, and the reader when parse_ is called.
+
+  void           declare_time(dealii::ParameterHandler &prm);
+  TimeParameters parse_time(const SectionReader &in);
+
+  template <int dim>
+  void declare_body(dealii::ParameterHandler &prm);
+  template <int dim>
+  BodyDescription<dim> parse_body(const SectionReader &in, const std::string &name);
+
+  // The parts of a body's section.
+  template <int dim>
+  void declare_shape(dealii::ParameterHandler &prm);
+  template <int dim>
+  void     parse_shape(const SectionReader &in, BodyDescription<dim> &body);
+  void     declare_material(dealii::ParameterHandler &prm);
+  Material parse_material(const SectionReader &in);
+  template <int dim>
+  void declare_conditions(dealii::ParameterHandler &prm);
+  template <int dim>
+  void parse_conditions(const SectionReader &in, BodyDescription<dim> &body);
+
+  template <int dim>
+  void declare_obstacle(dealii::ParameterHandler &prm);
+  template <int dim>
+  ObstacleDescription<dim> parse_obstacle(const SectionReader &in, const std::string &name);
+
+  void declare_pair(dealii::ParameterHandler &prm);
+  template <int dim>
+  std::vector<PairDescription>
+  parse_pairs(const SectionReader &in, const std::vector<PairName> &names, const Scene<dim> &scene);
+
+  template <int dim>
+  void declare_probe(dealii::ParameterHandler &prm);
+  template <int dim>
+  ProbeDescription<dim> parse_probe(const SectionReader &in, const std::string &name);
+
+  template <int dim>
+  void declare_exact_solution(dealii::ParameterHandler &prm);
+  template <int dim>
+  ExactSolutionDescription<dim> parse_exact_solution(const SectionReader                     &in,
+                                                     const std::vector<BodyDescription<dim>> &bodies);
+
+  void             declare_solver(dealii::ParameterHandler &prm);
+  SolverParameters parse_solver(const SectionReader &in);
+
+  void             declare_output(dealii::ParameterHandler &prm);
+  OutputParameters parse_output(const SectionReader &in);
+
+  /** All of it: the top level, every section, and one subsection for each of the names. */
+  template <int dim>
+  void declare_scene(dealii::ParameterHandler &prm, const SceneNames &names);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/command_line.h>
+#include <signorini/base/spelling.h>
+#include <signorini/base/user_error.h>
+
+#include <deal.II/base/config.h>
+
+namespace signorini
+{
+  namespace
+  {
+    const std::vector<std::string> options = {
+      "--set", "--validate", "--print-parameters", "--quiet", "--resume", "--version", "--help"};
+
+    std::pair<std::string, std::string> parse_override(const std::string &assignment)
+    {
+      const std::size_t equal = assignment.find('=');
+      if (equal == std::string::npos || trim(assignment.substr(0, equal)).empty())
+        throw UserError("--set \"" + assignment +
+                        "\": a key and a value are needed. Write --set \"Section/Subsection/Key=value\".");
+      return {trim(assignment.substr(0, equal)), trim(assignment.substr(equal + 1))};
+    }
+
+    void parse_option(const std::string &option, CommandLine &result)
+    {
+      if (option == "--validate")
+        result.validate = true;
+      else if (option == "--print-parameters")
+        result.print_parameters = true;
+      else if (option == "--quiet")
+        result.quiet = true;
+      else if (option == "--version")
+        result.version = true;
+      else if (option == "--help" || option == "-h")
+        result.help = true;
+      else if (option == "--resume")
+        throw UserError("--resume: not available in this version. Start the scene from the beginning.");
+      else
+        throw UserError("unknown option " + option + ". " + suggestion(option, options));
+    }
+  } // namespace
+
+  CommandLine parse_command_line(const std::vector<std::string> &arguments)
+  {
+    CommandLine result;
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+      {
+        const std::string &argument = arguments[i];
+        if (argument == "--set")
+          {
+            if (++i == arguments.size())
+              throw UserError("--set needs a key and a value. Write --set \"Section/Subsection/Key=value\".");
+            result.overrides.push_back(parse_override(arguments[i]));
+          }
+        else if (!argument.empty() && argument[0] == '-')
+          parse_option(argument, result);
+        else if (!result.scene.empty())
+          throw UserError("two scenes, " + result.scene + " and " + argument +
+                          ". Name one; each runs on its own.");
+        else
+          result.scene = argument;
+      }
+    const bool only_information = result.help || result.version || result.print_parameters;
+    if (result.scene.empty() && !arguments.empty() && !only_information)
+      throw UserError("no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");
+    return result;
+  }
+
+  std::string short_help()
+  {
+    return "signorini: elastic bodies that hit rigid obstacles.\n\n"
+           "  signorini scene.prm               run a scene; start with parameters/quick_start.prm\n"
+           "  mpirun -np 4 signorini scene.prm  the same on four processes\n"
+           "  signorini --help                  all options\n";
+  }
+
+  std::string help()
+  {
+    return "Usage: signorini [options] scene.prm\n\n"
+           "  --set \"Section/Key=value\"  change a value of the scene (repeatable, applied after "
+           "the file)\n"
+           "  --validate                 check scene and physics, say what would run, and stop\n"
+           "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
+           "  --quiet                    no progress line\n"
+           "  --resume                   continue from a checkpoint (not available in this version)\n"
+           "  --version                  print the version\n"
+           "  --help                     print this text\n\n"
+           "A first scene is parameters/quick_start.prm.\n"
+           "Exit status: 0 done, 1 the run failed, 2 the command line or the scene has a mistake.\n";
+  }
+
+  std::string version()
+  {
+    return "signorini " SIGNORINI_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION ")\n";
+  }
+} // namespace signorini

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/command_line.h>
+#include <signorini/base/failure.h>
+#include <signorini/scene/output_directory.h>
+#include <signorini/scene/read_scene.h>
+#include <signorini/simulation/simulation.h>
+
+#include <deal.II/base/exceptions.h>
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+namespace
+{
+  using namespace signorini;
+
+  /** Every process reads the scene; only the first one tries the output folder. */
+  template <int dim>
+  int execute(const CommandLine &options, const MPI_Comm comm, const FailureReporter &reporter)
+  {
+    const bool first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
+    Scene<dim> scene;
+    const int  status = reporter.separately([&] {
+      scene = read_scene<dim>(options.scene, options.overrides);
+      if (first)
+        check_output_directory(scene.output_directory);
+    });
+    if (status != 0)
+      return status;
+
+    return reporter.together([&] {
+      Simulation<dim> simulation(scene, comm, options.quiet);
+      if (options.validate)
+        {
+          const std::string text = simulation.validate();
+          if (first)
+            std::cout << text << std::flush;
+        }
+      else
+        simulation.run();
+    });
+  }
+
+  void print_information(const CommandLine &options)
+  {
+    if (options.help)
+      std::cout << help();
+    else if (options.version)
+      std::cout << version();
+    else if (options.print_parameters)
+      print_parameters(std::cout);
+    else
+      std::cout << short_help();
+  }
+} // namespace
+
+int main(int argc, char **argv)
+{
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  const MPI_Comm        comm = MPI_COMM_WORLD;
+  const FailureReporter reporter(comm);
+
+  CommandLine  options;
+  unsigned int dimension = 0;
+  const int    status    = reporter.separately([&] {
+    options = parse_command_line({argv + 1, argv + argc});
+    if (options.help || options.version || options.print_parameters)
+      options.scene.clear();
+    if (!options.scene.empty())
+      dimension = read_dimension(options.scene, options.overrides);
+  });
+  if (status != 0)
+    return status;
+
+  if (dimension == 2)
+    return execute<2>(options, comm, reporter);
+  if (dimension == 3)
+    return execute<3>(options, comm, reporter);
+  if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+    print_information(options);
+  return 0;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/spelling.h>
+#include <signorini/scene/body_shape.h>
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+
+namespace signorini
+{
+  namespace
+  {
+    template <typename Description>
+    std::vector<std::string> names_of(const std::vector<Description> &descriptions)
+    {
+      std::vector<std::string> names;
+      for (const Description &description : descriptions)
+        names.push_back(description.name);
+      return names;
+    }
+
+    unsigned int index_of(const std::vector<std::string> &names, const std::string &name)
+    {
+      return std::find(names.begin(), names.end(), name) - names.begin();
+    }
+
+    template <int dim>
+    void check_boundary_ids(const SectionReader &in, const PairName &pair, const BodyDescription<dim> &body)
+    {
+      const std::vector<dealii::types::boundary_id> existing = boundary_ids(body);
+      std::vector<std::string>                      valid;
+      for (const dealii::types::boundary_id id : existing)
+        valid.push_back(std::to_string(id));
+      for (const unsigned int id : pair.ids)
+        if (std::find(existing.begin(), existing.end(), id) == existing.end())
+          in.fail("Pairs",
+                  "the pair `" + pair.text() + "`: the body `" + body.name + "` is a " + body.shape +
+                    " and has no boundary id " + std::to_string(id) + ". Valid: " + join(valid) + ".");
+    }
+
+    double parse_friction(const SectionReader &in)
+    {
+      const double coefficient = in.number("Friction coefficient");
+      if (coefficient != 0.)
+        in.fail("Friction coefficient", "friction is not available in this version. Set it to 0.");
+      return coefficient;
+    }
+  } // namespace
+
+  void declare_pair(dealii::ParameterHandler &prm)
+  {
+    prm.declare_entry("Friction coefficient",
+                      "0",
+                      dealii::Patterns::Double(),
+                      "Coefficient of friction (no unit). Only 0 in this version.");
+  }
+
+  template <int dim>
+  std::vector<PairDescription>
+  parse_pairs(const SectionReader &in, const std::vector<PairName> &names, const Scene<dim> &scene)
+  {
+    const std::vector<std::string> bodies    = names_of(scene.bodies);
+    const std::vector<std::string> obstacles = names_of(scene.obstacles);
+    std::vector<PairDescription>   pairs;
+    for (const PairName &name : names)
+      {
+        PairDescription pair;
+        pair.name     = name.text();
+        pair.slave    = index_of(bodies, name.slave);
+        pair.obstacle = index_of(obstacles, name.partner);
+        check_boundary_ids(in, name, scene.bodies[pair.slave]);
+        pair.slave_boundary_ids.assign(name.ids.begin(), name.ids.end());
+        pair.friction_coefficient = parse_friction(in.section(pair.name));
+        pairs.push_back(pair);
+      }
+    return pairs;
+  }
+
+  template std::vector<PairDescription>
+  parse_pairs(const SectionReader &, const std::vector<PairName> &, const Scene<2> &);
+  template std::vector<PairDescription>
+  parse_pairs(const SectionReader &, const std::vector<PairName> &, const Scene<3> &);
+} // namespace signorini

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr unsigned int unlimited = std::numeric_limits<int>::max();
+  }
+
+  void declare_output(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry("VTU", "true", Bool(), "Write fields for ParaView or VisIt at all.");
+    prm.declare_entry("VTU every",
+                      "0",
+                      Integer(),
+                      "Write fields every so many steps; 0: only of the first and the last step.");
+    prm.declare_entry(
+      "History every", "1", Integer(), "Write a row of history.csv and of the probes every so many steps.");
+  }
+
+  OutputParameters parse_output(const SectionReader &in)
+  {
+    OutputParameters output;
+    output.vtu           = in.flag("VTU");
+    output.vtu_every     = in.integer("VTU every", 0, unlimited);
+    output.history_every = in.integer("History every", 1, unlimited);
+    return output;
+  }
+} // namespace signorini

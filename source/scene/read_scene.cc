@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/spelling.h>
+#include <signorini/scene/apply_statements.h>
+#include <signorini/scene/read_scene.h>
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    const std::string dimension_remedy = "must be 2 (plane strain) or 3.";
+
+    template <int dim>
+    void check_top_level(const SectionReader &in)
+    {
+      if (in.text("Dimension") != std::to_string(dim))
+        in.fail("Dimension", "this scene was asked for in dimension " + std::to_string(dim) + ".");
+      if (in.text("Output directory").empty())
+        in.fail("Output directory", "is empty. Name a folder for the results, for example output/ball.");
+    }
+
+    template <int dim>
+    void parse_probes(const SectionReader &in, const std::vector<std::string> &names, Scene<dim> &scene)
+    {
+      if (!names.empty() && scene.pairs.empty())
+        in.fail("Names",
+                "a probe is a node of a contact surface, but the scene has no contact pair. Add one to "
+                "`Contact/Pairs`, "
+                "or remove the probes.");
+      for (const std::string &name : names)
+        scene.probes.push_back(parse_probe<dim>(in.section(name), name));
+    }
+  } // namespace
+
+  unsigned int read_dimension(const std::string &file_name, const std::vector<Override> &overrides)
+  {
+    const SceneText                text = read_scene_text(file_name, overrides);
+    const dealii::ParameterHandler no_values;
+    const Statement               *statement = text.find({}, "Dimension");
+    if (statement == nullptr)
+      return 3;
+    if (statement->value != "2" && statement->value != "3")
+      SectionReader(no_values, text).fail("Dimension", dimension_remedy);
+    return statement->value == "2" ? 2 : 3;
+  }
+
+  template <int dim>
+  Scene<dim> read_scene(const std::string &file_name, const std::vector<Override> &overrides)
+  {
+    SceneText                text  = read_scene_text(file_name, overrides);
+    const SceneNames         names = read_scene_names(text);
+    dealii::ParameterHandler prm;
+    declare_scene<dim>(prm, names);
+    apply_statements(text, prm);
+
+    const SectionReader in(prm, text);
+    check_top_level<dim>(in);
+    Scene<dim> scene;
+    scene.file_name        = file_name;
+    scene.output_directory = in.text("Output directory");
+    scene.mapping          = in.text("Mapping");
+    scene.time             = parse_time(in.section("Time"));
+    for (const std::string &name : names.bodies)
+      scene.bodies.push_back(parse_body<dim>(in.section("Bodies").section(name), name));
+    for (const std::string &name : names.obstacles)
+      scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
+    scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);
+    parse_probes(in.section("Probes"), names.probes, scene);
+    scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);
+    scene.solver         = parse_solver(in.section("Solver"));
+    scene.output         = parse_output(in.section("Output"));
+
+    scene.original_text = text.original;
+    std::ostringstream all;
+    prm.print_parameters(
+      all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
+    scene.all_parameters = all.str();
+    return scene;
+  }
+
+  template Scene<2> read_scene<2>(const std::string &, const std::vector<Override> &);
+  template Scene<3> read_scene<3>(const std::string &, const std::vector<Override> &);
+} // namespace signorini

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/spelling.h>
+#include <signorini/scene/body_shape.h>
+#include <signorini/scene/check_expressions.h>
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace signorini
+{
+  namespace
+  {
+    // 12 refinements make 8^12 = 7e10 cells of one cell in 3d: a slip of the keyboard rather than an intention.
+    constexpr unsigned int max_refinements = 12;
+    constexpr unsigned int max_repetitions = 1000000;
+
+    template <int dim>
+    std::string coordinates(const std::string &value)
+    {
+      return join(std::vector<std::string>(dim, value));
+    }
+
+    void declare_refinement(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry(
+        "Refinements",
+        "0",
+        Integer(),
+        "Uniform refinements of the coarse mesh; each halves the size of the cells. At most 12.");
+      prm.declare_entry("Local refinements",
+                        "0",
+                        Integer(),
+                        "Further refinements of the cells that `Refine where` selects. At most 12.");
+      prm.declare_entry(
+        "Refine where",
+        "",
+        Anything(),
+        "Expression in x, y, z, evaluated at the centre of a cell: positive values select the cell for "
+        "local refinement, for example 0.2 - z near the plane z = 0.");
+    }
+
+    template <int dim>
+    void parse_ball_or_cylinder(const SectionReader &in, BodyDescription<dim> &body)
+    {
+      body.centre = in.point<dim>("Centre");
+      body.radius = in.positive_number("Radius", "it is a length");
+      if (body.shape == "ball")
+        return;
+      if (dim == 2)
+        in.fail("Shape", "a cylinder exists in 3d only. In 2d use `ball` for a disc, or `box`.");
+      body.length = in.positive_number("Length", "it is the distance between bottom and top");
+      body.axis   = std::string("xyz").find(in.text("Axis"));
+    }
+
+    template <int dim>
+    void parse_box(const SectionReader &in, BodyDescription<dim> &body)
+    {
+      const std::string directions = "xyz";
+      body.lower_corner            = in.point<dim>("Lower corner");
+      body.upper_corner            = in.point<dim>("Upper corner");
+      for (unsigned int d = 0; d < dim; ++d)
+        if (!(body.lower_corner[d] < body.upper_corner[d]))
+          in.fail("Upper corner",
+                  std::string("its ") + directions[d] +
+                    " coordinate must be larger than that of `Lower corner` = " + in.text("Lower corner") +
+                    ". Exchange or correct the corners.");
+      const dealii::Point<dim> repetitions = in.point<dim>("Repetitions");
+      for (unsigned int d = 0; d < dim; ++d)
+        {
+          if (repetitions[d] < 1 || repetitions[d] > max_repetitions)
+            in.fail("Repetitions",
+                    std::string("a box needs at least one cell in ") + directions[d] +
+                      " direction and at most a million. Give positive integers.");
+          body.repetitions[d] = static_cast<unsigned int>(repetitions[d]);
+        }
+    }
+  } // namespace
+
+  template <int dim>
+  void declare_shape(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const List point(Double(), dim, dim);
+    prm.declare_entry("Shape",
+                      "ball",
+                      Selection("ball|box|cylinder"),
+                      "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: "
+                      "y-, y+; 4, 5: z-, z+), "
+                      "or cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top).");
+    prm.declare_entry("Centre", coordinates<dim>("0"), point, "Ball, cylinder: the centre (length).");
+    prm.declare_entry("Radius", "1", Double(), "Ball, cylinder: the radius (length), > 0.");
+    prm.declare_entry("Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
+    prm.declare_entry("Axis", "z", Selection("x|y|z"), "Cylinder: direction of the axis.");
+    prm.declare_entry("Lower corner", coordinates<dim>("0"), point, "Box: smallest coordinates (length).");
+    prm.declare_entry("Upper corner", coordinates<dim>("1"), point, "Box: largest coordinates (length).");
+    prm.declare_entry("Repetitions",
+                      coordinates<dim>("1"),
+                      List(Integer(), dim, dim),
+                      "Box: number of coarse cells in each direction. Cells should be nearly cubes.");
+    declare_refinement(prm);
+  }
+
+  template <int dim>
+  void parse_shape(const SectionReader &in, BodyDescription<dim> &body)
+  {
+    body.shape = in.text("Shape");
+    body.repetitions.fill(1);
+    if (body.shape == "box")
+      parse_box(in, body);
+    else
+      parse_ball_or_cylinder(in, body);
+
+    body.refinements       = in.integer("Refinements", 0, max_refinements);
+    body.local_refinements = in.integer("Local refinements", 0, max_refinements);
+    body.refine_where      = in.text("Refine where");
+    if (body.local_refinements > 0 && body.refine_where.empty())
+      in.fail("Local refinements",
+              "`Refine where` does not say which cells to refine. Give it an expression such as 0.2 "
+              "- z, or use "
+              "`Refinements`.");
+    if (!body.refine_where.empty())
+      check_expression<dim>(in, "Refine where", body.refine_where, {centre_of(body)}, false);
+  }
+
+  template void declare_shape<2>(dealii::ParameterHandler &);
+  template void declare_shape<3>(dealii::ParameterHandler &);
+  template void parse_shape(const SectionReader &, BodyDescription<2> &);
+  template void parse_shape(const SectionReader &, BodyDescription<3> &);
+} // namespace signorini

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+#include <deal.II/base/utilities.h>
+
+#include <limits>
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr double       max_tolerance = 1e-2;
+    constexpr unsigned int unlimited     = std::numeric_limits<int>::max();
+
+    std::string as_text(const double value)
+    {
+      std::ostringstream text;
+      text << value;
+      return text.str();
+    }
+  } // namespace
+
+  void declare_solver(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const SolverParameters defaults;
+    prm.declare_entry("Preconditioner",
+                      defaults.preconditioner,
+                      Selection("automatic|jacobi|incomplete-cholesky|ml"),
+                      "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, ml "
+                      "(algebraic multigrid), "
+                      "or automatic (chosen from the Courant number).");
+    prm.declare_entry(
+      "Tolerance",
+      as_text(defaults.tolerance),
+      Double(),
+      "Accuracy of each step: error in the energy norm divided by the root of the largest energy of "
+      "the "
+      "run (no unit), between 0 and 0.01. The energy ledger closes to this accuracy.");
+    prm.declare_entry("Maximum active set iterations",
+                      std::to_string(defaults.maximum_active_set_iterations),
+                      Integer(),
+                      "Active sets tried in a step before the guaranteed fallback takes over.");
+    prm.declare_entry("Maximum linear iterations",
+                      std::to_string(defaults.maximum_linear_iterations),
+                      Integer(),
+                      "Conjugate gradient iterations of one linear solve before the run is given up.");
+  }
+
+  SolverParameters parse_solver(const SectionReader &in)
+  {
+    SolverParameters solver;
+    solver.preconditioner = in.text("Preconditioner");
+    solver.tolerance      = in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");
+    if (solver.tolerance > max_tolerance)
+      in.fail("Tolerance",
+              "a step solved so roughly is useless, its error appears as energy. Give at most " +
+                as_text(max_tolerance) + ", for example 2e-11.");
+    solver.maximum_active_set_iterations = in.integer("Maximum active set iterations", 1, unlimited);
+    solver.maximum_linear_iterations     = in.integer("Maximum linear iterations", 1, unlimited);
+    return solver;
+  }
+} // namespace signorini

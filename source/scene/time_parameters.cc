@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr double max_steps = 1e8;
+  }
+
+  unsigned int TimeParameters::n_steps() const
+  {
+    return static_cast<unsigned int>(std::max(1., std::round(end_time / step_size)));
+  }
+
+  void declare_time(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry(
+      "Scheme",
+      "contact-stabilized",
+      Selection("newmark|contact-implicit|contact-stabilized"),
+      "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
+      "condition; dissipative, smooth contact forces. contact-implicit: the same without this "
+      "predictor; dissipative, contact forces oscillate. newmark: the classical scheme with "
+      "contact; gains energy at impact, for comparison only.");
+    prm.declare_entry("Mass",
+                      "consistent",
+                      Selection("consistent|lumped"),
+                      "Mass matrix of the time discretisation: consistent (integrated exactly) or lumped "
+                      "(diagonal).");
+    prm.declare_entry(
+      "Predictor mass",
+      "consistent",
+      Selection("consistent|lumped"),
+      "Mass matrix of the projection in the predictor of contact-stabilized. lumped is cheaper "
+      "(node by node) and loses somewhat more energy. No other scheme uses it.");
+    prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
+    prm.declare_entry("End time",
+                      "0",
+                      Double(),
+                      "The run ends here, in units of time, after End time / Step size steps (rounded to the "
+                      "nearest integer). Must be given.");
+  }
+
+  TimeParameters parse_time(const SectionReader &in)
+  {
+    TimeParameters time;
+    time.scheme    = in.text("Scheme");
+    time.mass      = in.text("Mass");
+    time.predictor = in.text("Predictor mass");
+    for (const std::string key : {"Step size", "End time"})
+      if (!in.given(key))
+        in.fail(key, "is missing. Give a positive number, in units of time.");
+    time.step_size = in.positive_number("Step size", "the run goes forward in time; give a number > 0");
+    time.end_time  = in.positive_number("End time", "the run starts at time 0; give a number > 0");
+
+    if (time.step_size > time.end_time)
+      in.fail("Step size",
+              "is larger than the end time " + in.text("End time") +
+                ". Reduce the step size or increase `End time`.");
+    if (time.end_time / time.step_size > max_steps)
+      in.fail("Step size",
+              "needs more than a hundred million steps until the end time " + in.text("End time") +
+                ". Increase the step size or reduce `End time`.");
+    if (time.predictor != "consistent" && time.scheme != "contact-stabilized")
+      in.fail("Predictor mass",
+              "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " +
+                time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
+    return time;
+  }
+} // namespace signorini
