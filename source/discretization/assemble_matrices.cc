@@ -170,7 +170,7 @@ namespace signorini
     mass.compress(VectorOperation::add);
     stiffness.compress(VectorOperation::add);
 
-    // Ghosts: all nodes that are coupled with an owned one.
+    // Ghosts: all nodes that are coupled with an owned one, and all that the owned cells write to.
     IndexSet          ghost_nodes(owned_nodes.size()), ghosts(owned.size());
     const Epetra_Map &column_map = mass.trilinos_matrix().ColMap();
     for (int i = 0; i < column_map.NumMyElements(); ++i)
@@ -179,6 +179,22 @@ namespace signorini
           ghost_nodes.add_index(column_map.GID(i));
           ghosts.add_range(dim * column_map.GID(i), dim * (column_map.GID(i) + 1));
         }
+    IndexSet active;
+    DoFTools::extract_locally_active_dofs(dof_handler, active);
+    const auto add_ghost = [&](const types::global_dof_index node) {
+      if (!owned_nodes.is_element(node))
+        {
+          ghost_nodes.add_index(node);
+          ghosts.add_range(dim * node, dim * (node + 1));
+        }
+    };
+    for (const auto node : nodes_of<dim>(active))
+      {
+        add_ghost(node);
+        if (constraints_of_nodes.is_constrained(node))
+          for (const auto &[master, weight] : *constraints_of_nodes.get_constraint_entries(node))
+            add_ghost(master);
+      }
     ghost_nodes.compress();
     ghosts.compress();
 
@@ -207,8 +223,9 @@ namespace signorini
         double *values;
         mass_rows.ExtractMyRowView(node, n_entries, values, columns);
         std::vector<std::pair<unsigned int, double>> row;
-        // A hanging node has an empty row; it is never a ghost, because nothing is coupled with it.
-        if (node >= pattern.n_owned || !constraints_of_nodes.is_constrained(mass_rows.GRID(node)))
+        const types::global_dof_index global_node = mass_rows.GRID(node);
+        const bool hanging = relevant_nodes.is_element(global_node) && constraints_of_nodes.is_constrained(global_node);
+        if (!hanging)
           for (int k = 0; k < n_entries; ++k)
             if (const unsigned int column = local_node(mass_rows.GCID(columns[k])); column < pattern.n_local)
               row.emplace_back(column, values[k]);

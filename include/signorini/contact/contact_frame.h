@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_contact_frame_h
+#define signorini_contact_contact_frame_h
+
+#include <deal.II/base/tensor.h>
+
+#include <array>
+
+namespace signorini
+{
+  /** Right-handed orthonormal frame, row by row: normal, tangents. Axes are kept exactly where the normal allows it. */
+  template <int dim>
+  std::array<double, dim * dim> contact_frame(const dealii::Tensor<1, dim> &normal);
+
+  /**
+   * A frame in which the held Cartesian components are single tangential entries.
+   * @return false if there is none, because a held direction is not tangential
+   */
+  template <int dim>
+  bool contact_frame_with_supports(const dealii::Tensor<1, dim>  &normal,
+                                   const std::array<bool, dim>   &held,
+                                   std::array<double, dim * dim> &frame);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_discretization_supports_h
+#define signorini_discretization_supports_h
+
+#include <signorini/discretization/discretization.h>
+
+#include <deal.II/base/function_parser.h>
+
+#include <map>
+#include <memory>
+
+namespace signorini
+{
+  /** Dirichlet conditions: which components of which owned nodes are prescribed, and their values in time. */
+  template <int dim>
+  class Supports
+  {
+  public:
+    explicit Supports(const Discretization<dim> &discretization);
+
+    /** Per component the index of the condition that prescribes it, or `none`. */
+    using Components                       = std::array<unsigned int, dim>;
+    static constexpr unsigned int none     = static_cast<unsigned int>(-1);
+
+    /** Prescribed components by owned node. */
+    const std::map<unsigned int, Components> &nodes() const { return prescribed; }
+
+    /** Displacement prescribed by a condition for a component at a point. */
+    double value(unsigned int condition, const dealii::Point<dim> &point, unsigned int component, double time) const;
+
+  private:
+    std::map<unsigned int, Components>                        prescribed;
+    std::vector<std::unique_ptr<dealii::FunctionParser<dim>>> functions;
+  };
+} // namespace signorini
+
+#endif

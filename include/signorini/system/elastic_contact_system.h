@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_elastic_contact_system_h
+#define signorini_system_elastic_contact_system_h
+
+#include <signorini/discretization/loads.h>
+#include <signorini/system/increment_extrapolation.h>
+#include <signorini/system/preconditioners.h>
+#include <signorini/time/dynamical_system.h>
+#include <signorini/variational_inequality/primal_dual_active_set.h>
+
+namespace signorini
+{
+  /**
+   * Elastic bodies, their contact and the solver, as a time scheme sees them. The only place where discretisation, contact,
+   * inequalities and time meet.
+   */
+  template <int dim>
+  class ElasticContactSystem : public DynamicalSystem
+  {
+  public:
+    ElasticContactSystem(const Discretization<dim>     &discretization,
+                         const ContactSurface<dim>     &surface,
+                         const ContactCoordinates<dim> &coordinates,
+                         Loads<dim>                    &loads);
+
+    Vector      make_vector() const override { return discretization.make_vector(); }
+    void        apply_mass(Vector &destination, const Vector &source) const override;
+    void        apply_stiffness(Vector &destination, const Vector &source) const override;
+    bool        add_mean_load(Vector &destination, double factor, double start_time, double end_time) override;
+    NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
+    void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
+    SolveEffort project(const Vector    &free_increment,
+                        const NormalGap &bounds,
+                        double           step_size,
+                        Vector          &correction,
+                        Vector          &mass_correction) override;
+
+    /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
+    void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
+
+    /** The preconditioner in use. */
+    const std::string &preconditioner_name() const { return chosen_preconditioner; }
+
+  private:
+    const Discretization<dim>     &discretization;
+    const ContactSurface<dim>     &surface;
+    const ContactCoordinates<dim> &coordinates;
+    Loads<dim>                    &loads;
+
+    double                                energy_scale = 0.;
+    double                                stiffness_factor = -1.; ///< of the preconditioner at hand
+    std::string                           chosen_preconditioner;
+    std::unique_ptr<StepOperator<dim>>    step_operator, mass_operator;
+    std::unique_ptr<MaskedPreconditioner> step_preconditioner, mass_preconditioner;
+    PrimalDualActiveSet                   solver;
+    ActiveSet                             active, predictor_active;
+    Vector                                last_correction;
+    IncrementExtrapolation                extrapolation;
+
+    void prepare(double stiffness_factor, double step_size);
+    /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
+    double solver_tolerance(double step_size, const Vector &right_hand_side, const MaskedPreconditioner &preconditioner) const;
+  };
+} // namespace signorini
+
+#endif

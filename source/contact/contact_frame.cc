@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/contact_frame.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::array<double, dim * dim> frame_of(const Tensor<1, dim> &normal, const Tensor<1, dim> &tangent)
+    {
+      std::array<double, dim * dim> frame;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          frame[c]       = normal[c];
+          frame[dim + c] = tangent[c];
+        }
+      if constexpr (dim == 3)
+        {
+          const Tensor<1, dim> second = cross_product_3d(normal, tangent);
+          for (unsigned int c = 0; c < dim; ++c)
+            frame[2 * dim + c] = second[c];
+        }
+      return frame;
+    }
+
+
+    template <int dim>
+    Tensor<1, dim> axis(const unsigned int direction)
+    {
+      Tensor<1, dim> result;
+      result[direction] = 1.;
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  std::array<double, dim * dim> contact_frame(const Tensor<1, dim> &normal)
+  {
+    if constexpr (dim == 2)
+      return frame_of<dim>(normal, Tensor<1, dim>({-normal[1], normal[0]}));
+    else
+      {
+        // The axis that is closest to the tangential plane gives a well-defined first tangent.
+        unsigned int flattest = 0;
+        for (unsigned int c = 1; c < dim; ++c)
+          if (std::abs(normal[c]) < std::abs(normal[flattest]))
+            flattest = c;
+        Tensor<1, dim> tangent = axis<dim>(flattest) - normal[flattest] * normal;
+        return frame_of<dim>(normal, tangent / tangent.norm());
+      }
+  }
+
+
+  template <int dim>
+  bool contact_frame_with_supports(const Tensor<1, dim>          &normal,
+                                   const std::array<bool, dim>   &held,
+                                   std::array<double, dim * dim> &frame)
+  {
+    unsigned int first_held = dim;
+    for (unsigned int c = dim; c-- > 0;)
+      if (held[c])
+        {
+          if (std::abs(normal[c]) > 1e-12)
+            return false;
+          first_held = c;
+        }
+    if (first_held < dim)
+      frame = frame_of<dim>(normal, axis<dim>(first_held));
+    return true;
+  }
+
+
+  template std::array<double, 4> contact_frame(const Tensor<1, 2> &);
+  template std::array<double, 9> contact_frame(const Tensor<1, 3> &);
+  template bool contact_frame_with_supports(const Tensor<1, 2> &, const std::array<bool, 2> &, std::array<double, 4> &);
+  template bool contact_frame_with_supports(const Tensor<1, 3> &, const std::array<bool, 3> &, std::array<double, 9> &);
+} // namespace signorini

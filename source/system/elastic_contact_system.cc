@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/system/elastic_contact_system.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    SolveEffort effort_of(const SolveReport &report)
+    {
+      return {report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
+    }
+  } // namespace
+
+
+  template <int dim>
+  ElasticContactSystem<dim>::ElasticContactSystem(const Discretization<dim>     &discretization,
+                                                  const ContactSurface<dim>     &surface,
+                                                  const ContactCoordinates<dim> &coordinates,
+                                                  Loads<dim>                    &loads)
+    : discretization(discretization)
+    , surface(surface)
+    , coordinates(coordinates)
+    , loads(loads)
+    , solver({discretization.scene.solver.maximum_active_set_iterations,
+              discretization.scene.solver.maximum_linear_iterations})
+    , active(surface.nodes().size(), 0)
+    , predictor_active(active)
+    , last_correction(discretization.make_vector())
+  {}
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::apply_mass(Vector &destination, const Vector &source) const
+  {
+    discretization.matrices.apply_mass(destination, source);
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::apply_stiffness(Vector &destination, const Vector &source) const
+  {
+    discretization.matrices.apply_stiffness(destination, source);
+  }
+
+
+  template <int dim>
+  bool ElasticContactSystem<dim>::add_mean_load(Vector      &destination,
+                                                const double factor,
+                                                const double start_time,
+                                                const double end_time)
+  {
+    if (!loads.any())
+      return false;
+    destination.add(0.5 * factor, loads.at(start_time));
+    destination.add(0.5 * factor, loads.at(end_time));
+    return true;
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::prepare(const double new_stiffness_factor, const double step_size)
+  {
+    if (new_stiffness_factor == stiffness_factor)
+      return;
+    stiffness_factor = new_stiffness_factor;
+    extrapolation.clear();
+    const auto &scene     = discretization.scene;
+    chosen_preconditioner = scene.solver.preconditioner;
+    if (chosen_preconditioner == "automatic")
+      chosen_preconditioner =
+        choose_preconditioner(discretization.courant_number(step_size), scene.time.n_steps());
+    step_operator =
+      std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor);
+    step_preconditioner =
+      make_preconditioner(chosen_preconditioner, discretization.matrices, coordinates, 1., stiffness_factor);
+  }
+
+
+  template <int dim>
+  double ElasticContactSystem<dim>::solver_tolerance(const double                step_size,
+                                                     const Vector               &right_hand_side,
+                                                     const MaskedPreconditioner &preconditioner) const
+  {
+    // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most 2/tau^2 e'K e.
+    double scale = energy_scale * step_size * step_size / 2.;
+    if (scale == 0.) // at rest: the energy that this step is going to bring
+      {
+        Vector increment = discretization.make_vector();
+        preconditioner.vmult(increment, right_hand_side);
+        scale = std::max(0., dot(increment, right_hand_side));
+      }
+    return discretization.scene.solver.tolerance * std::sqrt(scale);
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::solve(const IncrementProblem &problem, IncrementSolution &solution)
+  {
+    prepare(problem.stiffness_factor, problem.step_size);
+
+    Vector right_hand_side = problem.right_hand_side;
+    coordinates.to_contact(right_hand_side);
+    Vector &increment = solution.increment;
+    increment         = discretization.make_vector();
+    extrapolation.guess(increment);
+    coordinates.to_contact(increment);
+
+    std::vector<double> prescribed = coordinates.supported_values(problem.start_time + problem.step_size);
+    if (!prescribed.empty())
+      {
+        Vector displacement = problem.displacement;
+        coordinates.to_contact(displacement);
+        for (unsigned int j = 0; j < prescribed.size(); ++j)
+          prescribed[j] -= displacement.local_element(coordinates.supported_entries()[j]);
+      }
+
+    // A node that the guess drives into the obstacle is expected to touch.
+    for (unsigned int k = 0; k < active.size(); ++k)
+      if (increment.local_element(coordinates.normal_entries()[k]) > problem.bounds[k])
+        active[k] = 1;
+
+    Vector residual = discretization.make_vector();
+    solution.effort = effort_of(
+      solver.solve({*step_operator,
+                    *step_preconditioner,
+                    right_hand_side,
+                    coordinates.normal_entries(),
+                    problem.bounds,
+                    coordinates.supported_entries(),
+                    prescribed,
+                    solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
+                    1e-12 * discretization.body_size()},
+                   active,
+                   increment,
+                   residual));
+
+    solution.contact_reaction = discretization.make_vector();
+    solution.support_reaction = solution.contact_reaction;
+    for (unsigned int k = 0; k < active.size(); ++k)
+      if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
+        solution.contact_reaction.local_element(i) = -residual.local_element(i);
+    for (const unsigned int i : coordinates.supported_entries())
+      solution.support_reaction.local_element(i) = -residual.local_element(i);
+
+    coordinates.to_cartesian(increment);
+    coordinates.to_cartesian(solution.contact_reaction);
+    coordinates.to_cartesian(solution.support_reaction);
+    extrapolation.remember(increment);
+  }
+
+
+  template <int dim>
+  SolveEffort ElasticContactSystem<dim>::project(const Vector    &free_increment,
+                                                 const NormalGap &bounds,
+                                                 const double     step_size,
+                                                 Vector          &correction,
+                                                 Vector          &mass_correction)
+  {
+    correction      = discretization.make_vector();
+    mass_correction = correction;
+
+    // The bound of the correction is what is left of the gap after the free increment.
+    NormalGap  left         = surface.normal_gap(free_increment);
+    const auto bound_length = 1e-12 * discretization.body_size();
+    bool       admissible   = true;
+    for (unsigned int k = 0; k < left.size(); ++k)
+      {
+        left[k]    = bounds[k] - (surface.nodes()[k].gap - left[k]);
+        admissible = admissible && left[k] >= -bound_length;
+      }
+    if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
+      return SolveEffort();
+
+    if (discretization.scene.time.predictor == "lumped")
+      {
+        SolveEffort effort;
+        for (unsigned int k = 0; k < left.size(); ++k)
+          if (left[k] < 0.)
+            {
+              correction.local_element(coordinates.normal_entries()[k]) = left[k];
+              ++effort.n_active;
+            }
+        effort.n_active = dealii::Utilities::MPI::sum(effort.n_active, discretization.communicator());
+        coordinates.to_cartesian(correction);
+        apply_mass(mass_correction, correction);
+        return effort;
+      }
+
+    if (!mass_operator)
+      {
+        mass_operator       = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
+        mass_preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
+      }
+    correction = last_correction; // in contact coordinates
+    const Vector              zero = discretization.make_vector();
+    const std::vector<double> held(coordinates.supported_entries().size(), 0.);
+    const SolveEffort         effort = effort_of(
+      solver.solve({*mass_operator,
+                    *mass_preconditioner,
+                    zero,
+                    coordinates.normal_entries(),
+                    left,
+                    coordinates.supported_entries(),
+                    held,
+                    discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
+                    bound_length},
+                   predictor_active,
+                   correction,
+                   mass_correction));
+    last_correction = correction;
+    mass_correction *= -1.; // the residual 0 - M c
+    coordinates.to_cartesian(correction);
+    coordinates.to_cartesian(mass_correction);
+    return effort;
+  }
+
+
+  template class ElasticContactSystem<2>;
+  template class ElasticContactSystem<3>;
+} // namespace signorini

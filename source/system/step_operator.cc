@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/system/step_operator.h>
+
+#include <Eigen/Dense>
+
+namespace signorini
+{
+  template <int dim>
+  StepOperator<dim>::StepOperator(const ElasticMatrices<dim>    &matrices,
+                                  const ContactCoordinates<dim> &coordinates,
+                                  const double                   mass_factor,
+                                  const double                   stiffness_factor)
+    : matrices(matrices)
+    , coordinates(coordinates)
+    , mass_factor(mass_factor)
+    , stiffness_factor(stiffness_factor)
+    , cartesian(matrices.pattern.partitioner)
+  {}
+
+
+  template <int dim>
+  void StepOperator<dim>::vmult(Vector &destination, const Vector &source) const
+  {
+    cartesian.copy_locally_owned_data_from(source);
+    coordinates.to_cartesian(cartesian);
+    matrices.apply(destination, cartesian, mass_factor, stiffness_factor);
+    coordinates.to_contact(destination);
+  }
+
+
+  template <int dim>
+  void StepOperator<dim>::diagonal(Vector &destination) const
+  {
+    using Block          = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>;
+    const auto &pattern  = matrices.pattern;
+    const auto  block_of = [&](const unsigned int node) {
+      for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+        if (pattern.columns[k] == node)
+          return Block(Eigen::Map<const Block>(matrices.combined_block(k, mass_factor, stiffness_factor).data()));
+      return Block(Block::Identity()); // a hanging node
+    };
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      {
+        const Block block = block_of(node);
+        for (unsigned int c = 0; c < dim; ++c)
+          destination.local_element(dim * node + c) = block(c, c);
+      }
+    for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
+      {
+        const Eigen::Map<const Block> frame(contact_node.frame.data());
+        const Block                   block = frame * block_of(contact_node.node) * frame.transpose();
+        for (unsigned int c = 0; c < dim; ++c)
+          destination.local_element(dim * contact_node.node + c) = block(c, c);
+      }
+  }
+
+
+  template class StepOperator<2>;
+  template class StepOperator<3>;
+} // namespace signorini
