@@ -68,6 +68,7 @@ namespace signorini
           ++line_number;
           if (logical_line.empty())
             first_line = line_number;
+          origin = file_name + ", line " + std::to_string(first_line);
           logical_line += line.substr(0, line.find('#'));
           const std::size_t last = logical_line.find_last_not_of(" \t\r");
           if (last != std::string::npos && logical_line[last] == '\\')
@@ -75,7 +76,6 @@ namespace signorini
               logical_line.resize(last);
               continue;
             }
-          origin = file_name + ", line " + std::to_string(first_line);
           scan_line(trim(logical_line), file_name, depth);
           logical_line.clear();
         }

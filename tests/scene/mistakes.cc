@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// Every mistake is answered by a message that names the file, the line, the key, the value and a remedy.
+
+#include "scene_file.h"
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+using namespace signorini::tests;
+
+namespace
+{
+  /** A value that makes the correct scene wrong, and words that the message must contain. */
+  struct Mistake
+  {
+    std::string              path;
+    std::string              value;
+    std::vector<std::string> words;
+  };
+
+  void expect_words(const std::string &message, const std::vector<std::string> &words)
+  {
+    for (const std::string &word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << "`" << word << "` is not in: " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+
+  void expect_refusals(const std::vector<Mistake> &mistakes)
+  {
+    for (const Mistake &mistake : mistakes)
+      {
+        SCOPED_TRACE(mistake.path + " = " + mistake.value);
+        const TemporaryFile file(correct_scene() + assignment(mistake.path, mistake.value));
+        const std::string   message = refusal(file.name);
+        expect_words(message, {file.name + ", line ", mistake.path, trim(mistake.value)});
+        expect_words(message, mistake.words);
+
+        const TemporaryFile correct(correct_scene());
+        expect_words(refusal(correct.name, {{mistake.path, mistake.value}}),
+                     {correct.name + ", --set", mistake.path});
+      }
+  }
+} // namespace
+
+TEST(Mistakes, TopLevelAndTime)
+{
+  expect_refusals({{"Dimension", "4", {"2 (plane strain) or 3"}},
+                   {"Dimension", "three", {"must be"}},
+                   {"Output directory", "", {"is empty", "Name a folder"}},
+                   {"Mapping", "curvd", {"Did you mean `curved`?", "Valid: linear, curved"}},
+                   {"Time/Scheme", "contact-stabilised", {"Did you mean `contact-stabilized`?", "newmark"}},
+                   {"Time/Scheme", "laursen-love", {"not available in this version", "contact-implicit"}},
+                   {"Time/Mass", "lumpd", {"Did you mean `lumped`?"}},
+                   {"Time/Step size", "0", {"must be positive"}},
+                   {"Time/Step size", "-1e-3", {"must be positive"}},
+                   {"Time/Step size", "nan", {"must be a finite number"}},
+                   {"Time/Step size", "fast", {"must be a finite number"}},
+                   {"Time/Step size", "1", {"larger than the end time 0.5", "Reduce"}},
+                   {"Time/Step size", "1e-12", {"hundred million", "Increase"}},
+                   {"Time/End time", "0", {"must be positive"}},
+                   {"Time/End time", "inf", {"must be a finite number"}}});
+}
+
+TEST(Mistakes, ShapesAndMaterial)
+{
+  expect_refusals({{"Bodies/ball/Shape", "bal", {"Did you mean `ball`?", "Valid: ball, box, cylinder"}},
+                   {"Bodies/ball/Shape", "file", {"not available in this version"}},
+                   {"Bodies/ball/Radius", "0", {"must be positive"}},
+                   {"Bodies/ball/Radius", "-1", {"must be positive"}},
+                   {"Bodies/ball/Centre", "0, 1", {"must be 3 numbers", "commas"}},
+                   {"Bodies/ball/Centre", "0; 0; 1", {"must be 3 numbers", "commas"}},
+                   {"Bodies/ball/Refinements", "-1", {"between 0 and 12"}},
+                   {"Bodies/ball/Refinements", "40", {"between 0 and 12"}},
+                   {"Bodies/ball/Refinements", "2.5", {"must be an integer"}},
+                   {"Bodies/ball/Local refinements", "2", {"`Refine where`"}},
+                   {"Bodies/ball/Refine where", "0.2 - q", {"cannot be understood", "x,y,z"}},
+                   {"Bodies/box/Upper corner", "3, 0, 1.5", {"y coordinate", "Exchange"}},
+                   {"Bodies/box/Repetitions", "1, 0, 1", {"at least one cell in y"}},
+                   {"Bodies/box/Repetitions", "1, -2, 1", {"at least one cell in y"}},
+                   {"Bodies/ball/Young's modulus", "0", {"must be positive"}},
+                   {"Bodies/ball/Young's modulus", "-500", {"must be positive"}},
+                   {"Bodies/ball/Poisson's ratio", "0.5", {"incompressible", "mixed method", "0.49"}},
+                   {"Bodies/ball/Poisson's ratio", "-1", {"shear modulus infinite", "larger"}},
+                   {"Bodies/ball/Poisson's ratio", "0.7", {"smaller than 0.5"}},
+                   {"Bodies/ball/Density", "0", {"must be positive"}}});
+}
+
+TEST(Mistakes, Expressions)
+{
+  expect_refusals(
+    {{"Bodies/ball/Initial velocity", "0; 0; -2*q", {"`-2*q`", "Unexpected token \"q\"", "x,y,z"}},
+     {"Bodies/ball/Initial velocity", "0; 0; sin(", {"`sin(`", "Unexpected end"}},
+     {"Bodies/ball/Initial velocity", "0; 0; t", {"`t`", "x,y,z,"}},
+     {"Bodies/ball/Initial velocity", "0; 0; ", {"Expression is empty"}},
+     {"Bodies/ball/Initial velocity", "0, 0, -2", {"3 components", "semicolons"}},
+     {"Bodies/ball/Initial velocity", "0; -2", {"3 components", "has 2"}},
+     {"Bodies/ball/Initial displacement", "0; 0; 1/x", {"`1/x`", "infinite", "if(condition"}},
+     {"Bodies/ball/Body force", "0; 0; sqrt(-1-t)", {"`sqrt(-1-t)`", "not a number", "t = 0"}},
+     {"Bodies/box/Dirichlet", "0: foo(x); -; -", {"`foo(x)`", "cannot be understood"}},
+     {"Bodies/box/Traction", "5: 0; 0; 1/(z - 1.5)", {"infinite"}}});
+}
+
+TEST(Mistakes, BoundaryConditions)
+{
+  expect_refusals({{"Bodies/ball/Dirichlet", "1: 0; 0; 0", {"no boundary id `1`", "Valid: 0."}},
+                   {"Bodies/box/Dirichlet", "6: 0; 0; 0", {"no boundary id `6`", "Valid: 0, 1, 2, 3, 4, 5."}},
+                   {"Bodies/box/Dirichlet", "-1: 0; 0; 0", {"no boundary id `-1`"}},
+                   {"Bodies/box/Dirichlet", "0; 0; 0", {"boundary id", "Write"}},
+                   {"Bodies/box/Dirichlet", "0: 0; 0", {"3 components"}},
+                   {"Bodies/box/Dirichlet", "0: 0; -; - | 0: -; 0; -", {"given twice", "Join"}},
+                   {"Bodies/box/Traction", "1: 0; 0; 5", {"z component on boundary id 1", "Dirichlet"}}});
+}
+
+TEST(Mistakes, Names)
+{
+  expect_refusals({{"Bodies/Names", "", {"at least one body"}},
+                   {"Bodies/Names", "ball,,box", {"empty name", "comma"}},
+                   {"Bodies/Names", "ball, ball", {"given twice", "unique"}},
+                   {"Bodies/Names", "ball, b/x", {"strange characters", "letters"}},
+                   {"Bodies/Names", "ball box", {"strange characters"}},
+                   {"Obstacles/Names", "floor, ball", {"name of a body"}}});
+}
+
+TEST(Mistakes, ObstaclesAndProbes)
+{
+  expect_refusals({{"Obstacles/floor/Shape", "plain", {"Did you mean `plane`?", "function"}},
+                   {"Obstacles/floor/Normal", "0, 0, 0", {"zero vector"}},
+                   {"Obstacles/floor/Normal", "0, 1", {"3 numbers"}},
+                   {"Obstacles/pillar/Radius", "0", {"must be positive"}},
+                   {"Probes/south/Point", "0, 0", {"3 numbers"}}});
+}
+
+TEST(Mistakes, Pairs)
+{
+  expect_refusals(
+    {{"Contact/Pairs", "bal : floor", {"no body `bal`", "Did you mean `ball`?", "Valid: ball, box"}},
+     {"Contact/Pairs", "ball : flor", {"no obstacle `flor`", "Did you mean `floor`?", "pillar"}},
+     {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
+     {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
+     {"Contact/Pairs", "ball : ball", {"with itself", "Name an obstacle"}},
+     {"Contact/Pairs", "ball : box", {"body against body is not available in this version"}},
+     {"Contact/Pairs", "floor : ball", {"The body comes first"}},
+     {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
+     {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}},
+     {"Contact/ball : floor/Friction coefficient", "0.3", {"not available", "Set it to 0"}}});
+}
+
+TEST(Mistakes, SolverAndOutput)
+{
+  expect_refusals({{"Solver/Preconditioner", "jacoby", {"Did you mean `jacobi`?"}},
+                   {"Solver/Tolerance", "0", {"must be positive"}},
+                   {"Solver/Tolerance", "-1", {"must be positive"}},
+                   {"Solver/Tolerance", "0.1", {"at most 0.01"}},
+                   {"Solver/Maximum linear iterations", "0", {"between 1 and"}},
+                   {"Output/VTU", "perhaps", {"true or false"}},
+                   {"Output/VTU every", "-1", {"between 0 and"}},
+                   {"Output/History every", "0", {"between 1 and"}}});
+}
+
+TEST(Mistakes, UnknownKeysAndSections)
+{
+  expect_refusals({{"Dimensions", "3", {"unknown key", "Did you mean `Dimension`?", "Valid:"}},
+                   {"Bodies/ball/Center", "0, 0, 1", {"Did you mean `Centre`?"}},
+                   {"Bodies/ball/Youngs modulus", "1", {"Did you mean `Young's modulus`?", "Density"}},
+                   {"Step size", "1e-3", {"belongs to section `Time`", "end"}},
+                   {"Bodies/ball/File", "x.msh", {"not available in this version"}}});
+  const auto expect = [](const std::string &path, const std::vector<std::string> &words) {
+    const TemporaryFile file(correct_scene() + assignment(path, "1"));
+    expect_words(refusal(file.name), {file.name + ", line "});
+    expect_words(refusal(file.name), words);
+  };
+  expect("Tim/Step size", {"unknown section `Tim`", "Did you mean `Time`?", "Valid: Time, Bodies"});
+  expect("Bodies/bal/Radius", {"unknown section `Bodies/bal`", "`Bodies/Names`", "Did you mean `ball`?"});
+  expect("Contact/ball : pillar/Friction coefficient", {"`Contact/Pairs` does not list this pair", "add"});
+  expect("Adaptivity/Indicator", {"not available in this version", "Remove"});
+}
+
+TEST(Mistakes, SeveralValuesTogether)
+{
+  const auto expect = [](const std::vector<Override> &overrides, const std::vector<std::string> &words) {
+    const TemporaryFile file(correct_scene());
+    expect_words(refusal(file.name, overrides), words);
+  };
+  expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},
+         {"Predictor mass = lumped", "Scheme = newmark", "Remove"});
+  expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
+  expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
+  expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});
+  expect({{"Probes/Names", "south, north"}}, {"Probes/north/Point (not given)", "Add"});
+  expect({{"Bodies/ball/Shape", "cylinder"}, {"Bodies/ball/Length", "-1"}}, {"Length = -1", "positive"});
+  expect({{"Obstacles/floor/Shape", "function"}},
+         {"Obstacles/floor/Signed distance (not given)", "Give one"});
+  expect({{"Exact solution/Displacement", "0; 0; 1"}}, {"Exact solution/Velocity (not given)", "both"});
+  expect({{"Exact solution/Velocity", "0; 0; 1"}}, {"Exact solution/Displacement (not given)", "both"});
+}

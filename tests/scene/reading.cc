@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// A correct scene arrives in the data as it was written.
+
+#include "scene_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+using namespace signorini;
+using namespace signorini::tests;
+
+namespace
+{
+  Scene<3> read(const std::vector<Override> &overrides = {})
+  {
+    const TemporaryFile file(correct_scene());
+    return read_scene<3>(file.name, overrides);
+  }
+} // namespace
+
+TEST(Reading, TimeAndTopLevel)
+{
+  const Scene<3> scene = read();
+  EXPECT_EQ(scene.output_directory, "output/test");
+  EXPECT_EQ(scene.mapping, "linear");
+  EXPECT_EQ(scene.time.scheme, "contact-stabilized");
+  EXPECT_EQ(scene.time.mass, "consistent");
+  EXPECT_EQ(scene.time.predictor, "consistent");
+  EXPECT_DOUBLE_EQ(scene.time.step_size, 5e-3);
+  EXPECT_EQ(scene.time.n_steps(), 100u);
+  EXPECT_EQ(scene.original_text, correct_scene());
+}
+
+TEST(Reading, NumberOfStepsIsRounded)
+{
+  TimeParameters time;
+  time.step_size = 3e-3;
+  time.end_time  = 2.;
+  EXPECT_EQ(time.n_steps(), 667u);
+  time.end_time = 3e-3;
+  EXPECT_EQ(time.n_steps(), 1u);
+}
+
+TEST(Reading, Bodies)
+{
+  const Scene<3> scene = read();
+  ASSERT_EQ(scene.bodies.size(), 2u);
+  const BodyDescription<3> &ball = scene.bodies[0];
+  EXPECT_EQ(ball.name, "ball");
+  EXPECT_EQ(ball.shape, "ball");
+  EXPECT_DOUBLE_EQ(ball.centre[2], 1.);
+  EXPECT_EQ(ball.refinements, 2u);
+  EXPECT_DOUBLE_EQ(ball.material.density, 2.);
+  EXPECT_EQ(ball.initial_velocity[2], "-2*z");
+  EXPECT_EQ(ball.initial_displacement[0], "0");
+
+  const BodyDescription<3> &box = scene.bodies[1];
+  EXPECT_DOUBLE_EQ(box.upper_corner[0], 3.);
+  EXPECT_EQ(box.repetitions[2], 3u);
+  EXPECT_EQ(box.body_force[2], "-9.81");
+}
+
+TEST(Reading, BoundaryConditions)
+{
+  const BodyDescription<3> box = read().bodies[1];
+  ASSERT_EQ(box.dirichlet.size(), 2u);
+  EXPECT_EQ(box.dirichlet[0].boundary_id, 0u);
+  EXPECT_EQ(box.dirichlet[0].expressions[0], "0");
+  EXPECT_EQ(box.dirichlet[0].expressions[1], "");
+  EXPECT_EQ(box.dirichlet[1].expressions[2], "0.1*sin(pi*t)");
+  ASSERT_EQ(box.traction.size(), 1u);
+  EXPECT_EQ(box.traction[0].boundary_id, 5u);
+  EXPECT_EQ(box.traction[0].expressions[2], "if(x > 2.5 || y > 0.5, -t, 0)");
+}
+
+TEST(Reading, WaveSpeed)
+{
+  Material material;
+  material.youngs_modulus = 900.;
+  EXPECT_DOUBLE_EQ(material.pressure_wave_speed(), 30.);
+  material.poissons_ratio = .25;
+  EXPECT_NEAR(material.pressure_wave_speed(), 30. * std::sqrt(1.2), 1e-12);
+}
+
+TEST(Reading, ObstaclesPairsProbes)
+{
+  const Scene<3> scene = read();
+  ASSERT_EQ(scene.obstacles.size(), 2u);
+  EXPECT_EQ(scene.obstacles[1].shape, "sphere");
+  EXPECT_DOUBLE_EQ(scene.obstacles[1].radius, .9);
+  ASSERT_EQ(scene.pairs.size(), 2u);
+  EXPECT_EQ(scene.pairs[0].name, "ball : floor");
+  EXPECT_EQ(scene.pairs[0].slave, 0u);
+  EXPECT_EQ(scene.pairs[0].obstacle, 0u);
+  EXPECT_TRUE(scene.pairs[0].slave_boundary_ids.empty());
+  EXPECT_EQ(scene.pairs[1].name, "box[2,4] : pillar");
+  EXPECT_EQ(scene.pairs[1].slave_boundary_ids, (std::vector<dealii::types::boundary_id>{2, 4}));
+  ASSERT_EQ(scene.probes.size(), 1u);
+  EXPECT_EQ(scene.probes[0].name, "south");
+}
+
+TEST(Reading, OtherShapes)
+{
+  const Scene<3> scene = read({{"Bodies/ball/Shape", "cylinder"},
+                               {"Bodies/ball/Axis", "x"},
+                               {"Bodies/ball/Length", "3"},
+                               {"Bodies/ball/Dirichlet", "2: 0; 0; 0"},
+                               {"Obstacles/floor/Shape", "function"},
+                               {"Obstacles/floor/Signed distance", "z - 0.1*x^2"},
+                               {"Obstacles/pillar/Shape", "cylinder"},
+                               {"Obstacles/pillar/Axis", "0, 2, 0"},
+                               {"Obstacles/pillar/Bodies inside", "true"}});
+  EXPECT_EQ(scene.bodies[0].axis, 0u);
+  EXPECT_DOUBLE_EQ(scene.bodies[0].length, 3.);
+  EXPECT_EQ(scene.obstacles[0].signed_distance, "z - 0.1*x^2");
+  EXPECT_DOUBLE_EQ(scene.obstacles[1].axis[1], 2.);
+  EXPECT_TRUE(scene.obstacles[1].bodies_inside);
+}
+
+TEST(Reading, TwoDimensions)
+{
+  const TemporaryFile file(
+    "set Dimension = 2\n" + assignment("Time/Step size", "1e-2") + assignment("Time/End time", "1") +
+    assignment("Bodies/Names", "disc") + assignment("Bodies/disc/Centre", "0, 1") +
+    assignment("Bodies/disc/Initial velocity", "0; -2*y") +
+    assignment("Exact solution/Displacement", "0; -2*t") + assignment("Exact solution/Velocity", "0; -2"));
+  EXPECT_EQ(read_dimension(file.name, {}), 2u);
+  const Scene<2> scene = read_scene<2>(file.name, {});
+  EXPECT_DOUBLE_EQ(scene.bodies[0].centre[1], 1.);
+  EXPECT_TRUE(scene.pairs.empty());
+  EXPECT_TRUE(scene.exact_solution.given);
+  EXPECT_EQ(scene.exact_solution.velocity[1], "-2");
+}
+
+TEST(Reading, OverridesComeLast)
+{
+  const Scene<3> scene = read({{"Time/Step size", "1e-2"},
+                               {"Bodies/ball/Young's modulus", "700"},
+                               {"Contact/box[2, 4]:pillar/Friction coefficient", "0"},
+                               {"Time/Step size", "2e-2"}});
+  EXPECT_DOUBLE_EQ(scene.time.step_size, 2e-2);
+  EXPECT_DOUBLE_EQ(scene.bodies[0].material.youngs_modulus, 700.);
+}
+
+TEST(Reading, ContinuedLinesAndIncludedFiles)
+{
+  const TemporaryFile included(assignment("Time/Step size", "1e-2"));
+  const std::string   name = included.name.substr(included.name.rfind('/') + 1);
+  const TemporaryFile file(correct_scene() + "include " + name +
+                           "\nsubsection Time\n  set End time \\\n = 1\nend\n");
+  const Scene<3>      scene = read_scene<3>(file.name, {});
+  EXPECT_DOUBLE_EQ(scene.time.step_size, 1e-2);
+  EXPECT_DOUBLE_EQ(scene.time.end_time, 1.);
+}
+
+TEST(Reading, PrintedParametersAreAScene)
+{
+  std::ostringstream text;
+  print_parameters(text);
+  const TemporaryFile file(text.str());
+  const Scene<3>      scene = read_scene<3>(file.name, {});
+  EXPECT_EQ(scene.bodies.size() + scene.obstacles.size() + scene.pairs.size() + scene.probes.size(), 4u);
+}
+
+TEST(Reading, AllParametersGiveTheSameScene)
+{
+  const Scene<3>      scene = read();
+  const TemporaryFile file(scene.all_parameters);
+  EXPECT_EQ(read_scene<3>(file.name, {}).all_parameters, scene.all_parameters);
+}
+
+TEST(Reading, ScenesOfTheProject)
+{
+  unsigned int n_scenes = 0;
+  for (const auto &entry : std::filesystem::recursive_directory_iterator(SIGNORINI_SOURCE_DIR "/parameters"))
+    if (entry.path().extension() == ".prm")
+      {
+        EXPECT_EQ(refusal(entry.path().string()), "");
+        ++n_scenes;
+      }
+  EXPECT_GE(n_scenes, 6u);
+}

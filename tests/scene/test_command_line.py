@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""The executable as a user meets it: exit status, one message per mistake, no hang on two processes.
+
+Usage: test_command_line.py EXECUTABLE
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXECUTABLE = ""
+QUICK_START = str(pathlib.Path(__file__).resolve().parents[2] / "parameters" / "quick_start.prm")
+TIMEOUT = 60
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def call(self, *arguments, processes=1):
+        mpirun = ["mpirun", "--oversubscribe", "-np", str(processes)] if processes > 1 else []
+        return subprocess.run(mpirun + [EXECUTABLE, *arguments], cwd=self.folder, timeout=TIMEOUT,
+                              capture_output=True, text=True, check=False)
+
+    def expect_mistake(self, arguments, *words, processes=1):
+        with self.subTest(arguments=arguments, processes=processes):
+            result = self.call(*arguments, processes=processes)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertEqual(result.stderr.count("signorini: "), 1, result.stderr)
+            for word in words:
+                self.assertIn(word, result.stderr)
+            for noise in ("Stacktrace", "An error occurred in line", "Message:", "terminate called"):
+                self.assertNotIn(noise, result.stderr)
+            if processes == 1:
+                self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+            self.assertEqual(os.listdir(self.folder), [])
+
+    def test_information(self):
+        for arguments, word in (([], "parameters/quick_start.prm"), (["--help"], "--validate"),
+                                (["--version"], "deal.II"), (["--print-parameters"], "set Step size")):
+            result = self.call(*arguments)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn(word, result.stdout)
+
+    def test_mistakes_of_the_command_line(self):
+        self.expect_mistake(["--validat"], "--validat", "Did you mean `--validate`?")
+        self.expect_mistake(["--validate"], "no scene", "quick_start.prm")
+        self.expect_mistake(["--set"], "--set", "Section/Subsection/Key=value")
+        self.expect_mistake([QUICK_START, "--set", "Time/Step size"], "Time/Step size", "value")
+        self.expect_mistake([QUICK_START, "--resume"], "--resume", "not available")
+        self.expect_mistake([QUICK_START, QUICK_START], "two scenes")
+        self.expect_mistake(["missing.prm"], "missing.prm", "no such file")
+        self.expect_mistake([str(self.folder)], "directory")
+
+    def test_mistakes_of_the_scene(self):
+        for assignment, word in (("Bodies/ball/Young's modulus=-1", "positive"),
+                                 ("Bodies/ball/Poisson's ratio=0.5", "incompressible"),
+                                 ("Bodies/ball/Initial velocity=0;0;foo(x)", "foo"),
+                                 ("Time/Scheme=newmrk", "Did you mean `newmark`?"),
+                                 ("Time/Step size=nan", "finite"),
+                                 ("Contact/Pairs=ball : roof", "roof"),
+                                 ("Nonsense/Key=1", "Nonsense"),
+                                 ("Output directory=/dev/null/x", "/dev/null")):
+            self.expect_mistake([QUICK_START, "--validate", "--set", assignment], word)
+
+    def test_two_processes(self):
+        self.expect_mistake(["missing.prm"], "missing.prm", processes=2)
+        self.expect_mistake([QUICK_START, "--set", "Time/Step size=0"], "positive", processes=2)
+        self.expect_mistake([QUICK_START, "--set", "Output directory=/dev/null/x"], "/dev/null", processes=2)
+        self.expect_mistake([QUICK_START, "--wrong"], "--wrong", processes=2)
+
+    def test_validate_leaves_nothing_behind(self):
+        for processes in (1, 2):
+            result = self.call(QUICK_START, "--validate", processes=processes)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertNotEqual(result.stdout, "")
+            self.assertEqual(os.listdir(self.folder), [])
+
+
+if __name__ == "__main__":
+    EXECUTABLE = str(pathlib.Path(sys.argv.pop(1)).resolve())
+    unittest.main()
