@@ -54,7 +54,7 @@ namespace signorini
             std::array<bool, dim> held;
             for (unsigned int c = 0; c < dim; ++c)
               held[c] = support->second[c] != Supports<dim>::none;
-            if (!contact_frame_with_supports(contact_node.normal(), held, contact_node.frame))
+            if (!contact_frame_with_supports<dim>(contact_node.normal(), held, contact_node.frame))
               {
                 ++n_left_to_supports;
                 continue;

@@ -1,34 +1,145 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/user_error.h>
 #include <signorini/simulation/simulation.h>
+
+#include <sstream>
 
 namespace signorini
 {
-template <int dim>
-Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm comm, const bool quiet)
-  : scene(scene)
-  , comm(comm)
-  , quiet(quiet)
-{
-}
+  using namespace dealii;
 
-template <int dim>
-std::string
-Simulation<dim>::validate()
-{
-  return scene.file_name + ": the scene is in order, " + std::to_string(scene.time.n_steps()) +
-         " steps of " + scene.time.scheme + " would run.\n";
-}
+  template <int dim>
+  Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm communicator, const bool quiet)
+    : scene(scene)
+    , quiet(quiet)
+    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , discretization(scene, communicator)
+  {}
 
-template <int dim>
-void
-Simulation<dim>::run()
-{
-  throw RunError("running a scene is not available yet.");
-}
 
-template class Simulation<2>;
-template class Simulation<3>;
+  template <int dim>
+  std::string Simulation<dim>::validate()
+  {
+    prepare();
+    return scene.file_name + ": the scene is in order.\n" + description();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::run()
+  {
+    prepare();
+    RunLog log(scene.output_directory, quiet, discretization.communicator());
+    log.copy_scene(scene.original_text, scene.all_parameters);
+    log.message(description());
+
+    const auto       scheme = make_time_scheme(scene.time.scheme);
+    FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
+    Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
+    observation.start(state);
+    system->set_energy(observation.energy_of_motion());
+    if (writes_fields(0))
+      fields.write(state);
+
+    const unsigned int n_steps = scene.time.n_steps();
+    while (state.step < n_steps)
+      {
+        StepReport report;
+        {
+          TimerOutput::Scope scope(timer, "time steps");
+          report = scheme->advance(*system, state, scene.time.step_size);
+        }
+        {
+          TimerOutput::Scope scope(timer, "diagnostics and tables");
+          observation.observe(state, report, scene.time.step_size);
+          system->set_energy(observation.energy_of_motion());
+          log.progress(state.step,
+                       n_steps,
+                       state.time,
+                       observation.contact().normal_force,
+                       observation.relative_energy_change(),
+                       observation.contact().n_active);
+        }
+        if (writes_fields(state.step))
+          {
+            TimerOutput::Scope scope(timer, "field output");
+            observation.pause_clock();
+            fields.write(state);
+            observation.resume_clock();
+          }
+      }
+
+    log.message(observation.summary());
+    log.message(system->cost_summary());
+    timer.print_wall_time_statistics(discretization.communicator());
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::prepare()
+  {
+    {
+      TimerOutput::Scope scope(timer, "assembly of mass and stiffness");
+      discretization.assemble();
+    }
+    TimerOutput::Scope scope(timer, "contact surface and system");
+    supports    = std::make_unique<Supports<dim>>(discretization);
+    surface     = std::make_unique<ContactSurface<dim>>(discretization, *supports);
+    coordinates = std::make_unique<ContactCoordinates<dim>>(discretization, *surface, *supports);
+    loads       = std::make_unique<Loads<dim>>(discretization);
+    system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads);
+    set_initial_state();
+    surface->check_initial_gap(state.displacement);
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::set_initial_state()
+  {
+    std::vector<std::array<std::string, dim>> displacements, velocities;
+    for (const auto &body : scene.bodies)
+      {
+        displacements.push_back(body.initial_displacement);
+        velocities.push_back(body.initial_velocity);
+      }
+    state.displacement   = discretization.interpolate(displacements);
+    state.velocity       = discretization.interpolate(velocities);
+    state.contact_force  = discretization.make_vector();
+    state.momentum       = discretization.make_vector();
+    state.internal_force = discretization.make_vector();
+    system->apply_mass(state.momentum, state.velocity);
+    system->apply_stiffness(state.internal_force, state.displacement);
+  }
+
+
+  template <int dim>
+  bool Simulation<dim>::writes_fields(const unsigned int step) const
+  {
+    if (!scene.output.vtu)
+      return false;
+    return step == 0 || step == scene.time.n_steps()
+           || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
+  }
+
+
+  template <int dim>
+  std::string Simulation<dim>::description() const
+  {
+    std::ostringstream text;
+    text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of " << scene.time.step_size
+         << "\n  bodies            " << scene.bodies.size() << ", " << discretization.triangulation.n_global_active_cells()
+         << " cells, " << discretization.dof_handler.n_dofs() << " degrees of freedom"
+         << "\n  contact nodes     " << surface->n_global_nodes()
+         << "\n  Courant number    " << discretization.courant_number(scene.time.step_size)
+         << "\n  processes         " << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
+    if (surface->n_supported() > 0)
+      text << "  note: " << surface->n_supported()
+           << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
+    return text.str();
+  }
+
+
+  template class Simulation<2>;
+  template class Simulation<3>;
 } // namespace signorini

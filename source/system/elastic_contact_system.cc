@@ -5,6 +5,7 @@
 #include <signorini/system/elastic_contact_system.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace signorini
 {
@@ -217,6 +218,17 @@ namespace signorini
     coordinates.to_cartesian(correction);
     coordinates.to_cartesian(mass_correction);
     return effort;
+  }
+
+
+  template <int dim>
+  std::string ElasticContactSystem<dim>::cost_summary() const
+  {
+    const ProductCount &products = discretization.matrices.products();
+    std::ostringstream  text;
+    text << "  products          " << products.combined << " with M + s A, " << products.stiffness << " with A, "
+         << products.mass << " with M; preconditioner " << chosen_preconditioner << "\n";
+    return text.str();
   }
 
 

@@ -4,32 +4,53 @@
 #ifndef signorini_simulation_simulation_h
 #define signorini_simulation_simulation_h
 
-#include <signorini/scene/scene.h>
+#include <signorini/output/field_output.h>
+#include <signorini/output/run_log.h>
+#include <signorini/simulation/observation.h>
+#include <signorini/system/elastic_contact_system.h>
 
-#include <deal.II/base/mpi.h>
-
-#include <string>
+#include <deal.II/base/timer.h>
 
 namespace signorini
 {
-  /** A run of one scene. All functions are collective. */
+  /**
+   * A run of one scene. Owns the nouns and orders the verbs, nothing else. All functions are collective.
+   */
   template <int dim>
   class Simulation
   {
   public:
-    /** @param quiet no progress line. The scene must outlive the simulation. */
-    Simulation(const Scene<dim> &scene, MPI_Comm comm, bool quiet);
+    /** Builds the mesh. @param quiet no output on the screen. The scene must outlive the simulation. */
+    Simulation(const Scene<dim> &scene, MPI_Comm communicator, bool quiet);
 
-    /** Build all that can be built without a time step. @return what would run, for the user. @throws UserError. */
+    /**
+     * Build everything that a run needs, and look for penetration at the start.
+     * @return what would run, for the user
+     * @throws UserError
+     */
     std::string validate();
 
-    /** From time 0 to the end. @throws RunError. */
+    /** From time 0 to the end. @throws UserError before the first step, RunError later. */
     void run();
 
   private:
-    const Scene<dim> &scene;
-    const MPI_Comm    comm;
-    const bool        quiet;
+    const Scene<dim>    &scene;
+    const bool           quiet;
+    dealii::TimerOutput  timer;
+    Discretization<dim>  discretization;
+    State                state;
+
+    std::unique_ptr<Supports<dim>>             supports;
+    std::unique_ptr<ContactSurface<dim>>       surface;
+    std::unique_ptr<ContactCoordinates<dim>>   coordinates;
+    std::unique_ptr<Loads<dim>>                loads;
+    std::unique_ptr<ElasticContactSystem<dim>> system;
+
+    /** Matrices, contact surface, system, initial state. */
+    void prepare();
+    void set_initial_state();
+    bool writes_fields(unsigned int step) const;
+    std::string description() const;
   };
 } // namespace signorini
 

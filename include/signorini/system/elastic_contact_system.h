@@ -43,6 +43,9 @@ namespace signorini
     /** The preconditioner in use. */
     const std::string &preconditioner_name() const { return chosen_preconditioner; }
 
+    /** Matrix-vector products so far in words. */
+    std::string cost_summary() const;
+
   private:
     const Discretization<dim>     &discretization;
     const ContactSurface<dim>     &surface;

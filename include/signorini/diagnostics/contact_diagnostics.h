@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_diagnostics_contact_diagnostics_h
+#define signorini_diagnostics_contact_diagnostics_h
+
+#include <signorini/contact/contact_surface.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /** Contact at one instant, summed over all contact nodes. */
+  struct ContactSummary
+  {
+    double                normal_force = 0.; ///< sum of |normal nodal forces|
+    std::array<double, 3> resultant{};       ///< on the bodies
+    unsigned int          n_active        = 0;  ///< nodes that carry a contact force
+    double                max_penetration = 0.; ///< largest violation of u.nu <= g, 0 if there is none
+    double                max_tension     = 0.; ///< largest nodal force of the wrong sign
+  };
+
+  template <int dim>
+  ContactSummary contact_summary(const ContactSurface<dim> &surface, const Discretization<dim> &discretization, const State &state);
+
+  /** Normal component of the force at a contact node, negative in compression. */
+  template <int dim>
+  double normal_force(const ContactNode<dim> &contact_node, const Vector &contact_force);
+} // namespace signorini
+
+#endif

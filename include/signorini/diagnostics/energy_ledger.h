@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_diagnostics_energy_ledger_h
+#define signorini_diagnostics_energy_ledger_h
+
+#include <signorini/time/time_scheme.h>
+
+namespace signorini
+{
+  /** Energy of a state, E = 1/2 v'Mv + 1/2 u'Au - f'u. */
+  struct Energy
+  {
+    double kinetic = 0., elastic = 0.;
+    double external = 0.; ///< -f(t)'u
+
+    double total() const { return kinetic + elastic + external; }
+  };
+
+  /** Where the energy of one step went. The residual is what no other entry explains: the error of the solver. */
+  struct EnergyBooking
+  {
+    double contact   = 0.;
+    double predictor = 0.;
+    double friction  = 0.;
+    double external  = 0.; ///< work of supports, and change of the loads in time: -(f_new - f)'(u + u_new)/2
+    double transfer  = 0.; ///< change by a new mesh
+    double residual  = 0.;
+  };
+
+  /** Accounts for every joule: balances the energies of consecutive states against the work that the scheme reports. */
+  class EnergyLedger
+  {
+  public:
+    /** Open the ledger with the initial state. `load`: f at its time, null without loads. */
+    void open(const State &state, const Vector *load);
+
+    /** Book a step. */
+    EnergyBooking book(const State &state, const StepReport &report, const Vector *load);
+
+    const Energy &initial() const { return first; }
+    const Energy &current() const { return last; }
+
+  private:
+    Energy first, last;
+    Vector last_load, last_displacement; ///< kept only with loads
+
+    Energy evaluate(const State &state, const Vector *load) const;
+    void   remember(const State &state, const Vector *load);
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_diagnostics_probe_h
+#define signorini_diagnostics_probe_h
+
+#include <signorini/contact/contact_surface.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /** What a probe sees; the normal points out of the body. */
+  struct ProbeReading
+  {
+    double gap                 = 0.;
+    double normal_displacement = 0.;
+    double normal_velocity     = 0.;
+    double pressure            = 0.; ///< positive in compression
+    double normal_force        = 0.; ///< nodal force, positive in compression
+  };
+
+  /** The contact node that is closest to a point of the reference configuration, on whichever process it lives. */
+  template <int dim>
+  class Probe
+  {
+  public:
+    Probe(const ProbeDescription<dim> &description, const ContactSurface<dim> &surface, MPI_Comm communicator);
+
+    const std::string        &name() const { return probe_name; }
+    const dealii::Point<dim> &position() const { return node_position; }
+
+    /** The reading, on all processes. */
+    ProbeReading read(const State &state) const;
+
+  private:
+    const std::string        probe_name;
+    const MPI_Comm           communicator;
+    const ContactNode<dim>  *node = nullptr; ///< only on the owner
+    dealii::Point<dim>       node_position;
+    unsigned int             owner = 0;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_output_history_h
+#define signorini_output_history_h
+
+#include <signorini/diagnostics/contact_diagnostics.h>
+#include <signorini/diagnostics/energy_ledger.h>
+#include <signorini/diagnostics/error_norms.h>
+#include <signorini/diagnostics/momentum.h>
+#include <signorini/diagnostics/probe.h>
+#include <signorini/output/csv_table.h>
+
+#include <memory>
+#include <vector>
+
+namespace signorini
+{
+  /** One row of history.csv: what is known about a state and about the step that led to it. */
+  struct HistoryRow
+  {
+    const State   &state;
+    double         step_size = 0.;
+    unsigned long  cells = 0, dofs = 0;
+    Energy         energy;
+    EnergyBooking  booking;
+    Momentum       momentum;
+    ContactSummary contact;
+    StepReport     report;
+    double         wall_time = 0.;
+    ErrorNorms     errors; ///< written only if the scene has an exact solution
+  };
+
+  /** The table history.csv, and probe_<name>.csv for each probe. All functions are collective. */
+  template <int dim>
+  class History
+  {
+  public:
+    History(const std::string &directory, bool with_errors, const std::vector<Probe<dim>> &probes, MPI_Comm communicator);
+
+    void write(const HistoryRow &row);
+    void write_probe(unsigned int probe, double time, const ProbeReading &reading);
+
+  private:
+    const bool                             with_errors;
+    std::unique_ptr<CsvTable>              history;
+    std::vector<std::unique_ptr<CsvTable>> probe_tables;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_simulation_observation_h
+#define signorini_simulation_observation_h
+
+#include <signorini/diagnostics/oscillation.h>
+#include <signorini/discretization/loads.h>
+#include <signorini/output/history.h>
+
+#include <deal.II/base/timer.h>
+
+namespace signorini
+{
+  /** Watches the motion: evaluates all diagnostics after each step, writes the tables, and sums up at the end. */
+  template <int dim>
+  class Observation
+  {
+  public:
+    Observation(const Discretization<dim> &discretization,
+                const ContactSurface<dim> &surface,
+                Loads<dim>                &loads,
+                const std::string         &directory);
+
+    void start(const State &state);
+    void observe(const State &state, const StepReport &report, double step_size);
+
+    const ContactSummary &contact() const { return contact_now; }
+
+    /** Kinetic and elastic energy. */
+    double energy_of_motion() const { return ledger.current().kinetic + ledger.current().elastic; }
+
+    /** Change of the total energy since the start, relative to the initial one (to the largest one if that is zero). */
+    double relative_energy_change() const;
+
+    /** Writing of fields does not count as time of the run. */
+    void pause_clock() { clock.stop(); }
+    void resume_clock() { clock.start(); }
+
+    /** Energy balance, contact and oscillation in words. */
+    std::string summary() const;
+
+  private:
+    const Discretization<dim> &discretization;
+    const ContactSurface<dim> &surface;
+    Loads<dim>                &loads;
+    std::vector<Probe<dim>>    probes;
+    History<dim>               history;
+    EnergyLedger               ledger;
+    ErrorEvaluation<dim>       errors;
+    ContactSummary             contact_now;
+    TotalVariation             force_variation;
+    std::vector<Zigzag>        velocity_zigzags;
+    dealii::Timer              clock;
+
+    double   largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., impulse = 0.;
+    double   first_contact = -1., last_contact = -1.;
+    ErrorNorms latest_errors;
+
+    void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
+    const Vector *load(double time);
+    static std::vector<Probe<dim>> make_probes(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/diagnostics/contact_diagnostics.h>
+#include <signorini/diagnostics/momentum.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace signorini
+{
+  template <int dim>
+  double normal_force(const ContactNode<dim> &contact_node, const Vector &contact_force)
+  {
+    double force = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      force += contact_node.frame[c] * contact_force.local_element(dim * contact_node.node + c);
+    return force;
+  }
+
+
+  template <int dim>
+  ContactSummary contact_summary(const ContactSurface<dim>  &surface,
+                                 const Discretization<dim> &discretization,
+                                 const State               &state)
+  {
+    const MPI_Comm            communicator = discretization.communicator();
+    const std::vector<double> gap          = surface.normal_gap(state.displacement);
+    ContactSummary            summary;
+    for (unsigned int k = 0; k < gap.size(); ++k)
+      {
+        const double force = normal_force(surface.nodes()[k], state.contact_force);
+        summary.normal_force += std::abs(force);
+        summary.n_active += (force != 0.);
+        summary.max_tension     = std::max(summary.max_tension, force);
+        summary.max_penetration = std::max(summary.max_penetration, -gap[k]);
+      }
+    summary.normal_force    = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
+    summary.n_active        = dealii::Utilities::MPI::sum(summary.n_active, communicator);
+    summary.max_tension     = dealii::Utilities::MPI::max(summary.max_tension, communicator);
+    summary.max_penetration = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
+    summary.resultant       = resultant(discretization, state.contact_force);
+    return summary;
+  }
+
+
+  template double normal_force(const ContactNode<2> &, const Vector &);
+  template double normal_force(const ContactNode<3> &, const Vector &);
+  template ContactSummary contact_summary(const ContactSurface<2> &, const Discretization<2> &, const State &);
+  template ContactSummary contact_summary(const ContactSurface<3> &, const Discretization<3> &, const State &);
+} // namespace signorini

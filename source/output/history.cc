@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/output/history.h>
+
+namespace signorini
+{
+  namespace
+  {
+    const std::vector<std::string> columns = {"step",
+                                              "time",
+                                              "step_size",
+                                              "cells",
+                                              "dofs",
+                                              "kinetic_energy",
+                                              "kinetic_energy_modified",
+                                              "elastic_energy",
+                                              "external_energy",
+                                              "total_energy",
+                                              "total_energy_modified",
+                                              "work_contact",
+                                              "work_predictor",
+                                              "work_friction",
+                                              "work_external",
+                                              "energy_transfer",
+                                              "energy_residual",
+                                              "momentum_x",
+                                              "momentum_y",
+                                              "momentum_z",
+                                              "angular_momentum_x",
+                                              "angular_momentum_y",
+                                              "angular_momentum_z",
+                                              "contact_force",
+                                              "contact_force_x",
+                                              "contact_force_y",
+                                              "contact_force_z",
+                                              "active_nodes",
+                                              "stick_nodes",
+                                              "slip_nodes",
+                                              "max_penetration",
+                                              "active_set_iterations",
+                                              "linear_iterations",
+                                              "predictor_iterations",
+                                              "wall_time"};
+
+    const std::vector<std::string> error_columns = {"displacement_error",
+                                                    "velocity_error",
+                                                    "displacement_norm",
+                                                    "velocity_norm",
+                                                    "relative_displacement_error",
+                                                    "relative_velocity_error"};
+
+    std::vector<double> values_of(const HistoryRow &row)
+    {
+      const double no_nodes = 0.; // friction is not there to make nodes stick or slip
+      return {static_cast<double>(row.state.step),
+              row.state.time,
+              row.step_size,
+              static_cast<double>(row.cells),
+              static_cast<double>(row.dofs),
+              row.energy.kinetic,
+              row.energy.kinetic,
+              row.energy.elastic,
+              row.energy.external,
+              row.energy.total(),
+              row.energy.total(),
+              row.booking.contact,
+              row.booking.predictor,
+              row.booking.friction,
+              row.booking.external,
+              row.booking.transfer,
+              row.booking.residual,
+              row.momentum.linear[0],
+              row.momentum.linear[1],
+              row.momentum.linear[2],
+              row.momentum.angular[0],
+              row.momentum.angular[1],
+              row.momentum.angular[2],
+              row.contact.normal_force,
+              row.contact.resultant[0],
+              row.contact.resultant[1],
+              row.contact.resultant[2],
+              static_cast<double>(row.contact.n_active),
+              no_nodes,
+              no_nodes,
+              row.contact.max_penetration,
+              static_cast<double>(row.report.corrector.active_set_iterations),
+              static_cast<double>(row.report.corrector.linear_iterations),
+              static_cast<double>(row.report.predictor.linear_iterations),
+              row.wall_time};
+    }
+  } // namespace
+
+
+  template <int dim>
+  History<dim>::History(const std::string             &directory,
+                        const bool                     with_errors,
+                        const std::vector<Probe<dim>> &probes,
+                        const MPI_Comm                 communicator)
+    : with_errors(with_errors)
+  {
+    std::vector<std::string> names = columns;
+    if (with_errors)
+      names.insert(names.end(), error_columns.begin(), error_columns.end());
+    history = std::make_unique<CsvTable>(directory + "/history.csv", names, communicator);
+    for (const Probe<dim> &probe : probes)
+      probe_tables.push_back(std::make_unique<CsvTable>(
+        directory + "/probe_" + probe.name() + ".csv",
+        std::vector<std::string>{"time", "gap", "normal_displacement", "normal_velocity", "pressure", "normal_force"},
+        communicator));
+  }
+
+
+  template <int dim>
+  void History<dim>::write(const HistoryRow &row)
+  {
+    std::vector<double> values = values_of(row);
+    if (with_errors)
+      for (const double error : {row.errors.displacement,
+                                 row.errors.velocity,
+                                 row.errors.displacement_norm,
+                                 row.errors.velocity_norm,
+                                 row.errors.relative_displacement,
+                                 row.errors.relative_velocity})
+        values.push_back(error);
+    history->write_row(values);
+  }
+
+
+  template <int dim>
+  void History<dim>::write_probe(const unsigned int probe, const double time, const ProbeReading &reading)
+  {
+    probe_tables[probe]->write_row({time,
+                                    reading.gap,
+                                    reading.normal_displacement,
+                                    reading.normal_velocity,
+                                    reading.pressure,
+                                    reading.normal_force});
+  }
+
+
+  template class History<2>;
+  template class History<3>;
+} // namespace signorini

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/simulation/observation.h>
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace signorini
+{
+  template <int dim>
+  Observation<dim>::Observation(const Discretization<dim> &discretization,
+                                const ContactSurface<dim> &surface,
+                                Loads<dim>                &loads,
+                                const std::string         &directory)
+    : discretization(discretization)
+    , surface(surface)
+    , loads(loads)
+    , probes(make_probes(discretization, surface))
+    , history(directory, discretization.scene.exact_solution.given, probes, discretization.communicator())
+    , errors(discretization)
+    , velocity_zigzags(probes.size())
+    , clock(discretization.communicator(), false)
+  {}
+
+
+  template <int dim>
+  std::vector<Probe<dim>> Observation<dim>::make_probes(const Discretization<dim> &discretization,
+                                                        const ContactSurface<dim> &surface)
+  {
+    std::vector<Probe<dim>> probes;
+    for (const auto &description : discretization.scene.probes)
+      probes.emplace_back(description, surface, discretization.communicator());
+    return probes;
+  }
+
+
+  template <int dim>
+  const Vector *Observation<dim>::load(const double time)
+  {
+    return loads.any() ? &loads.at(time) : nullptr;
+  }
+
+
+  template <int dim>
+  void Observation<dim>::start(const State &state)
+  {
+    ledger.open(state, load(state.time));
+    largest_energy = energy_of_motion();
+    write(state, StepReport(), EnergyBooking(), 0.);
+  }
+
+
+  template <int dim>
+  void Observation<dim>::observe(const State &state, const StepReport &report, const double step_size)
+  {
+    const EnergyBooking booking = ledger.book(state, report, load(state.time));
+    largest_energy              = std::max(largest_energy, energy_of_motion());
+    largest_residual            = std::max(largest_residual, std::abs(booking.residual));
+    write(state, report, booking, step_size);
+
+    impulse += step_size * contact_now.normal_force;
+    largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
+    largest_change      = std::max(largest_change, ledger.current().total() - ledger.initial().total());
+    force_variation.add(contact_now.normal_force);
+    if (contact_now.n_active > 0)
+      {
+        if (first_contact < 0.)
+          first_contact = state.time;
+        last_contact = state.time;
+      }
+  }
+
+
+  template <int dim>
+  void Observation<dim>::write(const State         &state,
+                               const StepReport    &report,
+                               const EnergyBooking &booking,
+                               const double         step_size)
+  {
+    contact_now = contact_summary(surface, discretization, state);
+    if (discretization.scene.exact_solution.given)
+      latest_errors = errors.evaluate(state);
+    const bool write_row = state.step % discretization.scene.output.history_every == 0;
+    if (write_row)
+      history.write({state,
+                     step_size,
+                     discretization.triangulation.n_global_active_cells(),
+                     discretization.dof_handler.n_dofs(),
+                     ledger.current(),
+                     booking,
+                     momentum(discretization, state),
+                     contact_now,
+                     report,
+                     clock.wall_time(),
+                     latest_errors});
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      {
+        const ProbeReading reading = probes[p].read(state);
+        velocity_zigzags[p].add(reading.normal_velocity, reading.normal_force > 0.);
+        if (write_row)
+          history.write_probe(p, state.time, reading);
+      }
+  }
+
+
+  template <int dim>
+  double Observation<dim>::relative_energy_change() const
+  {
+    const double initial = std::abs(ledger.initial().total());
+    const double scale   = initial > 0. ? initial : largest_energy;
+    return scale > 0. ? (ledger.current().total() - ledger.initial().total()) / scale : 0.;
+  }
+
+
+  template <int dim>
+  std::string Observation<dim>::summary() const
+  {
+    std::ostringstream text;
+    text << std::setprecision(4) << "  energy            changed by " << 100. * relative_energy_change() << " % ("
+         << (largest_energy > 0. ? 100. * largest_change / largest_energy : 0.)
+         << " % at most); largest unexplained part of a step "
+         << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
+    if (first_contact >= 0.)
+      text << "  contact           from " << first_contact << " to " << last_contact << ", largest force "
+           << force_variation.largest() << ", impulse " << impulse << "\n"
+           << "  oscillation       total variation of the force over twice its maximum: " << force_variation.measure() << "\n"
+           << "  penetration       " << largest_penetration << " at most\n";
+    else
+      text << "  contact           none\n";
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      text << "  probe " << probes[p].name() << " at (" << probes[p].position() << "): zigzag of the normal velocity in contact "
+           << velocity_zigzags[p].amplitude() << "\n";
+    if (discretization.scene.exact_solution.given)
+      text << "  errors            displacement " << 100. * latest_errors.relative_displacement << " %, velocity "
+           << 100. * latest_errors.relative_velocity << " % (relative, in space and time)\n";
+    return text.str();
+  }
+
+
+  template class Observation<2>;
+  template class Observation<3>;
+} // namespace signorini
