@@ -81,6 +81,8 @@ namespace signorini
 
   std::string suggestion(const std::string &word, const std::vector<std::string> &valid)
   {
+    if (valid.empty())
+      return "There is none so far.";
     const std::string best = nearest(word, valid);
     return (best.empty() ? "" : "Did you mean `" + best + "`? ") + "Valid: " + join(valid) + ".";
   }

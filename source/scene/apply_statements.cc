@@ -78,6 +78,25 @@ namespace signorini
              words_of_later_versions.end();
     }
 
+    /** Why there is no section @p name in @p outer, and what to do. */
+    std::string
+    explain_section(const std::vector<Statement> &declared, const Path &outer, const std::string &name)
+    {
+      const std::string remedy = suggestion(name, sections_in(declared, outer));
+      const auto        keys   = keys_of(declared, outer);
+      if (is_of_later_version(name))
+        return "it is not available in this version. Remove it.";
+      if (outer == Path{"Contact"})
+        return "`Contact/Pairs` does not list this pair. Write it exactly as there, or add it there. " +
+               remedy;
+      if (!outer.empty() && std::find(keys.begin(), keys.end(), "Names") != keys.end())
+        return "`" + join(outer, "/") + "/Names` does not list this name. Add it there, or correct it. " +
+               remedy;
+      if (!outer.empty())
+        return "section `" + join(outer, "/") + "` has no sections inside. Close it with `end` before.";
+      return "there is no such section. " + remedy;
+    }
+
     void check_section(const Statement &statement, const std::vector<Statement> &declared)
     {
       Path outer;
@@ -86,23 +105,8 @@ namespace signorini
           Path inner = outer;
           inner.push_back(name);
           if (!is_declared(declared, inner))
-            {
-              const std::string head = statement.origin + ": unknown section `" + join(inner, "/") + "`: ";
-              if (is_of_later_version(name))
-                throw UserError(head + "it is not available in this version. Remove it.");
-              const std::vector<std::string> valid = sections_in(declared, outer);
-              if (outer == Path{"Contact"})
-                throw UserError(head +
-                                "`Contact/Pairs` does not list this pair. Write it exactly "
-                                "as there, or add it there. " +
-                                suggestion(name, valid));
-              if (!outer.empty())
-                throw UserError(head + "`" + join(outer, "/") +
-                                "/Names` does not list this name. "
-                                "Add it there, or correct it. " +
-                                suggestion(name, valid));
-              throw UserError(head + "there is no such section. " + suggestion(name, valid));
-            }
+            throw UserError(statement.origin + ": unknown section `" + join(inner, "/") +
+                            "`: " + explain_section(declared, outer, name));
           outer = inner;
         }
     }

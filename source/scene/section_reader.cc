@@ -12,6 +12,23 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Numbers may match their pattern and still be too small or too large for the type. */
+    template <typename Convert>
+    auto converted(const SectionReader &in, const std::string &key, const Convert &convert)
+    {
+      try
+        {
+          return convert();
+        }
+      catch (const dealii::ExceptionBase &)
+        {
+          in.fail(key, "is too small or too large for a number of the computer. Correct the exponent.");
+        }
+    }
+  } // namespace
+
   SectionReader::SectionReader(const dealii::ParameterHandler &prm, const SceneText &text)
     : prm(&prm)
     , scene_text(&text)
@@ -44,7 +61,7 @@ namespace signorini
 
   double SectionReader::number(const std::string &key) const
   {
-    return prm->get_double(path, key);
+    return converted(*this, key, [&] { return prm->get_double(path, key); });
   }
 
   bool SectionReader::flag(const std::string &key) const
@@ -63,7 +80,7 @@ namespace signorini
   unsigned int
   SectionReader::integer(const std::string &key, const unsigned int min, const unsigned int max) const
   {
-    const long int value = prm->get_integer(path, key);
+    const long int value = converted(*this, key, [&] { return prm->get_integer(path, key); });
     if (value < static_cast<long int>(min) || value > static_cast<long int>(max))
       fail(key, "must be an integer between " + std::to_string(min) + " and " + std::to_string(max) + ".");
     return static_cast<unsigned int>(value);
@@ -72,8 +89,9 @@ namespace signorini
   template <int dim>
   dealii::Point<dim> SectionReader::point(const std::string &key) const
   {
-    const std::vector<double> coordinates = dealii::Utilities::string_to_double(split(text(key), ','));
-    dealii::Point<dim>        result;
+    const auto coordinates =
+      converted(*this, key, [&] { return dealii::Utilities::string_to_double(split(text(key), ',')); });
+    dealii::Point<dim> result;
     for (unsigned int d = 0; d < dim; ++d)
       result[d] = coordinates[d];
     return result;

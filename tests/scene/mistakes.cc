@@ -70,6 +70,7 @@ TEST(Mistakes, ShapesAndMaterial)
                    {"Bodies/ball/Radius", "0", {"must be positive"}},
                    {"Bodies/ball/Radius", "-1", {"must be positive"}},
                    {"Bodies/ball/Centre", "0, 1", {"must be 3 numbers", "commas"}},
+                   {"Bodies/ball/Centre", "0, 0, 1e-400", {"too small"}},
                    {"Bodies/ball/Centre", "0; 0; 1", {"must be 3 numbers", "commas"}},
                    {"Bodies/ball/Refinements", "-1", {"between 0 and 12"}},
                    {"Bodies/ball/Refinements", "40", {"between 0 and 12"}},
@@ -153,6 +154,8 @@ TEST(Mistakes, SolverAndOutput)
   expect_refusals({{"Solver/Preconditioner", "jacoby", {"Did you mean `jacobi`?"}},
                    {"Solver/Tolerance", "0", {"must be positive"}},
                    {"Solver/Tolerance", "-1", {"must be positive"}},
+                   {"Solver/Tolerance", "1e-400", {"too small"}},
+                   {"Solver/Maximum linear iterations", "99999999999", {"integer"}},
                    {"Solver/Tolerance", "0.1", {"at most 0.01"}},
                    {"Solver/Maximum linear iterations", "0", {"between 1 and"}},
                    {"Output/VTU", "perhaps", {"true or false"}},
@@ -175,6 +178,7 @@ TEST(Mistakes, UnknownKeysAndSections)
   expect("Tim/Step size", {"unknown section `Tim`", "Did you mean `Time`?", "Valid: Time, Bodies"});
   expect("Bodies/bal/Radius", {"unknown section `Bodies/bal`", "`Bodies/Names`", "Did you mean `ball`?"});
   expect("Contact/ball : pillar/Friction coefficient", {"`Contact/Pairs` does not list this pair", "add"});
+  expect("Time/Scheme/Name", {"unknown section `Time/Scheme`", "no sections inside", "`end`"});
   expect("Adaptivity/Indicator", {"not available in this version", "Remove"});
 }
 
