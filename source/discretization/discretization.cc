@@ -38,6 +38,8 @@ namespace signorini
   void Discretization<dim>::assemble()
   {
     assemble_matrices(*this, matrices);
+    if (scene.time.mass == "lumped")
+      matrices.lump_mass();
 
     // Positions travel to the ghosts as a vector does.
     Vector positions = make_vector();

@@ -100,6 +100,19 @@ namespace signorini
   }
 
 
+  template <int dim>
+  void ElasticMatrices<dim>::lump_mass()
+  {
+    Vector ones(pattern.partitioner), sums(pattern.partitioner);
+    ones = 1.;
+    apply(sums, ones, 1., 0.);
+    sums.update_ghost_values();
+    for (unsigned int node = 0; node < pattern.n_local; ++node)
+      for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+        mass[k] = pattern.columns[k] == node ? sums.local_element(dim * node) : 0.;
+  }
+
+
   template class ElasticMatrices<2>;
   template class ElasticMatrices<3>;
 } // namespace signorini

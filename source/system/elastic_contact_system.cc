@@ -69,7 +69,7 @@ namespace signorini
     if (new_stiffness_factor == stiffness_factor)
       return;
     stiffness_factor = new_stiffness_factor;
-    extrapolation.clear();
+    forecast.clear();
     const auto &scene     = discretization.scene;
     chosen_preconditioner = scene.solver.preconditioner;
     if (chosen_preconditioner == "automatic")
@@ -108,8 +108,7 @@ namespace signorini
     coordinates.to_contact(right_hand_side);
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
-    extrapolation.guess(increment);
-    coordinates.to_contact(increment);
+    forecast.guess(right_hand_side, increment);
 
     std::vector<double> prescribed = coordinates.supported_values(problem.start_time + problem.step_size);
     if (!prescribed.empty())
@@ -140,6 +139,8 @@ namespace signorini
                    increment,
                    residual));
 
+    forecast.remember(right_hand_side, increment, residual);
+
     solution.contact_reaction = discretization.make_vector();
     solution.support_reaction = solution.contact_reaction;
     for (unsigned int k = 0; k < active.size(); ++k)
@@ -151,7 +152,6 @@ namespace signorini
     coordinates.to_cartesian(increment);
     coordinates.to_cartesian(solution.contact_reaction);
     coordinates.to_cartesian(solution.support_reaction);
-    extrapolation.remember(increment);
   }
 
 

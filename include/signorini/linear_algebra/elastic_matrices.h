@@ -42,6 +42,9 @@ namespace signorini
     /** Entry by entry a M + b A for the block at a position of the pattern. */
     Block combined_block(unsigned int position, double mass_factor, double stiffness_factor) const;
 
+    /** Replace M by the diagonal matrix of its row sums. Collective. */
+    void lump_mass();
+
     const ProductCount &products() const { return count; }
 
   private:

@@ -5,7 +5,7 @@
 #define signorini_system_elastic_contact_system_h
 
 #include <signorini/discretization/loads.h>
-#include <signorini/system/increment_extrapolation.h>
+#include <signorini/system/increment_forecast.h>
 #include <signorini/system/preconditioners.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
@@ -60,7 +60,7 @@ namespace signorini
     PrimalDualActiveSet                   solver;
     ActiveSet                             active, predictor_active;
     Vector                                last_correction;
-    IncrementExtrapolation                extrapolation;
+    IncrementForecast                     forecast;
 
     void prepare(double stiffness_factor, double step_size);
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */

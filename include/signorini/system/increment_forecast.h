@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_increment_forecast_h
+#define signorini_system_increment_forecast_h
+
+#include <signorini/base/types.h>
+
+#include <Eigen/Dense>
+
+#include <deque>
+
+namespace signorini
+{
+  /**
+   * First guess for the increment of the next step: among all combinations of the last increments the one that is closest to the
+   * solution in the norm of K (Fischer, Comput. Methods Appl. Mech. Engrg. 163 (1998) 193-204). Better than any polynomial
+   * through them, because the motion decides on the weights. In undeformed flight it is exact.
+   *
+   * It costs a few scalar products and no product with K: K d = b - s is known from the solve, s being the residual with the
+   * forces that hold constraints. The forces of the new step are extrapolated.
+   */
+  class IncrementForecast
+  {
+  public:
+    /** The guess for the right-hand side b; zero if nothing is known. */
+    void guess(const Vector &right_hand_side, Vector &increment);
+
+    /** Remember a solved step: K increment = right_hand_side - residual. */
+    void remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual);
+
+    /** Forget everything: the next step has another size or another mesh. */
+    void clear();
+
+  private:
+    static constexpr unsigned int n_kept = 6;
+
+    struct Entry
+    {
+      Vector increment, product; ///< d and K d
+    };
+    std::deque<Entry>  entries;   ///< latest first
+    std::deque<Vector> residuals; ///< the two latest
+    Eigen::MatrixXd    gram;      ///< d_i'K d_j
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/system/increment_forecast.h>
+
+namespace signorini
+{
+  void IncrementForecast::guess(const Vector &right_hand_side, Vector &increment)
+  {
+    increment            = 0.;
+    const unsigned int n = entries.size();
+    if (n == 0)
+      return;
+
+    // b - s with s from the last two steps
+    Vector force = right_hand_side;
+    if (residuals.size() == 2)
+      force.add(-2., residuals[0], 1., residuals[1]);
+    else
+      force -= residuals[0];
+
+    Eigen::VectorXd projection(n), scaling(n);
+    for (unsigned int i = 0; i < n; ++i)
+      {
+        projection[i] = dot(entries[i].increment, force);
+        scaling[i]    = gram(i, i) > 0. ? 1. / std::sqrt(gram(i, i)) : 0.;
+      }
+    // The increments are nearly parallel; directions that are lost in round-off are left out.
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaling.asDiagonal() * gram * scaling.asDiagonal());
+    const double                                         smallest = 1e-13 * modes.eigenvalues()[n - 1];
+    Eigen::VectorXd weights = modes.eigenvectors().transpose() * scaling.asDiagonal() * projection;
+    for (unsigned int i = 0; i < n; ++i)
+      weights[i] = modes.eigenvalues()[i] > smallest ? weights[i] / modes.eigenvalues()[i] : 0.;
+    weights = scaling.asDiagonal() * modes.eigenvectors() * weights;
+    for (unsigned int i = 0; i < n; ++i)
+      increment.add(weights[i], entries[i].increment);
+  }
+
+
+  void IncrementForecast::remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual)
+  {
+    Entry entry;
+    if (entries.size() == n_kept) // reuse the memory of the oldest
+      {
+        entry = std::move(entries.back());
+        entries.pop_back();
+      }
+    entry.increment = increment;
+    entry.product   = right_hand_side;
+    entry.product -= residual;
+    entries.push_front(std::move(entry));
+    if (residuals.size() == 2)
+      residuals.pop_back();
+    residuals.push_front(residual);
+
+    const unsigned int n          = entries.size();
+    Eigen::MatrixXd    new_gram(n, n);
+    new_gram.bottomRightCorner(n - 1, n - 1) = gram.topLeftCorner(n - 1, n - 1);
+    for (unsigned int i = 0; i < n; ++i)
+      new_gram(0, i) = new_gram(i, 0) = dot(entries[i].increment, entries[0].product);
+    gram = new_gram;
+  }
+
+
+  void IncrementForecast::clear()
+  {
+    entries.clear();
+    residuals.clear();
+    gram.resize(0, 0);
+  }
+} // namespace signorini
