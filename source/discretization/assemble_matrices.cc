@@ -246,10 +246,11 @@ namespace signorini
                 {
                   const int global = stiffness_rows.GCID(columns[k]);
                   if (const unsigned int column = local_node(global / dim); column < pattern.n_local)
-                    matrices.stiffness[position[column]][dim * c + global % dim] = values[k];
+                    matrices.stiffness[position[column]][dim * (global % dim) + c] = values[k];
                 }
             }
       }
+    matrices.stiffness.emplace_back();
   }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/elastic_matrices.h>
+#include <signorini/linear_algebra/lanes.h>
 
 namespace signorini
 {
@@ -18,18 +19,14 @@ namespace signorini
       const unsigned int *columns = matrices.pattern.columns.data();
       for (unsigned int row = 0; row < matrices.pattern.n_owned; ++row)
         {
-          std::array<double, dim> elastic{}, inertial{};
+          Lanes<double>           elastic{};
+          std::array<double, dim> inertial{};
           const unsigned int      end = matrices.pattern.row_start[row + 1];
           for (unsigned int k = matrices.pattern.row_start[row]; k < end; ++k)
             {
               const double *x = source + dim * columns[k];
               if constexpr (with_stiffness)
-                {
-                  const auto &block = matrices.stiffness[k];
-                  for (unsigned int c = 0; c < dim; ++c)
-                    for (unsigned int d = 0; d < dim; ++d)
-                      elastic[c] += block[dim * c + d] * x[d];
-                }
+                elastic += block_product<dim>(matrices.stiffness[k].data(), x);
               if constexpr (with_mass)
                 for (unsigned int c = 0; c < dim; ++c)
                   inertial[c] += matrices.mass[k] * x[c];

@@ -2,19 +2,22 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/linear_algebra/cuthill_mckee.h>
 #include <signorini/linear_algebra/incomplete_cholesky.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
+#include <numeric>
 
 namespace signorini
 {
   namespace
   {
     template <int n>
-    using Small = Eigen::Matrix<double, n, n, Eigen::RowMajor>;
+    using Small = Eigen::Matrix<double, n, n>;
 
     /** The block that the factor sees at a position of the pattern: dim x dim, or one number for the mass. */
     template <int dim, int n>
@@ -29,14 +32,14 @@ namespace signorini
     template <int n>
     Small<n> to_double(const std::array<float, n * n> &entry)
     {
-      return Eigen::Map<const Eigen::Matrix<float, n, n, Eigen::RowMajor>>(entry.data()).template cast<double>();
+      return Eigen::Map<const Eigen::Matrix<float, n, n>>(entry.data()).template cast<double>();
     }
 
     template <int n>
     std::array<float, n * n> to_float(const Small<n> &entry)
     {
-      std::array<float, n * n>                                         result;
-      Eigen::Map<Eigen::Matrix<float, n, n, Eigen::RowMajor>>(result.data()) = entry.template cast<float>();
+      std::array<float, n * n>               result;
+      Eigen::Map<Eigen::Matrix<float, n, n>>(result.data()) = entry.template cast<float>();
       return result;
     }
   } // namespace
@@ -49,7 +52,7 @@ namespace signorini
                                                           const std::vector<unsigned int> &eliminate_last)
     : pattern(matrices.pattern)
     , overlapping(pattern.n_local > pattern.n_owned)
-    , work(2 * dim * pattern.n_local)
+    , work(4 * pattern.n_local, 0.f)
     , ghosted_source(pattern.partitioner)
   {
     build_pattern(eliminate_last);
@@ -72,6 +75,7 @@ namespace signorini
           throw RunError("The incomplete Cholesky factor does not exist: the matrix of the step is not positive "
                          "definite. Check the mesh for inverted cells, or set Solver/Preconditioner = jacobi.");
       }
+    transpose();
     set_held_nodes({});
   }
 
@@ -82,28 +86,29 @@ namespace signorini
     std::vector<char> is_last(pattern.n_local, 0);
     for (const unsigned int node : eliminate_last)
       is_last[node] = 1;
+    const std::vector<unsigned int> numbering = cuthill_mckee(pattern);
     order.reserve(pattern.n_local);
     for (const char last : {0, 1})
-      for (unsigned int node = 0; node < pattern.n_local; ++node)
+      for (const unsigned int node : numbering)
         if (is_last[node] == last)
           order.push_back(node);
     position_of.resize(pattern.n_local);
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       position_of[order[p]] = p;
 
-    row_start.assign(1, 0);
+    lower.row_start.assign(1, 0);
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       {
         const unsigned int node = order[p];
         for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
           if (position_of[pattern.columns[k]] < p)
-            columns.push_back(position_of[pattern.columns[k]]);
-        std::sort(columns.begin() + row_start.back(), columns.end());
-        row_start.push_back(columns.size());
+            lower.columns.push_back(position_of[pattern.columns[k]]);
+        std::sort(lower.columns.begin() + lower.row_start.back(), lower.columns.end());
+        lower.row_start.push_back(lower.columns.size());
       }
-    lower.resize(columns.size());
+    lower.entries.resize(lower.columns.size() + 1);
     pivots.resize(pattern.n_local);
-    inverse_pivots.resize(pattern.n_local);
+    inverse_pivots.resize(pattern.n_local + 1); // one spare, see Lanes
   }
 
 
@@ -146,18 +151,18 @@ namespace signorini
           }
         if (pivot.trace() == 0.) // an eliminated (hanging) node: its entries are never free
           pivot.setIdentity();
-        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
+        for (unsigned int a = lower.row_start[i]; a < lower.row_start[i + 1]; ++a)
           {
-            const unsigned int j = columns[a];
-            for (unsigned int b = row_start[j]; b < row_start[j + 1]; ++b)
-              if (in_row[columns[b]])
-                row[j] -= scaled_row[columns[b]] * to_double<block_size>(lower[b]).transpose();
+            const unsigned int j = lower.columns[a];
+            for (unsigned int b = lower.row_start[j]; b < lower.row_start[j + 1]; ++b)
+              if (in_row[lower.columns[b]])
+                row[j] -= scaled_row[lower.columns[b]] * to_double<block_size>(lower.entries[b]).transpose();
             scaled_row[j] = row[j] * inverse[j];
             pivot -= scaled_row[j] * row[j].transpose();
-            lower[a] = to_float<block_size>(row[j]);
+            lower.entries[a] = to_float<block_size>(row[j]);
           }
-        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
-          in_row[columns[a]] = 0;
+        for (unsigned int a = lower.row_start[i]; a < lower.row_start[i + 1]; ++a)
+          in_row[lower.columns[a]] = 0;
         const Eigen::LLT<Small<block_size>> cholesky(pivot);
         if (cholesky.info() != Eigen::Success)
           return false;
@@ -197,7 +202,7 @@ namespace signorini
         else
           pivot = to_double<dim>(pivots[p]);
         // In the frame of the node the held entries become unit rows, which leaves the inverse on the free ones.
-        const Eigen::Map<const Small<dim>> frame(node.frame.data());
+        const Eigen::Map<const Eigen::Matrix<double, dim, dim, Eigen::RowMajor>> frame(node.frame.data());
         Small<dim>                         local = frame * pivot * frame.transpose();
         for (unsigned int c = 0; c < dim; ++c)
           if (node.held[c])
@@ -217,54 +222,58 @@ namespace signorini
 
 
   template <int dim, int block_size>
+  void IncompleteCholesky<dim, block_size>::transpose()
+  {
+    const unsigned int n = pattern.n_local;
+    upper.row_start.assign(n + 1, 0);
+    for (const unsigned int column : lower.columns)
+      ++upper.row_start[column + 1];
+    std::partial_sum(upper.row_start.begin(), upper.row_start.end(), upper.row_start.begin());
+    upper.columns.resize(lower.columns.size());
+    upper.entries.resize(lower.entries.size());
+    std::vector<unsigned int> next(upper.row_start.begin(), upper.row_start.end() - 1);
+    for (unsigned int i = 0; i < n; ++i)
+      for (unsigned int a = lower.row_start[i]; a < lower.row_start[i + 1]; ++a)
+        {
+          const unsigned int b = next[lower.columns[a]]++;
+          upper.columns[b]     = i;
+          upper.entries[b]     = to_float<block_size>(to_double<block_size>(lower.entries[a]).transpose());
+        }
+  }
+
+
+  template <int dim, int block_size>
+  inline Lanes<float> IncompleteCholesky<dim, block_size>::row_product(const Triangle    &triangle,
+                                                                       const unsigned int row) const
+  {
+    Lanes<float> sum{};
+    for (unsigned int a = triangle.row_start[row]; a < triangle.row_start[row + 1]; ++a)
+      if constexpr (block_size == 1)
+        sum += triangle.entries[a][0] * load(&work[4 * triangle.columns[a]]);
+      else
+        sum += block_product<dim>(triangle.entries[a].data(), &work[4 * triangle.columns[a]]);
+    return sum;
+  }
+
+
+  template <int dim, int block_size>
   void IncompleteCholesky<dim, block_size>::sweep() const
   {
-    float *y = work.data();
-    float *s = work.data() + dim * pattern.n_local;
-    std::fill(s, s + dim * pattern.n_local, 0.f);
+    const auto solve_pivot = [this](const unsigned int i, const Lanes<float> &right_hand_side) {
+      std::array<float, 4> numbers;
+      std::memcpy(numbers.data(), &right_hand_side, sizeof(right_hand_side));
+      return block_product<dim>(inverse_pivots[i].data(), numbers.data());
+    };
+    // (D + L) y = r, then (I + D^-1 L') z = y, both in place.
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
-        std::array<float, dim> residual;
-        for (unsigned int c = 0; c < dim; ++c)
-          residual[c] = y[dim * i + c];
-        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
-          {
-            const float *yj = y + dim * columns[a];
-            for (unsigned int c = 0; c < dim; ++c)
-              if constexpr (block_size == 1)
-                residual[c] -= lower[a][0] * yj[c];
-              else
-                for (unsigned int d = 0; d < dim; ++d)
-                  residual[c] -= lower[a][dim * c + d] * yj[d];
-          }
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            float value = 0.f;
-            for (unsigned int d = 0; d < dim; ++d)
-              value += inverse_pivots[i][dim * c + d] * residual[d];
-            y[dim * i + c] = value;
-          }
+        const Lanes<float> y = solve_pivot(i, load(&work[4 * i]) - row_product(lower, i));
+        std::memcpy(&work[4 * i], &y, sizeof(y));
       }
     for (unsigned int i = pattern.n_local; i-- > 0;)
       {
-        std::array<float, dim> z;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            z[c] = y[dim * i + c];
-            for (unsigned int d = 0; d < dim; ++d)
-              z[c] -= inverse_pivots[i][dim * c + d] * s[dim * i + d];
-            y[dim * i + c] = z[c];
-          }
-        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
-          {
-            float *sj = s + dim * columns[a];
-            for (unsigned int c = 0; c < dim; ++c)
-              if constexpr (block_size == 1)
-                sj[c] += lower[a][0] * z[c];
-              else
-                for (unsigned int d = 0; d < dim; ++d)
-                  sj[d] += lower[a][dim * c + d] * z[c];
-          }
+        const Lanes<float> z = load(&work[4 * i]) - solve_pivot(i, row_product(upper, i));
+        std::memcpy(&work[4 * i], &z, sizeof(z));
       }
   }
 
@@ -288,14 +297,14 @@ namespace signorini
 
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       for (unsigned int c = 0; c < dim; ++c)
-        work[dim * p + c] = weights[p] * static_cast<float>(scale * input[dim * order[p] + c]);
+        work[4 * p + c] = weights[p] * static_cast<float>(scale * input[dim * order[p] + c]);
     sweep();
 
     destination.zero_out_ghost_values();
     double *output = destination.begin();
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       for (unsigned int c = 0; c < dim; ++c)
-        output[dim * order[p] + c] = size * matrix_scale * static_cast<double>(weights[p] * work[dim * p + c]);
+        output[dim * order[p] + c] = size * matrix_scale * static_cast<double>(weights[p] * work[4 * p + c]);
     if (overlapping)
       destination.compress(dealii::VectorOperation::add);
   }

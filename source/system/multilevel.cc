@@ -28,7 +28,7 @@ namespace signorini
               action(partitioner.local_to_global(dim * node + c),
                      partitioner.local_to_global(dim * pattern.columns[k] + d),
                      k,
-                     dim * c + d);
+                     dim * d + c);
     };
     DynamicSparsityPattern sparsity(owned.size(), owned.size(), owned);
     for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) { sparsity.add(row, column); });

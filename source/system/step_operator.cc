@@ -33,7 +33,7 @@ namespace signorini
   template <int dim>
   void StepOperator<dim>::diagonal(Vector &destination) const
   {
-    using Block          = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>;
+    using Block          = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>; // the diagonal blocks are symmetric
     const auto &pattern  = matrices.pattern;
     const auto  block_of = [&](const unsigned int node) {
       for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)

@@ -27,10 +27,10 @@ namespace signorini
   class ElasticMatrices
   {
   public:
-    using Block = std::array<double, dim * dim>; ///< row by row
+    using Block = std::array<double, dim * dim>; ///< column by column
 
     NodePattern         pattern;
-    std::vector<Block>  stiffness;
+    std::vector<Block>  stiffness; ///< with a spare block at the end, see Lanes
     std::vector<double> mass;
 
     /** destination = (mass_factor M + stiffness_factor A) source. Exchanges the ghosts of the source. */
