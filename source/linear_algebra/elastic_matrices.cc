@@ -19,17 +19,15 @@ namespace signorini
       const unsigned int *columns = matrices.pattern.columns.data();
       for (unsigned int row = 0; row < matrices.pattern.n_owned; ++row)
         {
-          Lanes<double>           elastic{};
-          std::array<double, dim> inertial{};
-          const unsigned int      end = matrices.pattern.row_start[row + 1];
+          Lanes<double>      elastic{}, inertial{};
+          const unsigned int end = matrices.pattern.row_start[row + 1];
           for (unsigned int k = matrices.pattern.row_start[row]; k < end; ++k)
             {
               const double *x = source + dim * columns[k];
               if constexpr (with_stiffness)
                 elastic += block_product<dim>(matrices.stiffness[k].data(), x);
-              if constexpr (with_mass)
-                for (unsigned int c = 0; c < dim; ++c)
-                  inertial[c] += matrices.mass[k] * x[c];
+              if constexpr (with_mass) // the source ends with its last number, hence no load()
+                inertial += matrices.mass[k] * Lanes<double>{x[0], x[1], dim == 3 ? x[dim - 1] : 0., 0.};
             }
           for (unsigned int c = 0; c < dim; ++c)
             destination[dim * row + c] = mass_factor * inertial[c] + stiffness_factor * elastic[c];
