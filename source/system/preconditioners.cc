@@ -52,20 +52,37 @@ namespace signorini
         , cartesian(matrices.pattern.partitioner)
       {}
 
-      void set_mask(const Mask &mask) override { factor.set_held_nodes(coordinates.held_nodes(mask)); }
+      void set_mask(const Mask &mask) override
+      {
+        held_entries.clear();
+        for (unsigned int i = 0; i < mask.size(); ++i)
+          if (mask[i])
+            held_entries.push_back(i);
+        factor.set_held_nodes(coordinates.held_nodes(mask));
+      }
 
       void vmult(Vector &destination, const Vector &source) const override
       {
         cartesian.copy_locally_owned_data_from(source);
+        hold(cartesian);
         coordinates.to_cartesian(cartesian);
         factor.vmult(destination, cartesian);
         coordinates.to_contact(destination);
+        hold(destination);
       }
 
     private:
       const ContactCoordinates<dim>       &coordinates;
       IncompleteCholesky<dim, block_size>  factor;
       mutable Vector                       cartesian;
+      std::vector<unsigned int>            held_entries;
+
+      /** The factor holds rotated entries only to single precision; a multiplier must not leak through, so they become exact zeros. */
+      void hold(Vector &vector) const
+      {
+        for (const unsigned int i : held_entries)
+          vector.local_element(i) = 0.;
+      }
     };
   } // namespace
 
