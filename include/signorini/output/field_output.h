@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_output_field_output_h
+#define signorini_output_field_output_h
+
+#include <signorini/output/cell_stress.h>
+#include <signorini/output/field_series.h>
+#include <signorini/output/surface_patches.h>
+
+namespace signorini
+{
+  /**
+   * Pictures of the motion for Paraview: `volume.pvd` with displacement and velocity (nodes), body, stress_xx, ..., von_mises and
+   * subdomain (cells), and `surface.pvd` with the contact surface, see SurfacePatches. The stress of a cell is its mean
+   * stress; in 2d (plane strain) stress_zz is part of it. A scene without contact pairs has no surface series.
+   */
+  template <int dim>
+  class FieldOutput
+  {
+  public:
+    /** Collective. The .pvd files of an earlier run in this directory are removed. */
+    FieldOutput(const Discretization<dim> &discretization,
+                const ContactSurface<dim> &surface,
+                const std::string         &directory);
+
+    /**
+     * Write the fields of a moment. A second call for the same step does nothing. Collective.
+     * @throws RunError on all processes if a file cannot be written
+     */
+    void write(const State &state);
+
+  private:
+    const Discretization<dim>    &discretization;
+    SurfacePatches<dim>           surface_patches;
+    FieldSeries                   volume_series, surface_series;
+    static constexpr unsigned int none      = static_cast<unsigned int>(-1);
+    unsigned int                  last_step = none;
+
+    void write_volume(const State &state, const Vector &displacement, const Vector &velocity);
+  };
+} // namespace signorini
+
+#endif

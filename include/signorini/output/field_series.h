@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_output_field_series_h
+#define signorini_output_field_series_h
+
+#include <deal.II/base/data_out_base.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace signorini
+{
+  /**
+   * Moments of one kind of field: `fields/<name>_<step>.pvtu` with one piece per process, and `<name>.pvd` in the folder above,
+   * which names the moments written so far and is valid at any time.
+   */
+  class FieldSeries
+  {
+  public:
+    /** Collective. Makes the folders, and removes the .pvd that an earlier run may have left. */
+    FieldSeries(const std::string &directory, const std::string &name, MPI_Comm communicator);
+
+    /** Write one moment. Collective. @throws RunError on all processes if a file cannot be written. */
+    template <int dim, int spacedim>
+    void write(dealii::DataOutInterface<dim, spacedim> &data, unsigned int step, double time);
+
+  private:
+    std::string                                 directory, name;
+    MPI_Comm                                    communicator;
+    std::vector<std::pair<double, std::string>> moments; ///< time, file relative to the directory
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_output_run_log_h
+#define signorini_output_run_log_h
+
+#include <deal.II/base/mpi.h>
+
+#include <chrono>
+#include <fstream>
+#include <memory>
+#include <ostream>
+#include <string>
+
+namespace signorini
+{
+  /**
+   * What a run tells its user: on the screen (unless quiet) and in `log.txt`, by the first process only. On a terminal the
+   * progress is one line that is updated in place; elsewhere, and in the log, it is a line every tenth of the steps.
+   */
+  class RunLog
+  {
+  public:
+    /**
+     * Makes the output directory and begins a new log with program, date and number of processes. Collective.
+     * @throws RunError on all processes
+     */
+    RunLog(const std::string &directory, bool quiet, MPI_Comm communicator);
+    RunLog(const RunLog &) = delete;
+    ~RunLog();
+
+    /** Keep a copy of the scene: as it was read, and with all defaults. Collective. @throws RunError on all processes. */
+    void copy_scene(const std::string &original_text, const std::string &all_parameters) const;
+
+    /** One or several lines of text, without the last end of line. */
+    void message(const std::string &text);
+
+    /** State of the run after a step. The time left is estimated from the time since this log was begun. */
+    void progress(unsigned int step,
+                  unsigned int n_steps,
+                  double       time,
+                  double       contact_force,
+                  double       relative_energy_change,
+                  unsigned int n_active);
+
+    /** For everything else, such as tables of timers. Written to log and screen; swallows everything on other processes. */
+    std::ostream &stream();
+
+    /** Collective. @throws RunError on all processes if something of the log could not be written. */
+    void finish();
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    class Tee;
+
+    std::string          path;
+    MPI_Comm             communicator;
+    bool                 first_process, on_terminal, to_screen;
+    std::ofstream        log;
+    std::unique_ptr<Tee> tee;
+    std::ostream         both;
+    bool              line_is_open = false; ///< the cursor stands behind the progress on a terminal
+    Clock::time_point start, last_update;
+
+    void        close_line();
+    std::string time_left(unsigned int step, unsigned int n_steps) const;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/command_line.h>
+#include <signorini/base/spelling.h>
+#include <signorini/output/run_log.h>
+#include <signorini/output/whole_file.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <streambuf>
+#include <unistd.h>
+
+namespace signorini
+{
+  /** Passes every character on to both streams, or to one, or to none. */
+  class RunLog::Tee : public std::streambuf
+  {
+  public:
+    Tee(std::streambuf *first, std::streambuf *second)
+      : first(first)
+      , second(second)
+    {
+    }
+
+    /** Whether all of the first stream could be written. A terminal that went away harms nobody. */
+    bool complete() const { return all_written; }
+
+  protected:
+    int_type overflow(const int_type c) override
+    {
+      const char character = traits_type::to_char_type(c);
+      if (!traits_type::eq_int_type(c, traits_type::eof()))
+        xsputn(&character, 1);
+      return traits_type::not_eof(c);
+    }
+
+    /** A full disk must not silence the screen: failures are remembered instead of reported to the stream. */
+    std::streamsize xsputn(const char *text, const std::streamsize n) override
+    {
+      if (second)
+        second->sputn(text, n);
+      if (first)
+        all_written = first->sputn(text, n) == n && all_written;
+      return n;
+    }
+
+    int sync() override
+    {
+      if (second)
+        second->pubsync();
+      if (first)
+        all_written = first->pubsync() == 0 && all_written;
+      return 0;
+    }
+
+  private:
+    std::streambuf *first, *second;
+    bool            all_written = true;
+  };
+
+
+  namespace
+  {
+    std::string date()
+    {
+      const std::time_t seconds = std::time(nullptr);
+      char              text[32];
+      std::strftime(text, sizeof(text), "%Y-%m-%d %H:%M:%S", std::localtime(&seconds));
+      return text;
+    }
+
+    /** "1 h 02 min", "3 min 20 s" or "12 s". */
+    std::string duration(const double seconds)
+    {
+      const long n = std::lround(seconds);
+      char       text[48];
+      if (n >= 3600)
+        std::snprintf(text, sizeof(text), "%ld h %02ld min", n / 3600, n % 3600 / 60);
+      else if (n >= 60)
+        std::snprintf(text, sizeof(text), "%ld min %02ld s", n / 60, n % 60);
+      else
+        std::snprintf(text, sizeof(text), "%ld s", n);
+      return text;
+    }
+  } // namespace
+
+
+  RunLog::RunLog(const std::string &directory, const bool quiet, const MPI_Comm communicator)
+    : path(directory + "/log.txt")
+    , communicator(communicator)
+    , first_process(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
+    , on_terminal(first_process && !quiet && isatty(STDOUT_FILENO) == 1)
+    , to_screen(first_process && !quiet)
+    , both(nullptr)
+    , start(Clock::now())
+  {
+    succeed_together(communicator,
+                     [&]
+                     {
+                       if (!first_process)
+                         return;
+                       std::error_code error;
+                       std::filesystem::create_directories(directory, error);
+                       if (error)
+                         throw_write_error(directory, error.value());
+                       errno = 0;
+                       log.open(path);
+                       if (!log)
+                         throw_write_error(path, errno);
+                     });
+    tee = std::make_unique<Tee>(first_process ? log.rdbuf() : nullptr,
+                                to_screen ? std::cout.rdbuf() : nullptr);
+    both.rdbuf(tee.get());
+
+    const unsigned int n_processes = dealii::Utilities::MPI::n_mpi_processes(communicator);
+    message(trim(version()) + ", " + date() + ", " + std::to_string(n_processes) +
+            (n_processes == 1 ? " process" : " processes"));
+  }
+
+
+  RunLog::~RunLog()
+  {
+    close_line();
+  }
+
+
+  void RunLog::copy_scene(const std::string &original_text, const std::string &all_parameters) const
+  {
+    succeed_together(communicator,
+                     [&]
+                     {
+                       if (!first_process)
+                         return;
+                       const auto directory = std::filesystem::path(path).parent_path();
+                       write_whole_file((directory / "scene.prm").string(),
+                                        [&](std::ostream &out) { out << original_text; });
+                       write_whole_file((directory / "parameters.prm").string(),
+                                        [&](std::ostream &out) { out << all_parameters; });
+                     });
+  }
+
+
+  void RunLog::message(const std::string &text)
+  {
+    stream() << text << '\n' << std::flush;
+  }
+
+
+  std::ostream &RunLog::stream()
+  {
+    close_line();
+    return both;
+  }
+
+
+  void RunLog::progress(const unsigned int step,
+                        const unsigned int n_steps,
+                        const double       time,
+                        const double       contact_force,
+                        const double       relative_energy_change,
+                        const unsigned int n_active)
+  {
+    if (!first_process)
+      return;
+    const Clock::time_point now       = Clock::now();
+    const bool              end       = step >= n_steps;
+    const auto              tenths    = [&](const unsigned int n) { return 10ull * n / n_steps; };
+    const bool              milestone = end || step <= 1 || tenths(step) != tenths(step - 1);
+    const bool              refresh =
+      on_terminal && (milestone || now - last_update > std::chrono::milliseconds(100));
+    if (!milestone && !refresh)
+      return;
+
+    char line[160];
+    std::snprintf(
+      line,
+      sizeof(line),
+      "step %u of %u  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
+      step,
+      n_steps,
+      time,
+      contact_force,
+      100. * relative_energy_change,
+      n_active);
+    const std::string text = line + time_left(step, n_steps);
+    if (milestone)
+      log << text << '\n' << std::flush;
+    if (refresh)
+    {
+      // The escape sequence clears what a longer line has left.
+      std::cout << '\r' << text << "\033[K" << std::flush;
+      line_is_open = true;
+      last_update  = now;
+      if (end)
+        close_line();
+    }
+    else if (milestone && to_screen)
+      std::cout << text << '\n' << std::flush;
+  }
+
+
+  std::string RunLog::time_left(const unsigned int step, const unsigned int n_steps) const
+  {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    if (step >= n_steps)
+      return duration(elapsed);
+    return step > 0 ? duration(elapsed / step * (n_steps - step)) + " left" : "";
+  }
+
+
+  void RunLog::close_line()
+  {
+    if (line_is_open)
+      std::cout << '\n' << std::flush;
+    line_is_open = false;
+  }
+
+
+  void RunLog::finish()
+  {
+    close_line();
+    succeed_together(communicator,
+                     [&]
+                     {
+                       errno = 0;
+                       both.flush();
+                       log.flush();
+                       if (first_process && !(tee->complete() && log))
+                         throw_write_error(path, errno);
+                     });
+  }
+} // namespace signorini
