@@ -41,6 +41,9 @@ namespace signorini
                                               "active_set_iterations",
                                               "linear_iterations",
                                               "predictor_iterations",
+                                              "products_combined",
+                                              "products_stiffness",
+                                              "products_mass",
                                               "wall_time"};
 
     const std::vector<std::string> error_columns = {"displacement_error",
@@ -87,6 +90,9 @@ namespace signorini
               static_cast<double>(row.report.corrector.active_set_iterations),
               static_cast<double>(row.report.corrector.linear_iterations),
               static_cast<double>(row.report.predictor.linear_iterations),
+              static_cast<double>(row.products.combined),
+              static_cast<double>(row.products.stiffness),
+              static_cast<double>(row.products.mass),
               row.wall_time};
     }
   } // namespace

@@ -79,7 +79,8 @@ namespace signorini
                                const EnergyBooking &booking,
                                const double         step_size)
   {
-    contact_now = contact_summary(surface, discretization, state);
+    const ProductCount products = products_of_step();
+    contact_now                 = contact_summary(surface, discretization, state);
     if (discretization.scene.exact_solution.given)
       latest_errors = errors.evaluate(state);
     const bool write_row = state.step % discretization.scene.output.history_every == 0;
@@ -93,6 +94,7 @@ namespace signorini
                      momentum(discretization, state),
                      contact_now,
                      report,
+                     products,
                      clock.wall_time(),
                      latest_errors});
     for (unsigned int p = 0; p < probes.size(); ++p)
@@ -102,6 +104,17 @@ namespace signorini
         if (write_row)
           history.write_probe(p, state.time, reading);
       }
+    products_before = discretization.matrices.products();
+  }
+
+
+  template <int dim>
+  ProductCount Observation<dim>::products_of_step() const
+  {
+    const ProductCount &now = discretization.matrices.products();
+    return {now.stiffness - products_before.stiffness,
+            now.mass - products_before.mass,
+            now.combined - products_before.combined};
   }
 
 

@@ -3,8 +3,6 @@
 
 #include <signorini/simulation/simulation.h>
 
-#include <sstream>
-
 namespace signorini
 {
   using namespace dealii;
@@ -13,7 +11,7 @@ namespace signorini
   Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm communicator, const bool quiet)
     : scene(scene)
     , quiet(quiet)
-    , timer(communicator, std::cout, TimerOutput::never, TimerOutput::wall_times)
+    , timer(communicator, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , discretization(scene, communicator)
   {}
 
@@ -70,9 +68,9 @@ namespace signorini
           }
       }
 
-    log.message(observation.summary());
-    log.message(system->cost_summary());
     timer.print_wall_time_statistics(discretization.communicator());
+    log.message(observation.summary() + system->cost_summary() + timer_table.str());
+    log.finish();
   }
 
 
@@ -88,7 +86,7 @@ namespace signorini
     surface     = std::make_unique<ContactSurface<dim>>(discretization, *supports);
     coordinates = std::make_unique<ContactCoordinates<dim>>(discretization, *surface, *supports);
     loads       = std::make_unique<Loads<dim>>(discretization);
-    system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads);
+    system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads, timer);
     set_initial_state();
     surface->check_initial_gap(state.displacement);
   }

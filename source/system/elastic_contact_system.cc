@@ -22,11 +22,13 @@ namespace signorini
   ElasticContactSystem<dim>::ElasticContactSystem(const Discretization<dim>     &discretization,
                                                   const ContactSurface<dim>     &surface,
                                                   const ContactCoordinates<dim> &coordinates,
-                                                  Loads<dim>                    &loads)
+                                                  Loads<dim>                    &loads,
+                                                  dealii::TimerOutput           &timer)
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
     , loads(loads)
+    , timer(timer)
     , solver({discretization.scene.solver.maximum_active_set_iterations,
               discretization.scene.solver.maximum_linear_iterations})
     , active(surface.nodes().size(), 0)
@@ -38,6 +40,7 @@ namespace signorini
   template <int dim>
   void ElasticContactSystem<dim>::apply_mass(Vector &destination, const Vector &source) const
   {
+    dealii::TimerOutput::Scope scope(timer, "  products M v and A u");
     discretization.matrices.apply_mass(destination, source);
   }
 
@@ -45,6 +48,7 @@ namespace signorini
   template <int dim>
   void ElasticContactSystem<dim>::apply_stiffness(Vector &destination, const Vector &source) const
   {
+    dealii::TimerOutput::Scope scope(timer, "  products M v and A u");
     discretization.matrices.apply_stiffness(destination, source);
   }
 
@@ -69,6 +73,7 @@ namespace signorini
     if (new_stiffness_factor == stiffness_factor)
       return;
     stiffness_factor = new_stiffness_factor;
+    dealii::TimerOutput::Scope scope(timer, "  preconditioner set-up");
     forecast.clear();
     const auto &scene     = discretization.scene;
     chosen_preconditioner = scene.solver.preconditioner;
@@ -103,6 +108,7 @@ namespace signorini
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem, IncrementSolution &solution)
   {
     prepare(problem.stiffness_factor, problem.step_size);
+    dealii::TimerOutput::Scope scope(timer, "  inequality of the step");
 
     Vector right_hand_side = problem.right_hand_side;
     coordinates.to_contact(right_hand_side);
@@ -176,6 +182,7 @@ namespace signorini
       }
     if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
       return SolveEffort();
+    dealii::TimerOutput::Scope scope(timer, "  projection of the predictor");
 
     if (discretization.scene.time.predictor == "lumped")
       {

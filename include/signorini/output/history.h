@@ -27,6 +27,7 @@ namespace signorini
     Momentum       momentum;
     ContactSummary contact;
     StepReport     report;
+    ProductCount   products; ///< matrix-vector products of this step
     double         wall_time = 0.;
     ErrorNorms     errors; ///< written only if the scene has an exact solution
   };

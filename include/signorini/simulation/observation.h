@@ -52,12 +52,15 @@ namespace signorini
     TotalVariation             force_variation;
     std::vector<Zigzag>        velocity_zigzags;
     dealii::Timer              clock;
+    ProductCount               products_before; ///< at the end of the last observation, whose own products do not count
 
     double   largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., impulse = 0.;
     double   first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
+    /** Products since the last observation. */
+    ProductCount products_of_step() const;
     const Vector *load(double time);
     static std::vector<Probe<dim>> make_probes(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
   };

@@ -11,6 +11,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <sstream>
+
 namespace signorini
 {
   /**
@@ -36,6 +38,7 @@ namespace signorini
   private:
     const Scene<dim>    &scene;
     const bool           quiet;
+    std::ostringstream   timer_table;
     dealii::TimerOutput  timer;
     Discretization<dim>  discretization;
     State                state;

@@ -10,6 +10,8 @@
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
+#include <deal.II/base/timer.h>
+
 namespace signorini
 {
   /**
@@ -23,7 +25,8 @@ namespace signorini
     ElasticContactSystem(const Discretization<dim>     &discretization,
                          const ContactSurface<dim>     &surface,
                          const ContactCoordinates<dim> &coordinates,
-                         Loads<dim>                    &loads);
+                         Loads<dim>                    &loads,
+                         dealii::TimerOutput           &timer);
 
     Vector      make_vector() const override { return discretization.make_vector(); }
     void        apply_mass(Vector &destination, const Vector &source) const override;
@@ -51,6 +54,7 @@ namespace signorini
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
     Loads<dim>                    &loads;
+    dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
     double                                energy_scale = 0.;
     double                                stiffness_factor = -1.; ///< of the preconditioner at hand

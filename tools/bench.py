@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""What a step costs: bench.py EXECUTABLE [REFINEMENT ...]
+
+Runs Geometry A (parameters/geometry_a.prm) at each refinement (default: 3 and 4) on one and on two processes, without fields,
+and prints, from columns of history.csv: the time of a step with contact and of a step after release (the body vibrates,
+no contact) in the same run, their ratio, iterations, and matrix-vector products per step by matrix. Last, the products
+of a step in undeformed flight. Times are those of this machine at this moment; ratios and counts travel.
+"""
+
+import csv
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
+
+
+def run(executable, processes, *settings):
+    """The rows of history.csv of one run, numbers instead of texts."""
+    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    with tempfile.TemporaryDirectory() as folder:
+        command = [] if processes == 1 else ["mpirun", "--oversubscribe", "-np", str(processes)]
+        command += [executable, str(ROOT / "parameters" / "geometry_a.prm"), "--quiet"]
+        for setting in (f"Output directory={folder}", "Output/VTU=false", *settings):
+            command += ["--set", setting]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
+        with open(pathlib.Path(folder) / "history.csv", encoding="utf-8") as file:
+            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def phases(history):
+    """Steps with contact, and steps after the last contact. The first step is set-up and left out."""
+    touching = [row for row in history if row["active_nodes"] > 0]
+    last = touching[-1]["step"] if touching else 0
+    return touching, [row for row in history if row["step"] > last + 1]
+
+
+def mean(rows, column):
+    return statistics.fmean(row[column] for row in rows)
+
+
+def milliseconds(history, rows):
+    """Median time of the given steps."""
+    time = {row["step"]: row["wall_time"] for row in history}
+    return 1e3 * statistics.median(time[row["step"]] - time[row["step"] - 1] for row in rows if row["step"] > 1)
+
+
+def report(label, history, rows):
+    products = ", ".join(f"{mean(rows, column):5.1f} {name}" for column, name in MATRICES)
+    total = sum(mean(rows, column) for column, _ in MATRICES)
+    print(f"  {label:14}{milliseconds(history, rows):8.1f} ms  {mean(rows, 'linear_iterations'):5.1f} iterations "
+          f"in {mean(rows, 'active_set_iterations'):.1f} active sets, {mean(rows, 'predictor_iterations'):4.1f} in the predictor;  "
+          f"products: {products}; {total:.1f} in all")
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    executable = sys.argv[1]
+    for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
+        elapsed = {}
+        for processes in (1, 2):
+            history = run(executable, processes, f"Bodies/ball/Refinements={refinement}")
+            contact, released = phases(history)
+            elapsed[processes] = history[-1]["wall_time"]
+            print(f"Geometry A, refinement {refinement}, {history[0]['dofs']:.0f} dofs, contact-stabilized, {processes} process(es): "
+                  f"{history[-1]['step']:.0f} steps in {elapsed[processes]:.2f} s")
+            report("contact", history, contact)
+            report("after release", history, released)
+            print(f"  contact / after release: {milliseconds(history, contact) / milliseconds(history, released):.2f}")
+        print(f"  two processes are {elapsed[1] / elapsed[2]:.2f} times as fast as one\n")
+    flight = run(executable, 1, "Bodies/ball/Refinements=3", "Bodies/ball/Centre=0, 0, 5", "Time/End time=0.1")
+    print("Undeformed flight, refinement 3:")
+    report("flight", flight, flight[2:])
+
+
+if __name__ == "__main__":
+    main()
