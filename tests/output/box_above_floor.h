@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_tests_output_box_above_floor_h
+#define signorini_tests_output_box_above_floor_h
+
+#include <signorini/contact/contact_surface.h>
+
+/**
+ * The unit box (square) with hanging nodes, 0.1 above a floor, and its bottom as contact surface. Small enough that in 3d some
+ * process may own no face of the bottom.
+ */
+template <int dim>
+signorini::Scene<dim> box_above_floor()
+{
+  signorini::Scene<dim>           scene;
+  signorini::BodyDescription<dim> box;
+  box.name  = "box";
+  box.shape = "box";
+  for (unsigned int c = 0; c < dim; ++c)
+    box.upper_corner[c] = 1.;
+  box.repetitions.fill(1);
+  box.refinements             = 1;
+  box.local_refinements       = 1;
+  box.refine_where            = "0.5 - x";
+  box.material.youngs_modulus = 7.;
+  box.material.poissons_ratio = 0.2;
+  scene.bodies.push_back(box);
+
+  signorini::ObstacleDescription<dim> floor;
+  floor.name            = "floor";
+  floor.point[dim - 1]  = -0.1;
+  floor.normal[dim - 1] = 1.;
+  scene.obstacles.push_back(floor);
+  scene.pairs.push_back({"box[bottom] : floor", 0, {2 * dim - 2}, 0});
+  scene.time.step_size = 0.1;
+  scene.time.end_time  = 1.;
+  return scene;
+}
+
+template <int dim>
+struct BoxAboveFloor
+{
+  BoxAboveFloor()
+    : scene(box_above_floor<dim>())
+    , discretization(scene, MPI_COMM_WORLD)
+  {
+    discretization.assemble();
+    supports = std::make_unique<signorini::Supports<dim>>(discretization);
+    surface  = std::make_unique<signorini::ContactSurface<dim>>(discretization, *supports);
+  }
+
+  signorini::Scene<dim>                           scene;
+  signorini::Discretization<dim>                  discretization;
+  std::unique_ptr<signorini::Supports<dim>>       supports;
+  std::unique_ptr<signorini::ContactSurface<dim>> surface;
+};
+
+#endif

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// After every write the two .pvd name complete moments: each file they name is there, and so is each piece.
+
+#include "box_above_floor.h"
+#include "scratch.h"
+
+#include <signorini/base/user_error.h>
+#include <signorini/output/field_output.h>
+
+#include <gtest/gtest.h>
+
+#include <regex>
+
+using namespace signorini;
+
+namespace
+{
+  /** The values of an attribute in an XML file, in order. */
+  std::vector<std::string> attributes(const std::string &path, const std::string &name)
+  {
+    const std::string        text = contents(path);
+    const std::regex         pattern("[ ]" + name + "=\"([^\"]*)\"");
+    std::vector<std::string> values;
+    for (auto i = std::sregex_iterator(text.begin(), text.end(), pattern);
+         i != std::sregex_iterator();
+         ++i)
+      values.push_back((*i)[1]);
+    return values;
+  }
+
+  bool names(const std::string &pvtu, const std::string &field)
+  {
+    const auto fields = attributes(pvtu, "Name");
+    return std::find(fields.begin(), fields.end(), field) != fields.end();
+  }
+
+  void expect_complete(const std::string              &folder,
+                       const std::string              &series,
+                       const std::vector<std::string> &times)
+  {
+    const std::string pvd = folder + "/" + series + ".pvd";
+    EXPECT_EQ(attributes(pvd, "timestep"), times);
+    const auto files = attributes(pvd, "file");
+    ASSERT_EQ(files.size(), times.size());
+    for (const std::string &file : files)
+      {
+        const auto pieces = attributes(folder + "/" + file, "Source");
+        EXPECT_EQ(pieces.size(), dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
+        for (const std::string &piece : pieces)
+          EXPECT_NE(contents(folder + "/fields/" + piece).find("</VTKFile>"), std::string::npos)
+            << piece;
+      }
+    for (const auto &entry : std::filesystem::directory_iterator(folder + "/fields"))
+      EXPECT_NE(entry.path().extension(), ".part");
+  }
+
+  template <int dim>
+  State state_at_rest(const Discretization<dim> &discretization)
+  {
+    State state;
+    state.displacement = state.velocity = state.contact_force = discretization.make_vector();
+    return state;
+  }
+
+  template <int dim>
+  void write_two_moments()
+  {
+    const ScratchFolder      folder;
+    const BoxAboveFloor<dim> box;
+    FieldOutput<dim>         output(box.discretization, *box.surface, folder.name);
+    State                    state = state_at_rest(box.discretization);
+    output.write(state);
+    MPI_Barrier(MPI_COMM_WORLD);
+    expect_complete(folder.name, "volume", {"0"});
+    expect_complete(folder.name, "surface", {"0"});
+    MPI_Barrier(MPI_COMM_WORLD);
+
+    state.step = 7;
+    state.time = 0.123456789012;
+    output.write(state);
+    output.write(state);
+    MPI_Barrier(MPI_COMM_WORLD);
+    expect_complete(folder.name, "volume", {"0", "0.123456789012"});
+    expect_complete(folder.name, "surface", {"0", "0.123456789012"});
+
+    const std::string volume = folder.name + "/fields/volume_000007.pvtu";
+    for (const char *field : {"displacement", "velocity", "body", "von_mises", "stress_xx",
+                              "stress_yy", "stress_zz", "stress_xy", "subdomain"})
+      EXPECT_TRUE(names(volume, field)) << field;
+    EXPECT_EQ(names(volume, "stress_yz"), dim == 3);
+    const std::string surface = folder.name + "/fields/surface_000007.pvtu";
+    for (const char *field : {"displacement", "velocity", "CPRESS", "COPEN", "CSTATUS"})
+      EXPECT_TRUE(names(surface, field)) << field;
+  }
+} // namespace
+
+TEST(FieldOutput, TwoMoments)
+{
+  write_two_moments<2>();
+  write_two_moments<3>();
+}
+
+// Pictures of an earlier run must not pass for those of this one.
+TEST(FieldOutput, NoPairsNoSurface)
+{
+  const ScratchFolder folder;
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::ofstream(folder.name + "/surface.pvd") << "old";
+  Scene<2> scene = box_above_floor<2>();
+  scene.pairs.clear();
+  Discretization<2> discretization(scene, MPI_COMM_WORLD);
+  discretization.assemble();
+  const Supports<2>       supports(discretization);
+  const ContactSurface<2> surface(discretization, supports);
+  FieldOutput<2>          output(discretization, surface, folder.name);
+  output.write(state_at_rest(discretization));
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_TRUE(std::filesystem::exists(folder.name + "/volume.pvd"));
+  EXPECT_FALSE(std::filesystem::exists(folder.name + "/surface.pvd"));
+}
+
+// A folder that vanishes during the run ends it with an error on all processes, and not with an abort inside of deal.II.
+TEST(FieldOutput, FolderVanishes)
+{
+  const ScratchFolder    folder;
+  const BoxAboveFloor<2> box;
+  FieldOutput<2>         output(box.discretization, *box.surface, folder.name);
+  MPI_Barrier(MPI_COMM_WORLD);
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::filesystem::remove_all(folder.name + "/fields");
+  MPI_Barrier(MPI_COMM_WORLD);
+  EXPECT_THROW(output.write(state_at_rest(box.discretization)), RunError);
+}
+
+TEST(FieldOutput, FolderCannotBeMade)
+{
+  const BoxAboveFloor<2> box;
+  EXPECT_THROW(FieldOutput<2>(box.discretization, *box.surface, "/dev/null/results"), RunError);
+}
