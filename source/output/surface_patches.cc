@@ -94,6 +94,7 @@ namespace signorini
   {
     Patch patch;
     patch.n_subdivisions = 1;
+    patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
     patch.data.reinit(2 * dim + 3, cell->face(face)->n_vertices());
     for (const unsigned int v : cell->face(face)->vertex_indices())
     {
