@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 
 namespace signorini
 {
@@ -88,14 +89,16 @@ namespace signorini
 
 
   void PrimalDualActiveSet::start(const ConstrainedProblem &problem,
-                                  const ActiveSet          &active,
+                                  ActiveSet                &active,
                                   Vector                   &solution,
                                   Vector                   &residual)
   {
     for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
       solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
     for (std::size_t k = 0; k < active.size(); ++k)
-      if (active[k])
+      if (active[k] && problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
+        active[k] = 0; // a guess from elsewhere
+      else if (active[k])
         solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
     problem.matrix.vmult(residual, solution);
     residual.sadd(-1., 1., problem.right_hand_side);

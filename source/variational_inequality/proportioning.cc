@@ -147,10 +147,13 @@ namespace signorini
 
     SolveReport report;
     report.active_set_iterations = 1;
+    bool converged               = false;
     for (; report.linear_iterations < maximum_iterations; ++report.linear_iterations)
       {
         const double chopped_square = dot(chopped, chopped);
-        if (std::sqrt(dot(free, free) + chopped_square) <= goal)
+        const double gradient_norm  = std::sqrt(dot(free, free) + chopped_square);
+        converged                   = gradient_norm <= goal;
+        if (converged || !std::isfinite(gradient_norm))
           break;
         if (chopped_square <= scaled.reduced_product(free, y, step_length))
           {
@@ -186,7 +189,7 @@ namespace signorini
         scaled.split(gradient, y, free, chopped);
         direction = free;
       }
-    if (report.linear_iterations == maximum_iterations)
+    if (!converged)
       throw RunError("The inequality of this step was not solved to its tolerance: neither the active set method nor the "
                      "method of proportioning converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
 
@@ -200,6 +203,8 @@ namespace signorini
     for (std::size_t k = 0; k < active.size(); ++k)
       if (active[k])
         solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
+    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
     problem.matrix.vmult(residual, solution);
     residual.sadd(-1., 1., problem.right_hand_side);
     report.n_active = dealii::Utilities::MPI::sum(static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)),

@@ -47,7 +47,7 @@ namespace signorini
     Mask               mask;
 
     /** Put the fixed and the active entries to their values and compute the residual. */
-    void start(const ConstrainedProblem &problem, const ActiveSet &active, Vector &solution, Vector &residual);
+    void start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual);
     /** The semismooth Newton update of the set. @return number of changes on all processes */
     unsigned int update(const ConstrainedProblem &problem, ActiveSet &active, const Vector &solution, const Vector &residual) const;
     /** Move entries that have just become active to their bounds and update the residual. */
