@@ -68,6 +68,14 @@ namespace signorini
 
 
   template <int dim>
+  bool ContactSurface<dim>::contains(const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int face) const
+  {
+    const auto &pairs = discretization.scene.pairs;
+    return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) { return on_surface(pair, cell, face); });
+  }
+
+
+  template <int dim>
   bool ContactSurface<dim>::on_surface(const PairDescription                                  &pair,
                                        const typename DoFHandler<dim>::active_cell_iterator &cell,
                                        const unsigned int                                      face) const

@@ -71,7 +71,6 @@ namespace signorini
         write_whole_file(directory + "/" + name + ".pvd",
                          [&](std::ostream &out)
                          {
-                           out.precision(15);
                            DataOutBase::write_pvd_record(out, moments);
                          });
       });

@@ -74,6 +74,12 @@ namespace signorini
       return text;
     }
 
+    /**
+     * The mpirun of OpenMPI gives the first process a pseudo terminal for its output even if that goes to a file, but a
+     * pipe for its errors; a line that is updated in place would litter the file.
+     */
+    bool is_terminal() { return isatty(STDOUT_FILENO) == 1 && isatty(STDERR_FILENO) == 1; }
+
     /** "1 h 02 min", "3 min 20 s" or "12 s". */
     std::string duration(const double seconds)
     {
@@ -94,7 +100,7 @@ namespace signorini
     : path(directory + "/log.txt")
     , communicator(communicator)
     , first_process(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-    , on_terminal(first_process && !quiet && isatty(STDOUT_FILENO) == 1)
+    , on_terminal(first_process && !quiet && is_terminal())
     , to_screen(first_process && !quiet)
     , both(nullptr)
     , start(Clock::now())

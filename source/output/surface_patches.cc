@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/output/surface_patches.h>
 
 #include <algorithm>
@@ -8,30 +9,6 @@
 namespace signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** A face that two pairs share is written once. */
-    template <int dim>
-    bool on_slave_surface(const Scene<dim>                                     &scene,
-                          const typename DoFHandler<dim>::active_cell_iterator &cell,
-                          const unsigned int                                    face)
-    {
-      if (!cell->is_locally_owned() || !cell->face(face)->at_boundary())
-        return false;
-      return std::any_of(
-        scene.pairs.begin(),
-        scene.pairs.end(),
-        [&](const PairDescription &pair)
-        {
-          const auto &ids = pair.slave_boundary_ids;
-          return pair.slave == cell->material_id() &&
-                 (ids.empty() ||
-                  std::find(ids.begin(), ids.end(), cell->face(face)->boundary_id()) != ids.end());
-        });
-    }
-  } // namespace
-
 
   template <int dim>
   SurfacePatches<dim>::SurfacePatches(const Discretization<dim> &discretization,
@@ -50,7 +27,7 @@ namespace signorini
     patches.clear();
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
-        if (on_slave_surface<dim>(discretization.scene, cell, f))
+        if (surface.contains(cell, f))
         {
           patches.push_back(make_patch(cell, f, displacement, velocity, contact));
           patches.back().patch_index = patches.size() - 1;
@@ -72,12 +49,8 @@ namespace signorini
     for (unsigned int i = 0; i < surface.nodes().size(); ++i)
     {
       const ContactNode<dim> &contact_node = surface.nodes()[i];
-      double                  normal_force = 0.;
-      for (unsigned int c = 0; c < dim; ++c)
-        normal_force +=
-          contact_node.frame[c] * state.contact_force.local_element(dim * contact_node.node + c);
       values.local_element(dim * contact_node.node) =
-        std::max(0., -normal_force / contact_node.weight);
+        std::max(0., -normal_force(contact_node, state.contact_force) / contact_node.weight);
       values.local_element(dim * contact_node.node + 1) = gaps[i];
     }
     return values;

@@ -52,6 +52,9 @@ namespace signorini
     /** Number of nodes (all processes) where a support took the place of contact. */
     unsigned int n_supported() const { return n_left_to_supports; }
 
+    /** Whether a face of an owned cell is part of the slave surface of any pair. */
+    bool contains(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell, unsigned int face) const;
+
     /** gamma = g - u.nu. */
     std::vector<double> normal_gap(const Vector &displacement) const;
 
