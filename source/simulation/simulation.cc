@@ -45,7 +45,7 @@ namespace signorini
       {
         StepReport report;
         {
-          TimerOutput::Scope scope(timer, "time steps");
+          TimerOutput::Scope scope(timer, "step, all of it");
           report = scheme->advance(*system, state, scene.time.step_size);
         }
         {

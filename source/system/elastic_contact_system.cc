@@ -40,7 +40,7 @@ namespace signorini
   template <int dim>
   void ElasticContactSystem<dim>::apply_mass(Vector &destination, const Vector &source) const
   {
-    dealii::TimerOutput::Scope scope(timer, "  products M v and A u");
+    dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
     discretization.matrices.apply_mass(destination, source);
   }
 
@@ -48,7 +48,7 @@ namespace signorini
   template <int dim>
   void ElasticContactSystem<dim>::apply_stiffness(Vector &destination, const Vector &source) const
   {
-    dealii::TimerOutput::Scope scope(timer, "  products M v and A u");
+    dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
     discretization.matrices.apply_stiffness(destination, source);
   }
 
@@ -73,7 +73,7 @@ namespace signorini
     if (new_stiffness_factor == stiffness_factor)
       return;
     stiffness_factor = new_stiffness_factor;
-    dealii::TimerOutput::Scope scope(timer, "  preconditioner set-up");
+    dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
     forecast.clear();
     const auto &scene     = discretization.scene;
     chosen_preconditioner = scene.solver.preconditioner;
@@ -108,7 +108,7 @@ namespace signorini
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem, IncrementSolution &solution)
   {
     prepare(problem.stiffness_factor, problem.step_size);
-    dealii::TimerOutput::Scope scope(timer, "  inequality of the step");
+    dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;
     coordinates.to_contact(right_hand_side);
@@ -182,7 +182,7 @@ namespace signorini
       }
     if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
       return SolveEffort();
-    dealii::TimerOutput::Scope scope(timer, "  projection of the predictor");
+    dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
 
     if (discretization.scene.time.predictor == "lumped")
       {
