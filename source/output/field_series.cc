@@ -69,10 +69,7 @@ namespace signorini
         write_whole_file(directory + "/" + moments.back().second,
                          [&](std::ostream &out) { data.write_pvtu_record(out, pieces); });
         write_whole_file(directory + "/" + name + ".pvd",
-                         [&](std::ostream &out)
-                         {
-                           DataOutBase::write_pvd_record(out, moments);
-                         });
+                         [&](std::ostream &out) { DataOutBase::write_pvd_record(out, moments); });
       });
   }
 

@@ -16,7 +16,8 @@ namespace signorini
 {
   /**
    * What a run tells its user: on the screen (unless quiet) and in `log.txt`, by the first process only. On a terminal the
-   * progress is one line that is updated in place; elsewhere, and in the log, it is a line every tenth of the steps.
+   * progress is one line that is updated in place; elsewhere (under mpirun, too) and in the log it is a line every tenth
+   * of the steps.
    */
   class RunLog
   {
