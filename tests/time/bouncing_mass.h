@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_tests_bouncing_mass_h
+#define signorini_tests_bouncing_mass_h
+
+// One mass, perhaps on a spring, and a wall: every inequality has a closed solution.
+
+#include <signorini/time/time_scheme.h>
+
+#include <functional>
+#include <limits>
+
+namespace signorini
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  class BouncingMass : public DynamicalSystem
+  {
+  public:
+    double                        mass   = 1.;
+    double                        spring = 0.;
+    double                        wall   = infinity; ///< largest displacement
+    std::function<double(double)> load;              ///< empty: none
+
+    Vector make_vector() const override { return Vector(1); }
+
+    void apply_mass(Vector &destination, const Vector &source) const override { destination.equ(mass, source); }
+
+    void apply_stiffness(Vector &destination, const Vector &source) const override { destination.equ(spring, source); }
+
+    bool add_mean_load(Vector &destination, const double factor, const double start, const double end) override
+    {
+      if (!load)
+        return false;
+      destination(0) += factor * (load(start) + load(end)) / 2.;
+      return true;
+    }
+
+    NormalGap normal_gap(const Vector &displacement) const override { return {wall - displacement(0)}; }
+
+    void solve(const IncrementProblem &problem, IncrementSolution &solution) override
+    {
+      const double K     = mass + problem.stiffness_factor * spring;
+      const double free  = problem.right_hand_side(0) / K;
+      solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
+      solution.increment(0)                                                      = std::min(free, problem.bounds[0]);
+      solution.contact_reaction(0)                                               = K * (solution.increment(0) - free);
+      solution.effort.n_active                                                   = free > problem.bounds[0];
+    }
+
+    SolveEffort project(const Vector    &free_increment,
+                        const NormalGap &bounds,
+                        double,
+                        Vector &correction,
+                        Vector &mass_correction) override
+    {
+      correction = mass_correction = make_vector();
+      correction(0)                = std::min(0., bounds[0] - free_increment(0));
+      mass_correction(0)           = mass * correction(0);
+      SolveEffort effort;
+      effort.n_active = correction(0) < 0.;
+      return effort;
+    }
+  };
+
+  /** The complete state of given displacement and velocity. */
+  inline State make_state(const DynamicalSystem &system, const Vector &displacement, const Vector &velocity)
+  {
+    State state;
+    state.displacement   = displacement;
+    state.velocity       = velocity;
+    state.contact_force  = system.make_vector();
+    state.momentum       = system.make_vector();
+    state.internal_force = system.make_vector();
+    system.apply_mass(state.momentum, velocity);
+    system.apply_stiffness(state.internal_force, displacement);
+    return state;
+  }
+
+  inline State make_state(const BouncingMass &system, const double displacement, const double velocity)
+  {
+    Vector u(1), v(1);
+    u = displacement;
+    v = velocity;
+    return make_state(system, u, v);
+  }
+
+  /** Kinetic and elastic energy, from displacement and velocity alone. */
+  inline double energy(const DynamicalSystem &system, const State &state)
+  {
+    Vector Mv = system.make_vector(), Au = system.make_vector();
+    system.apply_mass(Mv, state.velocity);
+    system.apply_stiffness(Au, state.displacement);
+    return (state.velocity * Mv + state.displacement * Au) / 2.;
+  }
+} // namespace signorini
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_tests_elastic_bar_h
+#define signorini_tests_elastic_bar_h
+
+// A bar of linear finite elements between two walls. Its inequalities are solved by trying all active sets.
+
+#include <signorini/time/time_scheme.h>
+
+#include <Eigen/Dense>
+
+#include <functional>
+#include <limits>
+
+namespace signorini
+{
+  class ElasticBar : public DynamicalSystem
+  {
+  public:
+    /** Consistent mass and stiffness of n nodes; the ends are the contact nodes, with normals -1 and +1. */
+    explicit ElasticBar(const unsigned int n)
+      : mass(Eigen::MatrixXd::Zero(n, n))
+      , stiffness(mass)
+    {
+      for (unsigned int i = 0; i + 1 < n; ++i)
+        {
+          mass.block<2, 2>(i, i) += Eigen::Matrix2d{{2., 1.}, {1., 2.}} / (6. * (n - 1));
+          stiffness.block<2, 2>(i, i) += Eigen::Matrix2d{{1., -1.}, {-1., 1.}} * (n - 1);
+        }
+    }
+
+    Eigen::MatrixXd               mass, stiffness;
+    std::array<double, 2>         distance = {{0.3, 0.3}};
+    std::function<double(double)> motion; ///< prescribed displacement of the node in the middle; empty: none
+    std::function<double(double)> load;   ///< force on all nodes; empty: none
+
+    Vector make_vector() const override { return Vector(mass.rows()); }
+
+    void apply_mass(Vector &destination, const Vector &source) const override
+    {
+      view(destination) = mass * view(source);
+    }
+
+    void apply_stiffness(Vector &destination, const Vector &source) const override
+    {
+      view(destination) = stiffness * view(source);
+    }
+
+    bool add_mean_load(Vector &destination, const double factor, const double start, const double end) override
+    {
+      if (load)
+        destination.add(factor * (load(start) + load(end)) / 2.);
+      return static_cast<bool>(load);
+    }
+
+    NormalGap normal_gap(const Vector &u) const override { return {distance[0] + u(0), distance[1] - u(u.size() - 1)}; }
+
+    void solve(const IncrementProblem &problem, IncrementSolution &solution) override
+    {
+      const Eigen::MatrixXd K      = mass + problem.stiffness_factor * stiffness;
+      const unsigned int    middle = mass.rows() / 2;
+      solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
+      const double moved = motion ? motion(problem.start_time + problem.step_size) - problem.displacement(middle) : 0.;
+      const auto   b     = view(problem.right_hand_side);
+      view(solution.increment)       = minimise(K, b, problem.bounds, motion ? &moved : nullptr);
+      const Eigen::VectorXd reaction = K * view(solution.increment) - b;
+      for (const unsigned int end : {0u, last()})
+        solution.contact_reaction(end) = reaction[end];
+      if (motion)
+        solution.support_reaction(middle) = reaction[middle];
+    }
+
+    SolveEffort project(const Vector    &free_increment,
+                        const NormalGap &bounds,
+                        double,
+                        Vector &correction,
+                        Vector &mass_correction) override
+    {
+      correction = mass_correction = make_vector();
+      view(correction)             = minimise(
+        mass, Eigen::VectorXd::Zero(mass.rows()), {bounds[0] + free_increment(0), bounds[1] - free_increment(last())});
+      apply_mass(mass_correction, correction);
+      SolveEffort effort;
+      effort.n_active = correction.linfty_norm() > 0.;
+      return effort;
+    }
+
+  private:
+    unsigned int last() const { return mass.rows() - 1; }
+
+    static Eigen::Map<Eigen::VectorXd> view(Vector &x) { return {x.begin(), static_cast<Eigen::Index>(x.size())}; }
+
+    static Eigen::Map<const Eigen::VectorXd> view(const Vector &x)
+    {
+      return {x.begin(), static_cast<Eigen::Index>(x.size())};
+    }
+
+    /** Least 1/2 x'Kx - b'x with -x_0 and x_last below their bounds, and perhaps the middle node moved. */
+    Eigen::VectorXd minimise(const Eigen::MatrixXd &K,
+                             const Eigen::VectorXd &b,
+                             const NormalGap       &bounds,
+                             const double          *moved = nullptr) const
+    {
+      double          least = std::numeric_limits<double>::infinity();
+      Eigen::VectorXd best;
+      for (unsigned int set = 0; set < 4; ++set)
+        {
+          Eigen::MatrixXd matrix    = K;
+          Eigen::VectorXd right     = b;
+          const auto      prescribe = [&](const unsigned int i, const double value) {
+            matrix.row(i).setZero();
+            matrix(i, i) = 1.;
+            right[i]     = value;
+          };
+          if (set & 1)
+            prescribe(0, -bounds[0]);
+          if (set & 2)
+            prescribe(last(), bounds[1]);
+          if (moved)
+            prescribe(mass.rows() / 2, *moved);
+          const Eigen::VectorXd x     = matrix.partialPivLu().solve(right);
+          const double          value = 0.5 * x.dot(K * x) - b.dot(x);
+          if (-x[0] <= bounds[0] + 1e-14 && x[last()] <= bounds[1] + 1e-14 && value < least)
+            {
+              least = value;
+              best  = x;
+            }
+        }
+      return best;
+    }
+  };
+} // namespace signorini
+
+#endif
