@@ -227,7 +227,7 @@ namespace signorini
         const bool hanging = relevant_nodes.is_element(global_node) && constraints_of_nodes.is_constrained(global_node);
         if (!hanging)
           for (int k = 0; k < n_entries; ++k)
-            if (const unsigned int column = local_node(mass_rows.GCID(columns[k])); column < pattern.n_local)
+            if (const unsigned int column = local_node(mass_rows.GCID(columns[k])); column >= node && column < pattern.n_local)
               row.emplace_back(column, values[k]);
         std::sort(row.begin(), row.end());
         for (const auto &[column, value] : row)
@@ -245,7 +245,7 @@ namespace signorini
               for (int k = 0; k < n_entries; ++k)
                 {
                   const int global = stiffness_rows.GCID(columns[k]);
-                  if (const unsigned int column = local_node(global / dim); column < pattern.n_local)
+                  if (const unsigned int column = local_node(global / dim); column >= node && column < pattern.n_local)
                     matrices.stiffness[position[column]][dim * (global % dim) + c] = values[k];
                 }
             }

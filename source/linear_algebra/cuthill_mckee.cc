@@ -4,19 +4,42 @@
 #include <signorini/linear_algebra/cuthill_mckee.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace signorini
 {
   namespace
   {
-    unsigned int degree(const NodePattern &pattern, const unsigned int node)
+    /** The neighbours of each node, from both triangles. */
+    struct Graph
     {
-      return pattern.row_start[node + 1] - pattern.row_start[node];
-    }
+      std::vector<unsigned int> row_start, neighbours;
+
+      explicit Graph(const NodePattern &pattern)
+        : row_start(pattern.n_local + 1, 0)
+      {
+        const auto for_each_coupling = [&](const auto &action) {
+          for (unsigned int node = 0; node < pattern.n_local; ++node)
+            for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+              if (pattern.columns[k] != node)
+                {
+                  action(node, pattern.columns[k]);
+                  action(pattern.columns[k], node);
+                }
+        };
+        for_each_coupling([&](const unsigned int node, unsigned int) { ++row_start[node + 1]; });
+        std::partial_sum(row_start.begin(), row_start.end(), row_start.begin());
+        neighbours.resize(row_start.back());
+        std::vector<unsigned int> next(row_start.begin(), row_start.end() - 1);
+        for_each_coupling([&](const unsigned int node, const unsigned int other) { neighbours[next[node]++] = other; });
+      }
+
+      unsigned int degree(const unsigned int node) const { return row_start[node + 1] - row_start[node]; }
+    };
 
 
     /** Append the connected part of `start` to `numbering`, level by level, nodes with few neighbours first. */
-    void traverse(const NodePattern         &pattern,
+    void traverse(const Graph               &graph,
                   const unsigned int         start,
                   std::vector<char>         &visited,
                   std::vector<unsigned int> &numbering)
@@ -28,14 +51,14 @@ namespace signorini
         {
           const unsigned int node  = numbering[head];
           const std::size_t  first = numbering.size();
-          for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
-            if (!visited[pattern.columns[k]])
+          for (unsigned int k = graph.row_start[node]; k < graph.row_start[node + 1]; ++k)
+            if (const unsigned int neighbour = graph.neighbours[k]; !visited[neighbour])
               {
-                visited[pattern.columns[k]] = 1;
-                numbering.push_back(pattern.columns[k]);
+                visited[neighbour] = 1;
+                numbering.push_back(neighbour);
               }
           std::stable_sort(numbering.begin() + first, numbering.end(), [&](const auto a, const auto b) {
-            return degree(pattern, a) < degree(pattern, b);
+            return graph.degree(a) < graph.degree(b);
           });
         }
     }
@@ -44,6 +67,7 @@ namespace signorini
 
   std::vector<unsigned int> cuthill_mckee(const NodePattern &pattern)
   {
+    const Graph               graph(pattern);
     std::vector<unsigned int> numbering, trial;
     std::vector<char>         visited(pattern.n_local, 0), scratch(pattern.n_local);
     numbering.reserve(pattern.n_local);
@@ -56,10 +80,10 @@ namespace signorini
             {
               scratch = visited;
               trial.clear();
-              traverse(pattern, start, scratch, trial);
+              traverse(graph, start, scratch, trial);
               start = trial.back();
             }
-          traverse(pattern, start, visited, numbering);
+          traverse(graph, start, visited, numbering);
         }
     return numbering;
   }

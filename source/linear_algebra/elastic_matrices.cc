@@ -8,29 +8,38 @@ namespace signorini
 {
   namespace
   {
-    /** One pass over the rows; the factors are compile-time flags so that a missing matrix is not even read. */
+    /**
+     * y += (A + mass_weight M) x in one pass over the upper triangle: each block acts once as it is and once transposed.
+     * What is wanted is known at compile time, so that a missing matrix is not even read.
+     */
     template <int dim, bool with_mass, bool with_stiffness>
-    void multiply(const ElasticMatrices<dim> &matrices,
-                  double                     *destination,
-                  const double               *source,
-                  const double                mass_factor,
-                  const double                stiffness_factor)
+    void
+    multiply(const ElasticMatrices<dim> &matrices, const double mass_weight, const double *x, double *y)
     {
-      const unsigned int *columns = matrices.pattern.columns.data();
-      for (unsigned int row = 0; row < matrices.pattern.n_owned; ++row)
+      const NodePattern &pattern = matrices.pattern;
+      for (unsigned int row = 0; row < pattern.n_owned; ++row)
         {
-          Lanes<double>      elastic{}, inertial{};
-          const unsigned int end = matrices.pattern.row_start[row + 1];
-          for (unsigned int k = matrices.pattern.row_start[row]; k < end; ++k)
+          if (pattern.is_empty(row))
+            continue;
+          const Lanes<double> x_row = load(x + 4 * row);
+          Lanes<double>       sum   = load(y + 4 * row);
+          for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
             {
-              const double *x = source + dim * columns[k];
+              const unsigned int column = pattern.columns[k];
               if constexpr (with_stiffness)
-                elastic += block_product<dim>(matrices.stiffness[k].data(), x);
-              if constexpr (with_mass) // the source ends with its last number, hence no load()
-                inertial += matrices.mass[k] * Lanes<double>{x[0], x[1], dim == 3 ? x[dim - 1] : 0., 0.};
+                sum += block_product<dim>(matrices.stiffness[k].data(), x + 4 * column);
+              if constexpr (with_mass)
+                sum += mass_weight * matrices.mass[k] * load(x + 4 * column);
+              if (column == row || column >= pattern.n_owned)
+                continue;
+              Lanes<double> mirrored = load(y + 4 * column);
+              if constexpr (with_stiffness)
+                mirrored += block_transposed_product<dim, double>(matrices.stiffness[k].data(), x_row);
+              if constexpr (with_mass)
+                mirrored += mass_weight * matrices.mass[k] * x_row;
+              std::memcpy(y + 4 * column, &mirrored, sizeof(mirrored));
             }
-          for (unsigned int c = 0; c < dim; ++c)
-            destination[dim * row + c] = mass_factor * inertial[c] + stiffness_factor * elastic[c];
+          std::memcpy(y + 4 * row, &sum, sizeof(sum));
         }
     }
   } // namespace
@@ -45,24 +54,37 @@ namespace signorini
     const bool had_ghosts = source.has_ghost_elements();
     if (!had_ghosts)
       source.update_ghost_values();
-    destination.zero_out_ghost_values();
+    padded_source.resize(4 * pattern.n_local);
+    for (unsigned int node = 0; node < pattern.n_local; ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        padded_source[4 * node + c] = source.local_element(dim * node + c);
+    if (!had_ghosts)
+      source.zero_out_ghost_values();
+    padded_destination.assign(4 * pattern.n_owned, 0.);
+
+    double factor = stiffness_factor;
     if (stiffness_factor == 0.)
       {
-        multiply<dim, true, false>(*this, destination.begin(), source.begin(), mass_factor, 0.);
+        multiply<dim, true, false>(*this, 1., padded_source.data(), padded_destination.data());
+        factor = mass_factor;
         ++count.mass;
       }
     else if (mass_factor == 0.)
       {
-        multiply<dim, false, true>(*this, destination.begin(), source.begin(), 0., stiffness_factor);
+        multiply<dim, false, true>(*this, 0., padded_source.data(), padded_destination.data());
         ++count.stiffness;
       }
     else
       {
-        multiply<dim, true, true>(*this, destination.begin(), source.begin(), mass_factor, stiffness_factor);
+        const double mass_weight = mass_factor / stiffness_factor;
+        multiply<dim, true, true>(*this, mass_weight, padded_source.data(), padded_destination.data());
         ++count.combined;
       }
-    if (!had_ghosts)
-      source.zero_out_ghost_values();
+
+    destination.zero_out_ghost_values();
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        destination.local_element(dim * node + c) = factor * padded_destination[4 * node + c];
   }
 
 

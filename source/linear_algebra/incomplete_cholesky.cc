@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 namespace signorini
 {
@@ -75,7 +74,7 @@ namespace signorini
           throw RunError("The incomplete Cholesky factor does not exist: the matrix of the step is not positive "
                          "definite. Check the mesh for inverted cells, or set Solver/Preconditioner = jacobi.");
       }
-    transpose();
+    origins = {};
     set_held_nodes({});
   }
 
@@ -96,17 +95,23 @@ namespace signorini
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       position_of[order[p]] = p;
 
-    lower.row_start.assign(1, 0);
-    for (unsigned int p = 0; p < pattern.n_local; ++p)
+    origins.resize(pattern.n_local);
+    for (unsigned int node = 0; node < pattern.n_local; ++node)
+      for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+        {
+          const unsigned int i = position_of[node], j = position_of[pattern.columns[k]];
+          if (i != j)
+            origins[std::max(i, j)].push_back({std::min(i, j), k, j > i});
+        }
+    row_start.assign(1, 0);
+    for (std::vector<Origin> &row : origins)
       {
-        const unsigned int node = order[p];
-        for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
-          if (position_of[pattern.columns[k]] < p)
-            lower.columns.push_back(position_of[pattern.columns[k]]);
-        std::sort(lower.columns.begin() + lower.row_start.back(), lower.columns.end());
-        lower.row_start.push_back(lower.columns.size());
+        std::sort(row.begin(), row.end(), [](const Origin &a, const Origin &b) { return a.column < b.column; });
+        for (const Origin &origin : row)
+          columns.push_back(origin.column);
+        row_start.push_back(columns.size());
       }
-    lower.entries.resize(lower.columns.size() + 1);
+    lower.resize(columns.size() + 1);
     pivots.resize(pattern.n_local);
     inverse_pivots.resize(pattern.n_local + 1); // one spare, see Lanes
   }
@@ -118,51 +123,44 @@ namespace signorini
                                                    const double                stiffness_factor,
                                                    const double                shift)
   {
+    const auto diagonal_block = [&](const unsigned int node) {
+      return matrix_block<dim, block_size>(matrices, pattern.row_start[node], mass_factor, stiffness_factor);
+    };
     // One common scale keeps single precision away from overflow and underflow in any system of units.
     double scale = 0.;
     for (unsigned int node = 0; node < pattern.n_local; ++node)
-      for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
-        if (pattern.columns[k] == node)
-          scale = std::max(scale, matrix_block<dim, block_size>(matrices, k, mass_factor, stiffness_factor).trace());
-    if (scale > 0.)
-      scale = 1. / scale;
-    else
-      scale = 1.;
-    matrix_scale = scale;
+      if (!pattern.is_empty(node))
+        scale = std::max(scale, diagonal_block(node).trace());
+    matrix_scale = scale = scale > 0. ? 1. / scale : 1.;
 
     std::vector<Small<block_size>> inverse(pattern.n_local);
     std::vector<Small<block_size>> row(pattern.n_local, Small<block_size>::Zero()), scaled_row(row);
     std::vector<char>              in_row(pattern.n_local, 0);
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
-        Small<block_size>  pivot = Small<block_size>::Zero();
-        const unsigned int node  = order[i];
-        for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+        for (const Origin &origin : origins[i])
           {
-            const unsigned int      j     = position_of[pattern.columns[k]];
-            const Small<block_size> block = scale * matrix_block<dim, block_size>(matrices, k, mass_factor, stiffness_factor);
-            if (j < i)
-              {
-                row[j]    = block;
-                in_row[j] = 1;
-              }
-            else if (j == i)
-              pivot = (1. + shift) * block;
+            const Small<block_size> block =
+              scale * matrix_block<dim, block_size>(matrices, origin.position, mass_factor, stiffness_factor);
+            row[origin.column]    = origin.transposed ? Small<block_size>(block.transpose()) : block;
+            in_row[origin.column] = 1;
           }
-        if (pivot.trace() == 0.) // an eliminated (hanging) node: its entries are never free
-          pivot.setIdentity();
-        for (unsigned int a = lower.row_start[i]; a < lower.row_start[i + 1]; ++a)
+        // An eliminated (hanging) node has no entries, and its own are never free.
+        Small<block_size> pivot = Small<block_size>::Identity();
+        if (!pattern.is_empty(order[i]))
+          pivot = (1. + shift) * scale * diagonal_block(order[i]);
+        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           {
-            const unsigned int j = lower.columns[a];
-            for (unsigned int b = lower.row_start[j]; b < lower.row_start[j + 1]; ++b)
-              if (in_row[lower.columns[b]])
-                row[j] -= scaled_row[lower.columns[b]] * to_double<block_size>(lower.entries[b]).transpose();
+            const unsigned int j = columns[a];
+            for (unsigned int b = row_start[j]; b < row_start[j + 1]; ++b)
+              if (in_row[columns[b]])
+                row[j] -= scaled_row[columns[b]] * to_double<block_size>(lower[b]).transpose();
             scaled_row[j] = row[j] * inverse[j];
             pivot -= scaled_row[j] * row[j].transpose();
-            lower.entries[a] = to_float<block_size>(row[j]);
+            lower[a] = to_float<block_size>(row[j]);
           }
-        for (unsigned int a = lower.row_start[i]; a < lower.row_start[i + 1]; ++a)
-          in_row[lower.columns[a]] = 0;
+        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
+          in_row[columns[a]] = 0;
         const Eigen::LLT<Small<block_size>> cholesky(pivot);
         if (cholesky.info() != Eigen::Success)
           return false;
@@ -222,58 +220,43 @@ namespace signorini
 
 
   template <int dim, int block_size>
-  void IncompleteCholesky<dim, block_size>::transpose()
-  {
-    const unsigned int n = pattern.n_local;
-    upper.row_start.assign(n + 1, 0);
-    for (const unsigned int column : lower.columns)
-      ++upper.row_start[column + 1];
-    std::partial_sum(upper.row_start.begin(), upper.row_start.end(), upper.row_start.begin());
-    upper.columns.resize(lower.columns.size());
-    upper.entries.resize(lower.entries.size());
-    std::vector<unsigned int> next(upper.row_start.begin(), upper.row_start.end() - 1);
-    for (unsigned int i = 0; i < n; ++i)
-      for (unsigned int a = lower.row_start[i]; a < lower.row_start[i + 1]; ++a)
-        {
-          const unsigned int b = next[lower.columns[a]]++;
-          upper.columns[b]     = i;
-          upper.entries[b]     = to_float<block_size>(to_double<block_size>(lower.entries[a]).transpose());
-        }
-  }
-
-
-  template <int dim, int block_size>
-  inline Lanes<float> IncompleteCholesky<dim, block_size>::row_product(const Triangle    &triangle,
-                                                                       const unsigned int row) const
-  {
-    Lanes<float> sum{};
-    for (unsigned int a = triangle.row_start[row]; a < triangle.row_start[row + 1]; ++a)
-      if constexpr (block_size == 1)
-        sum += triangle.entries[a][0] * load(&work[4 * triangle.columns[a]]);
-      else
-        sum += block_product<dim>(triangle.entries[a].data(), &work[4 * triangle.columns[a]]);
-    return sum;
-  }
-
-
-  template <int dim, int block_size>
   void IncompleteCholesky<dim, block_size>::sweep() const
   {
     const auto solve_pivot = [this](const unsigned int i, const Lanes<float> &right_hand_side) {
       std::array<float, 4> numbers;
       std::memcpy(numbers.data(), &right_hand_side, sizeof(right_hand_side));
-      return block_product<dim>(inverse_pivots[i].data(), numbers.data());
+      return without_spare_lanes<dim, float>(block_product<dim>(inverse_pivots[i].data(), numbers.data()));
     };
-    // (D + L) y = r, then (I + D^-1 L') z = y, both in place.
+    // (D + L) y = r in place
+    float *y = work.data();
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
-        const Lanes<float> y = solve_pivot(i, load(&work[4 * i]) - row_product(lower, i));
-        std::memcpy(&work[4 * i], &y, sizeof(y));
+        Lanes<float> residual = load(y + 4 * i);
+        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
+          if constexpr (block_size == 1)
+            residual -= lower[a][0] * load(y + 4 * columns[a]);
+          else
+            residual -= block_product<dim>(lower[a].data(), y + 4 * columns[a]);
+        residual = solve_pivot(i, residual);
+        std::memcpy(y + 4 * i, &residual, sizeof(residual));
       }
+    // (I + D^-1 L') z = y in place. What has been read last is still in the cache: L is read backwards and not copied.
+    scattered.assign(4 * pattern.n_local, 0.f);
+    float *s = scattered.data();
     for (unsigned int i = pattern.n_local; i-- > 0;)
       {
-        const Lanes<float> z = load(&work[4 * i]) - solve_pivot(i, row_product(upper, i));
-        std::memcpy(&work[4 * i], &z, sizeof(z));
+        const Lanes<float> z = load(y + 4 * i) - solve_pivot(i, load(s + 4 * i));
+        std::memcpy(y + 4 * i, &z, sizeof(z));
+        for (unsigned int a = row_start[i + 1]; a-- > row_start[i];)
+          {
+            float       *target = s + 4 * columns[a];
+            Lanes<float> sum    = load(target);
+            if constexpr (block_size == 1)
+              sum += lower[a][0] * z;
+            else
+              sum += block_transposed_product<dim, float>(lower[a].data(), z);
+            std::memcpy(target, &sum, sizeof(sum));
+          }
       }
   }
 

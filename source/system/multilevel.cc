@@ -21,14 +21,16 @@ namespace signorini
     const auto        &partitioner = *pattern.partitioner;
     const IndexSet    &owned       = partitioner.locally_owned_range();
     const auto         for_each_entry = [&](const auto &action) {
+      const auto dof = [&](const unsigned int node, const unsigned int c) { return partitioner.local_to_global(dim * node + c); };
       for (unsigned int node = 0; node < pattern.n_owned; ++node)
         for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int d = 0; d < dim; ++d)
-              action(partitioner.local_to_global(dim * node + c),
-                     partitioner.local_to_global(dim * pattern.columns[k] + d),
-                     k,
-                     dim * d + c);
+              {
+                action(dof(node, c), dof(pattern.columns[k], d), k, dim * d + c);
+                if (pattern.columns[k] != node && pattern.columns[k] < pattern.n_owned)
+                  action(dof(pattern.columns[k], d), dof(node, c), k, dim * d + c);
+              }
     };
     DynamicSparsityPattern sparsity(owned.size(), owned.size(), owned);
     for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) { sparsity.add(row, column); });
@@ -39,7 +41,7 @@ namespace signorini
       matrix.set(row, column, matrices.combined_block(k, mass_factor, stiffness_factor)[entry]);
     });
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
-      if (pattern.row_start[node] == pattern.row_start[node + 1]) // a hanging node
+      if (pattern.is_empty(node)) // a hanging node
         for (unsigned int c = 0; c < dim; ++c)
           {
             const auto row = partitioner.local_to_global(dim * node + c);

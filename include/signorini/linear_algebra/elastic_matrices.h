@@ -20,8 +20,9 @@ namespace signorini
 
   /**
    * Stiffness A and consistent mass M of all bodies on one pattern, in Cartesian components. A has a dim x dim block per
-   * pair of nodes, M one number, because the mass is the same in every direction. Any combination a M + b A is applied in one
-   * pass without being stored, so that a new step size costs nothing.
+   * pair of nodes, M one number, because the mass is the same in every direction. Both are symmetric, and only the upper
+   * triangle is stored: a product is limited by what it reads. Any combination a M + b A is applied in one pass without being
+   * stored, so that a new step size costs nothing.
    */
   template <int dim>
   class ElasticMatrices
@@ -48,7 +49,8 @@ namespace signorini
     const ProductCount &products() const { return count; }
 
   private:
-    mutable ProductCount count;
+    mutable ProductCount        count;
+    mutable std::vector<double> padded_source, padded_destination; ///< four numbers per node, see Lanes
   };
 } // namespace signorini
 

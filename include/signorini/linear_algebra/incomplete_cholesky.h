@@ -54,16 +54,10 @@ namespace signorini
     using Entry    = std::array<float, block_size * block_size>; ///< column by column
     using Diagonal = std::array<float, dim * dim>;
 
-    /** A strict triangle by rows; positions instead of nodes. */
-    struct Triangle
-    {
-      std::vector<unsigned int> row_start, columns;
-      std::vector<Entry>        entries; ///< with a spare entry at the end, see Lanes
-    };
-
     const NodePattern        &pattern;
     std::vector<unsigned int> order;      ///< position in the elimination -> local node
-    Triangle                  lower, upper; ///< L and L': both sweeps gather, and each reads its copy in order
+    std::vector<unsigned int> row_start, columns; ///< strictly lower triangle by rows; positions instead of nodes
+    std::vector<Entry>        lower;              ///< L, with a spare entry at the end, see Lanes
     std::vector<Entry>        pivots;           ///< D_p
     std::vector<Diagonal>     inverse_pivots;   ///< pseudo-inverse on the free directions
     std::vector<unsigned int> position_of;      ///< local node -> position
@@ -71,18 +65,23 @@ namespace signorini
     std::vector<float>        weights;          ///< per position, root of the partition of unity
     bool                      overlapping;
     double                    matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
-    mutable std::vector<float> work; ///< four numbers per position
+    mutable std::vector<float> work, scattered; ///< four numbers per position
     mutable Vector            ghosted_source;
     mutable unsigned long     applications = 0;
+
+    /** Where an entry of the lower triangle comes from: position in the upper triangle of the matrix, and whether it is turned. */
+    struct Origin
+    {
+      unsigned int column, position;
+      bool         transposed;
+    };
+    std::vector<std::vector<Origin>> origins; ///< by row; only during the set-up
 
     void build_pattern(const std::vector<unsigned int> &eliminate_last);
     /** @return false if a pivot is not positive definite. */
     bool factor(const ElasticMatrices<dim> &matrices, double mass_factor, double stiffness_factor, double shift);
-    void transpose();
     void invert_pivot(unsigned int position);
-    /** Sum of entries times work over a row of a triangle. */
-    Lanes<float> row_product(const Triangle &triangle, unsigned int row) const;
-    void         sweep() const;
+    void sweep() const;
   };
 } // namespace signorini
 

@@ -5,6 +5,7 @@
 #define signorini_linear_algebra_lanes_h
 
 #include <cstring>
+#include <type_traits>
 
 namespace signorini
 {
@@ -32,6 +33,30 @@ namespace signorini
     for (int c = 1; c < dim; ++c)
       sum += load(block + dim * c) * x[c];
     return sum;
+  }
+
+  /** Set the lanes beyond the components of a node to zero, as block_transposed_product() wants them. */
+  template <int dim, typename Number>
+  inline Lanes<Number> without_spare_lanes(Lanes<Number> lanes)
+  {
+    for (int c = dim; c < 4; ++c)
+      lanes[c] = 0;
+    return lanes;
+  }
+
+  /** Transposed block times x; the lanes of x beyond dim must be zero. */
+  template <int dim, typename Number>
+  inline Lanes<Number> block_transposed_product(const Number *block, const Lanes<Number> x)
+  {
+    // Each component of the result is the sum of the lanes of one product; pairs of lanes are added side by side.
+    using Index = Lanes<std::conditional_t<sizeof(Number) == 8, long long, int>>;
+    const Lanes<Number> zero{}, first = load(block) * x, second = load(block + dim) * x;
+    const Lanes<Number> third = dim == 3 ? load(block + 2 * dim * (dim == 3)) * x : zero;
+    const Lanes<Number> left =
+      __builtin_shuffle(first, second, Index{0, 4, 2, 6}) + __builtin_shuffle(first, second, Index{1, 5, 3, 7});
+    const Lanes<Number> right =
+      __builtin_shuffle(third, zero, Index{0, 4, 2, 6}) + __builtin_shuffle(third, zero, Index{1, 5, 3, 7});
+    return __builtin_shuffle(left, right, Index{0, 1, 4, 5}) + __builtin_shuffle(left, right, Index{2, 3, 6, 7});
   }
 } // namespace signorini
 
