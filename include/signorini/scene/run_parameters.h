@@ -16,7 +16,7 @@ namespace signorini
      * Solutions are accepted when their error in the energy norm of the velocity is below `tolerance` times the root of the
      * largest energy of the run so far; the energy ledger then closes to this accuracy.
      */
-    double       tolerance                     = 5e-11;
+    double       tolerance                     = 2e-11;
     unsigned int maximum_active_set_iterations = 50; ///< before the guaranteed fallback takes over
     unsigned int maximum_linear_iterations     = 10000;
   };
