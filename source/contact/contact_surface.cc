@@ -42,7 +42,9 @@ namespace signorini
             for (unsigned int c = 0; c < dim; ++c)
               facing += outward.local_element(dim * node + c) * projection.normal[c];
             const auto known = closest.find(node);
-            if (facing > 0. && (known == closest.end() || projection.gap < known->second.gap))
+            // Across the normal, where an equator or the side of a box is, round-off must not decide.
+            const bool faces = facing > 1e-8 * weight;
+            if (faces && (known == closest.end() || projection.gap < known->second.gap))
               closest[node] = {node, p, position, projection.gap, weight, contact_frame(projection.normal)};
           }
       }
@@ -139,6 +141,24 @@ namespace signorini
         gap.push_back(contact_node.gap - normal_displacement);
       }
     return gap;
+  }
+
+
+  template <int dim>
+  double ContactSurface<dim>::geometric_penetration(const Vector &displacement) const
+  {
+    const auto &pairs   = discretization.scene.pairs;
+    double      deepest = 0.;
+    for (const ContactNode<dim> &contact_node : contact_nodes)
+      {
+        Point<dim> position = contact_node.position;
+        for (unsigned int c = 0; c < dim; ++c)
+          position[c] += displacement.local_element(dim * contact_node.node + c);
+        for (const PairDescription &pair : pairs)
+          if (pair.slave == pairs[contact_node.pair].slave)
+            deepest = std::max(deepest, -obstacles[pair.obstacle]->project(position).gap);
+      }
+    return Utilities::MPI::max(deepest, discretization.communicator());
   }
 
 

@@ -38,6 +38,7 @@ namespace signorini
     summary.n_active        = dealii::Utilities::MPI::sum(summary.n_active, communicator);
     summary.max_tension     = dealii::Utilities::MPI::max(summary.max_tension, communicator);
     summary.max_penetration = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
+    summary.geometric_penetration = surface.geometric_penetration(state.displacement);
     summary.resultant       = resultant(discretization, state.contact_force);
     return summary;
   }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/expressions.h>
+#include <signorini/base/user_error.h>
 #include <signorini/discretization/assemble_matrices.h>
 #include <signorini/discretization/discretization.h>
 #include <signorini/discretization/mesh.h>
@@ -11,6 +12,9 @@
 #include <deal.II/fe/fe_q.h>
 
 #include <deal.II/grid/grid_tools.h>
+
+#include <cmath>
+#include <sstream>
 
 namespace signorini
 {
@@ -31,6 +35,30 @@ namespace signorini
     hanging_node_constraints.reinit(locally_relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_node_constraints);
     hanging_node_constraints.close();
+    if (mapping.get_degree() == 1)
+      straighten_hanging_vertices();
+  }
+
+
+  template <int dim>
+  void Discretization<dim>::straighten_hanging_vertices()
+  {
+    // The position is an isoparametric displacement: it has to obey the same constraints.
+    Vector positions(locally_owned, locally_relevant, communicator());
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (locally_owned.is_element(cell->vertex_dof_index(v, 0)))
+            for (unsigned int c = 0; c < dim; ++c)
+              positions(cell->vertex_dof_index(v, c)) = cell->vertex(v)[c];
+    hanging_node_constraints.distribute(positions);
+    positions.update_ghost_values();
+    for (const auto &cell : dof_handler.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          if (hanging_node_constraints.is_constrained(cell->vertex_dof_index(v, 0)))
+            for (unsigned int c = 0; c < dim; ++c)
+              cell->vertex(v)[c] = positions(cell->vertex_dof_index(v, c));
   }
 
 
@@ -79,7 +107,17 @@ namespace signorini
               continue;
             functions[cell->material_id()]->vector_value(cell->vertex(v), value);
             for (unsigned int c = 0; c < dim; ++c)
-              result(dof + c) = value[c];
+              {
+                if (!std::isfinite(value[c]))
+                  {
+                    std::ostringstream message;
+                    message << scene.file_name << ": Bodies/" << scene.bodies[cell->material_id()].name << ": the expression '"
+                            << expressions_by_body[cell->material_id()][c] << "' is not a finite number at (" << cell->vertex(v)
+                            << "), t = " << time << ". Change it so that it can be evaluated everywhere in the body.";
+                    throw UserError(message.str());
+                  }
+                result(dof + c) = value[c];
+              }
           }
     return result;
   }

@@ -9,6 +9,9 @@
 #include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <cmath>
+#include <sstream>
+
 namespace signorini
 {
   using namespace dealii;
@@ -93,6 +96,28 @@ namespace signorini
           cell->set_refine_flag();
       mesh.execute_coarsening_and_refinement();
     }
+
+
+    /** Refuse meshes that no computer at hand can hold, before an attempt to make them. */
+    template <int dim>
+    void check_size(const Scene<dim> &scene, const std::vector<Triangulation<dim>> &coarse_meshes, const unsigned int n_processes)
+    {
+      constexpr double most_coarse = 2e4, most_per_process = 1e7;
+      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+        {
+          const auto  &body  = scene.bodies[b];
+          const double cells = coarse_meshes[b].n_active_cells() * std::pow(2., static_cast<double>(dim * body.refinements));
+          std::ostringstream message;
+          message << scene.file_name << ": Bodies/" << body.name;
+          if (coarse_meshes[b].n_active_cells() > most_coarse)
+            throw UserError(message.str() + "/Repetitions gives more than 20000 coarse cells, which every process must keep. Use fewer "
+                                            "repetitions and more Refinements.");
+          message << "/Refinements = " << body.refinements << " gives " << cells << " cells, too many for " << n_processes
+                  << " process(es). Use fewer refinements or more processes.";
+          if (cells > most_per_process * n_processes)
+            throw UserError(message.str());
+        }
+    }
   } // namespace
 
 
@@ -107,6 +132,10 @@ namespace signorini
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         make_coarse_mesh(scene.bodies[b], coarse_meshes[b]);
+      }
+    check_size(scene, coarse_meshes, Utilities::MPI::n_mpi_processes(triangulation.get_communicator()));
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      {
         append(coarse_meshes[b], b, ids_per_body * b, vertices, cells, faces);
       }
     triangulation.create_triangulation(vertices, cells, faces);

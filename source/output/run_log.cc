@@ -132,6 +132,8 @@ namespace signorini
   RunLog::~RunLog()
   {
     close_line();
+    if (!finished && first_process)
+      log << "The run ended early; the message is on the screen. What has been written is whole." << std::endl;
   }
 
 
@@ -230,6 +232,7 @@ namespace signorini
   void RunLog::finish()
   {
     close_line();
+    finished = true;
     succeed_together(communicator,
                      [&]
                      {

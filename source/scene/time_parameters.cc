@@ -40,7 +40,8 @@ namespace signorini
       "consistent",
       Selection("consistent|lumped"),
       "Mass matrix of the projection in the predictor of contact-stabilized. lumped is cheaper "
-      "(node by node) and loses somewhat more energy. No other scheme uses it.");
+      "(node by node); with the consistent mass the scheme then loses more energy and is no longer sure "
+      "never to gain any. No other scheme uses it.");
     prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
     prm.declare_entry("End time",
                       "0",

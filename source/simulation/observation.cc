@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/user_error.h>
 #include <signorini/simulation/observation.h>
 
 #include <cmath>
@@ -56,12 +57,16 @@ namespace signorini
   void Observation<dim>::observe(const State &state, const StepReport &report, const double step_size)
   {
     const EnergyBooking booking = ledger.book(state, report, load(state.time));
+    if (!std::isfinite(ledger.current().total()))
+      throw RunError("The energy at time " + std::to_string(state.time)
+                     + " is not a finite number. Check the loads, velocities and material constants of the scene.");
     largest_energy              = std::max(largest_energy, energy_of_motion());
     largest_residual            = std::max(largest_residual, std::abs(booking.residual));
     write(state, report, booking, step_size);
 
     impulse += step_size * contact_now.normal_force;
     largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
+    deepest             = std::max(deepest, contact_now.geometric_penetration);
     largest_change      = std::max(largest_change, ledger.current().total() - ledger.initial().total());
     force_variation.add(contact_now.normal_force);
     if (contact_now.n_active > 0)
@@ -121,9 +126,17 @@ namespace signorini
   template <int dim>
   double Observation<dim>::relative_energy_change() const
   {
-    const double initial = std::abs(ledger.initial().total());
-    const double scale   = initial > 0. ? initial : largest_energy;
+    const double scale = relative_scale();
     return scale > 0. ? (ledger.current().total() - ledger.initial().total()) / scale : 0.;
+  }
+
+
+  template <int dim>
+  double Observation<dim>::relative_scale() const
+  {
+    // Bodies that start at rest bring hardly any energy of their own; then the largest energy of the motion is the measure.
+    const double initial = std::abs(ledger.initial().total());
+    return initial > 1e-3 * largest_energy ? initial : largest_energy;
   }
 
 
@@ -132,7 +145,7 @@ namespace signorini
   {
     std::ostringstream text;
     text << std::setprecision(4) << "  energy            changed by " << 100. * relative_energy_change() << " % ("
-         << (largest_energy > 0. ? 100. * largest_change / largest_energy : 0.)
+         << (relative_scale() > 0. ? 100. * largest_change / relative_scale() : 0.)
          << " % at most); largest unexplained part of a step "
          << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
     if (first_contact >= 0.)
@@ -142,6 +155,9 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
+    if (deepest > 1e-2 * discretization.body_size())
+      text << "  warning: by the true geometry a contact node was " << deepest << " deep in an obstacle. Contact is linearised about the\n"
+           << "           initial configuration, with one obstacle per node: do not trust motion along a curved obstacle or in a corner.\n";
     for (unsigned int p = 0; p < probes.size(); ++p)
       text << "  probe " << probes[p].name() << " at (" << probes[p].position() << "): zigzag of the normal velocity in contact "
            << velocity_zigzags[p].amplitude() << "\n";

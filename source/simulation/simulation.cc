@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/output/earlier_results.h>
 #include <signorini/simulation/simulation.h>
 
 namespace signorini
@@ -11,7 +12,8 @@ namespace signorini
   Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm communicator, const bool quiet)
     : scene(scene)
     , quiet(quiet)
-    , timer(communicator, timer_table, TimerOutput::never, TimerOutput::wall_times)
+    // Alone, it neither waits for other processes nor comments on an exception.
+    , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , discretization(scene, communicator)
   {}
 
@@ -29,6 +31,7 @@ namespace signorini
   {
     prepare();
     RunLog log(scene.output_directory, quiet, discretization.communicator());
+    remove_earlier_results(scene.output_directory, discretization.communicator());
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
@@ -131,6 +134,8 @@ namespace signorini
          << "\n  contact nodes     " << surface->n_global_nodes()
          << "\n  Courant number    " << discretization.courant_number(scene.time.step_size)
          << "\n  processes         " << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
+    if (!scene.pairs.empty() && surface->n_global_nodes() == 0)
+      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces the obstacle, or supports hold them all\n";
     if (surface->n_supported() > 0)
       text << "  note: " << surface->n_supported()
            << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";

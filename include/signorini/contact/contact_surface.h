@@ -59,6 +59,12 @@ namespace signorini
     std::vector<double> normal_gap(const Vector &displacement) const;
 
     /**
+     * Largest depth of a displaced contact node in *any* obstacle of its body, by the true geometry, on all processes; 0 if there is none.
+     * The condition of the steps is linearised about the reference configuration, with one obstacle per node; this is what it misses.
+     */
+    double geometric_penetration(const Vector &displacement) const;
+
+    /**
      * Check that no slave surface penetrates its obstacle at the start.
      * @throws UserError naming pair, depth and place
      */

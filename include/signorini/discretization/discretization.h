@@ -64,6 +64,13 @@ namespace signorini
     double courant_number(double step_size) const;
 
     MPI_Comm communicator() const { return triangulation.get_communicator(); }
+
+  private:
+    /**
+     * Move hanging vertices of round bodies onto the straight edges and faces of their coarser neighbours: the mesh has no gaps
+     * then, and the elements represent every linear function.
+     */
+    void straighten_hanging_vertices();
   };
 } // namespace signorini
 

@@ -30,7 +30,7 @@ namespace signorini
     /** Kinetic and elastic energy. */
     double energy_of_motion() const { return ledger.current().kinetic + ledger.current().elastic; }
 
-    /** Change of the total energy since the start, relative to the initial one (to the largest one if that is zero). */
+    /** Change of the total energy since the start, relative to the initial one (to that of the motion if that is tiny). */
     double relative_energy_change() const;
 
     /** Writing of fields does not count as time of the run. */
@@ -54,11 +54,13 @@ namespace signorini
     dealii::Timer              clock;
     ProductCount               products_before; ///< at the end of the last observation, whose own products do not count
 
-    double   largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., impulse = 0.;
+    double   largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0., impulse = 0.;
     double   first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
+    /** The energy that changes are compared with. */
+    double relative_scale() const;
     /** Products since the last observation. */
     ProductCount products_of_step() const;
     const Vector *load(double time);
