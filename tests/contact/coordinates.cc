@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// Contact coordinates are an orthogonal change of the basis at contact nodes: it can be undone, keeps scalar products, makes u.nu a single
+// entry, and is the same on all processes that know a node.
+
+#include "contact_scene.h"
+
+#include <signorini/contact/contact_coordinates.h>
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+using namespace signorini::tests;
+using dealii::Tensor;
+
+namespace
+{
+  /** A ball in a hollow sphere, where each contact node has another normal. */
+  Scene<3> ball_in_hollow_sphere()
+  {
+    return contact_scene<3>(ball<3>(1), {sphere<3>({0., 0., 1.1}, 1.2, true)});
+  }
+
+  /** A box on the floor with a moving support at x = 0 in x, and at y = 1 in y and z. */
+  Scene<3> supported_box()
+  {
+    BodyDescription<3> body = box<3>();
+    body.dirichlet          = {{0, {{"t + y", "-", "-"}}}, {3, {{"-", "2*t", "0.5"}}}};
+    return contact_scene<3>(body, {floor_at<3>(-0.1)}, {4});
+  }
+
+  template <int dim>
+  struct CoordinatesProblem : public ContactProblem<dim>
+  {
+    explicit CoordinatesProblem(const Scene<dim> &scene)
+      : ContactProblem<dim>(scene)
+      , coordinates(this->discretization, this->surface, this->supports)
+    {
+    }
+    const ContactCoordinates<dim> coordinates;
+  };
+} // namespace
+
+TEST(ContactCoordinates, CanBeUndoneAndKeepProducts)
+{
+  const CoordinatesProblem<3> problem(ball_in_hollow_sphere());
+  const Vector x = irregular_field(problem.discretization, 3.), y = irregular_field(problem.discretization, 7.);
+  Vector       w = x, z = y;
+  problem.coordinates.to_contact(w);
+  problem.coordinates.to_contact(z);
+  EXPECT_NEAR(w * z, x * y, 1e-13 * x.l2_norm() * y.l2_norm());
+  Vector difference = w;
+  difference -= x;
+  EXPECT_GT(difference.linfty_norm(), 0.1) << "the coordinates are different ones";
+  problem.coordinates.to_cartesian(w);
+  w -= x;
+  EXPECT_LT(w.linfty_norm(), 1e-14);
+}
+
+TEST(ContactCoordinates, NormalDisplacementIsOneEntry)
+{
+  const CoordinatesProblem<3> problem(ball_in_hollow_sphere());
+  const Vector                u   = irregular_field(problem.discretization, 3.);
+  const auto                  gap = problem.surface.normal_gap(u);
+  Vector                      w   = u;
+  problem.coordinates.to_contact(w);
+  const auto &nodes   = problem.surface.nodes();
+  const auto &entries = problem.coordinates.normal_entries();
+  ASSERT_EQ(entries.size(), nodes.size());
+  for (unsigned int k = 0; k < nodes.size(); ++k)
+    EXPECT_NEAR(nodes[k].gap - w.local_element(entries[k]), gap[k], 1e-14);
+}
+
+TEST(ContactCoordinates, SupportsAreSingleEntriesWithTheirValues)
+{
+  const CoordinatesProblem<3> problem(supported_box());
+  const double                time    = 0.25;
+  const auto                 &entries = problem.coordinates.supported_entries();
+  const auto                  values  = problem.coordinates.supported_values(time);
+  ASSERT_EQ(values.size(), entries.size());
+  // 9 nodes in x, 9 in y and z; the 3 nodes at y = 1 on the floor take no part in contact.
+  EXPECT_EQ(dealii::Utilities::MPI::sum(entries.size(), MPI_COMM_WORLD), 27u);
+  EXPECT_EQ(problem.surface.n_global_nodes(), 6u);
+
+  // A displacement with the prescribed values has them in these entries, up to the sign of the direction.
+  Vector w = field<3>(problem.discretization, {{"0.25 + y", "0.5", "0.5"}});
+  problem.coordinates.to_contact(w);
+  for (unsigned int k = 0; k < entries.size(); ++k)
+    EXPECT_NEAR(w.local_element(entries[k]), values[k], 1e-14);
+}
+
+// A process knows for its ghosts, too, which directions are held: the same as their owner.
+TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
+{
+  const CoordinatesProblem<3> problem(ball_in_hollow_sphere());
+  const auto                 &pattern = problem.discretization.matrices.pattern;
+  const dealii::Point<3>      centre(0., 0., 1.);
+  const auto                  is_held = [](const dealii::Point<3> &p) { return p[0] > 0.3; };
+
+  Mask mask(3 * pattern.n_owned, 0);
+  for (const ContactNode<3> &node : problem.surface.nodes())
+    if (is_held(node.position))
+      mask[3 * node.node] = 1;
+  const HeldNodes<3> held = problem.coordinates.held_nodes(mask);
+
+  std::vector<unsigned int> expected, found;
+  for (unsigned int node = 0; node < pattern.n_local; ++node)
+    {
+      const dealii::Point<3> &p = problem.discretization.node_positions[node];
+      if (p.distance(centre) > 1. - 1e-10 && is_held(p))
+        expected.push_back(node);
+    }
+  for (const HeldNode<3> &node : held)
+    {
+      found.push_back(node.node);
+      EXPECT_TRUE(node.held[0] && !node.held[1] && !node.held[2]);
+      const auto normal =
+        make_obstacle(problem.scene.obstacles[0])->project(problem.discretization.node_positions[node.node]).normal;
+      EXPECT_LT((Tensor<1, 3>({node.frame[0], node.frame[1], node.frame[2]}) - normal).norm(), 1e-14);
+    }
+  EXPECT_EQ(found, expected);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    {
+      const unsigned int n_ghosts =
+        std::count_if(found.begin(), found.end(), [&](const unsigned int node) { return node >= pattern.n_owned; });
+      EXPECT_GT(dealii::Utilities::MPI::sum(n_ghosts, MPI_COMM_WORLD), 0u);
+    }
+}
+
+TEST(ContactCoordinates, SpecialNodesAreContactNodesAndSupports)
+{
+  const CoordinatesProblem<3> problem(supported_box());
+  std::vector<unsigned int>   special, contact;
+  for (unsigned int node = 0; node < problem.discretization.matrices.pattern.n_local; ++node)
+    {
+      const dealii::Point<3> &p          = problem.discretization.node_positions[node];
+      const bool              at_contact = p[2] == 0. && p[1] < 1.;
+      if (p[0] == 0. || p[1] == 1. || at_contact)
+        special.push_back(node);
+      if (at_contact)
+        contact.push_back(node);
+    }
+  EXPECT_EQ(problem.coordinates.special_nodes(), special);
+  EXPECT_EQ(problem.coordinates.contact_nodes(), contact);
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The gap is the distance to the obstacle, negative inside of it, and the normal is the unit vector towards the obstacle, against the
+// gradient of the distance.
+
+#include "contact_scene.h"
+
+#include <signorini/base/user_error.h>
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+using namespace signorini::tests;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /** Gap and normal at a point; `tolerance` for obstacles that differentiate numerically. */
+  template <int dim>
+  void expect_projection(const ObstacleDescription<dim> &obstacle,
+                         const Point<dim>               &point,
+                         const double                    gap,
+                         const Tensor<1, dim>           &normal,
+                         const double                    tolerance = 1e-14)
+  {
+    const auto projection = make_obstacle(obstacle)->project(point);
+    EXPECT_NEAR(projection.gap, gap, tolerance) << point;
+    EXPECT_LT((projection.normal - normal).norm(), tolerance) << projection.normal << " at " << point;
+    EXPECT_NEAR(projection.normal.norm(), 1., 1e-14) << point;
+  }
+} // namespace
+
+TEST(Obstacles, PlaneWithANormalOfAnyLength)
+{
+  const auto wall = plane<2>("wall", Point<2>(1., 0.), Tensor<1, 2>({3., 4.}));
+  expect_projection<2>(wall, {4., 4.}, 5., Tensor<1, 2>({-0.6, -0.8}));
+  expect_projection<2>(wall, {-2., -4.}, -5., Tensor<1, 2>({-0.6, -0.8}));
+  expect_projection<2>(wall, {5., -3.}, 0., Tensor<1, 2>({-0.6, -0.8}));
+}
+
+TEST(Obstacles, SphereFromOutsideAndFromInside)
+{
+  const Point<3> centre(1., 2., 3.);
+  expect_projection<3>(sphere<3>(centre, 2.), {1., 2., 6.}, 1., Tensor<1, 3>({0., 0., -1.}));
+  expect_projection<3>(sphere<3>(centre, 2.), {1., 2., 4.}, -1., Tensor<1, 3>({0., 0., -1.}));
+  expect_projection<3>(sphere<3>(centre, 2., true), {1., 2., 4.}, 1., Tensor<1, 3>({0., 0., 1.}));
+  expect_projection<3>(sphere<3>(centre, 2., true), {4., 2., 3.}, -1., Tensor<1, 3>({1., 0., 0.}));
+  expect_projection<2>(sphere<2>({0., 0.}, 1.), {3., 4.}, 4., Tensor<1, 2>({-0.6, -0.8}));
+}
+
+TEST(Obstacles, CentreOfASphereHasSomeNormal)
+{
+  const auto projection = make_obstacle(sphere<3>({1., 2., 3.}, 2., true))->project({1., 2., 3.});
+  EXPECT_DOUBLE_EQ(projection.gap, 2.);
+  EXPECT_DOUBLE_EQ(projection.normal.norm(), 1.);
+}
+
+TEST(Obstacles, CylinderIgnoresTheWayAlongItsAxis)
+{
+  ObstacleDescription<3> pipe;
+  pipe.shape  = "cylinder";
+  pipe.point  = Point<3>(0., 0., 1.);
+  pipe.axis   = Tensor<1, 3>({0., 5., 0.});
+  pipe.radius = 2.;
+  for (const double y : {-10., 0., 3.})
+    expect_projection<3>(pipe, {3., y, 5.}, 3., Tensor<1, 3>({-0.6, 0., -0.8}));
+  pipe.bodies_inside = true;
+  expect_projection<3>(pipe, {0.6, 7., 1.8}, 1., Tensor<1, 3>({0.6, 0., 0.8}));
+}
+
+TEST(Obstacles, FunctionIsScaledToADistance)
+{
+  ObstacleDescription<3> ball;
+  ball.shape           = "function";
+  ball.signed_distance = "5*(sqrt(x*x + y*y + z*z) - 1)";
+  for (const Point<3> &point :
+       {Point<3>(0., 0., 2.), Point<3>(0.6, 0., 0.8), Point<3>(-1., 2., 2.), Point<3>(0., 0.5, 0.)})
+    expect_projection<3>(ball, point, point.norm() - 1., -point / point.norm(), 1e-9);
+  ball.signed_distance = "z - 0.1*x";
+  expect_projection<3>(ball, {0., 0., 0.}, 0., Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01), 1e-9);
+}
+
+TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
+{
+  ObstacleDescription<3> wave, pipe;
+  wave.shape           = "function";
+  wave.signed_distance = "z - 0.1*sin(3*x)*cos(2*y)";
+  pipe.shape           = "cylinder";
+  pipe.point           = Point<3>(0., 0., 1.);
+  pipe.axis            = Tensor<1, 3>({1., 2., 2.});
+  pipe.radius          = 0.3;
+  for (const auto &description :
+       {plane<3>("plane", Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.})), sphere<3>({2., 0., 0.}, 1.), pipe, wave})
+    {
+      const auto     obstacle = make_obstacle(description);
+      const Point<3> point(0.3, 0.2, 0.);
+      const auto     projection = obstacle->project(point);
+      const double   step       = 1e-5;
+      const double   slope      = (obstacle->project(point + step * projection.normal).gap
+                            - obstacle->project(point - step * projection.normal).gap)
+                           / (2. * step);
+      // A function is a distance only to first order; here it is not far from one.
+      EXPECT_NEAR(slope, -1., description.shape == "function" ? 0.05 : 1e-9) << description.shape;
+    }
+}
+
+TEST(Obstacles, FunctionWithoutNormalIsRefused)
+{
+  ObstacleDescription<2> constant;
+  constant.name            = "fog";
+  constant.shape           = "function";
+  constant.signed_distance = "1";
+  EXPECT_THROW(make_obstacle(constant)->project({0., 0.}), UserError);
+}
