@@ -154,6 +154,32 @@ TEST(ConjugateGradients, TheToleranceIsTheErrorInTheNormOfTheMatrix)
     }
 }
 
+TEST(ConjugateGradients, NeedOneIterationPerEigenvalue)
+{
+  class ThreeEigenvalues : public LinearOperator
+  {
+  public:
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      for (const auto i : source.locally_owned_elements())
+        destination(i) = (i % 3 == 0 ? 1. : i % 3 == 1 ? 7. : 50.) * source(i);
+    }
+    void diagonal(Vector &) const override {}
+  };
+  class Identity : public MaskedPreconditioner
+  {
+  public:
+    void set_mask(const Mask &) override {}
+    void vmult(Vector &destination, const Vector &source) const override { destination = source; }
+  };
+  Vector solution(12), residual(12);
+  for (unsigned int i = 0; i < 12; ++i)
+    residual(i) = std::cos(i);
+  const auto report = ConjugateGradients().solve(ThreeEigenvalues(), Identity(), solution, residual, 1e-12, 0., 100);
+  EXPECT_TRUE(report.converged);
+  EXPECT_EQ(report.iterations, 3u);
+}
+
 TEST(ConjugateGradients, StopWhereTheyAreTold)
 {
   LinearSystem rough(MPI_COMM_WORLD), accurate(MPI_COMM_WORLD), limited(MPI_COMM_WORLD);
