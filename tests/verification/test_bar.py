@@ -1,0 +1,62 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""The bar that hits a wall, of which the exact solution is known: energy, errors and contact force of each scheme are those that an
+independent computation in one dimension gives for 100 elements and Courant number 0.9, to three percent.
+"""
+
+import statistics
+
+import check_history
+
+AREA = 0.1
+PRESSURE = 300.  # rho c v: the exact contact pressure
+START, END = 0.5, 7. / 6.  # of the exact contact
+
+
+class Bar(check_history.SceneTest):
+    def run_bar(self, scheme):
+        run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", f"bar-{scheme}", [f"Time/Scheme={scheme}"])
+        run.pressure = [force / (PRESSURE * AREA) for force in run["contact_force"]]
+        margin = 0.1 * (END - START)
+        middle = [p for p, t in zip(run.pressure, run["time"]) if START + margin <= t <= END - margin]
+        run.deviation = statistics.pstdev(middle)
+        run.changes = [energy / run["total_energy"][0] - 1 for energy in run["total_energy"]]
+        return run
+
+    def expect_errors(self, run, displacement, velocity):
+        self.expect_close(run["relative_displacement_error"][-1], displacement, 0.03, "e_u")
+        self.expect_close(run["relative_velocity_error"][-1], velocity, 0.03, "e_v")
+
+    def expect_impulse(self, run, tolerance):
+        """2 m v: the bar flies back as fast as it came."""
+        self.expect_close(run.impulse(), 2 * 10 * 10 * AREA, tolerance, "impulse")
+
+    def test_newmark_gains_energy(self):
+        run = self.run_bar("newmark")
+        self.expect_close(run.changes[-1], 0.364, 0.03, "energy change at the end")
+        self.expect_close(max(run.changes), 0.432, 0.03, "largest energy change")
+        self.expect_errors(run, 0.0110, 0.37)
+        self.expect_close(max(run.pressure), 3.97, 0.03, "largest contact pressure")
+        self.expect_close(run.deviation, 1.42, 0.03, "deviation of the contact pressure")
+
+    def test_contact_implicit(self):
+        run = self.run_bar("contact-implicit")
+        self.expect_close(run.changes[-1], -0.0048, 0.03, "energy change at the end")
+        self.expect_errors(run, 0.0083, 0.082)
+        self.expect_close(max(run.pressure), 1.24, 0.03, "largest contact pressure")
+        self.expect_close(run.deviation, 0.214, 0.03, "deviation of the contact pressure")
+        self.expect_impulse(run, 0.02)
+
+    def test_contact_stabilized(self):
+        run = self.run_bar("contact-stabilized")
+        self.expect_close(run.changes[-1], -0.0068, 0.03, "energy change at the end")
+        self.expect_errors(run, 0.0112, 0.096)
+        self.expect_close(max(run.pressure), 1.10, 0.03, "largest contact pressure")
+        self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
+        self.expect_impulse(run, 0.02)
+
+
+if __name__ == "__main__":
+    check_history.main()

@@ -1,0 +1,50 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Every scene in parameters/ with every scheme keeps what theory promises in each step: the ledger of energy closes, energy never
+grows but with the classical scheme, nothing penetrates, contact only presses, and momentum changes by the forces alone.
+Expensive scenes are shortened.
+"""
+
+import check_history
+
+DOWN_2D = (0., 1., 0.)
+DOWN_3D = (0., 0., 1.)
+
+#: Scene: overrides that make it short, size of the body, direction of the contact force on a plane, load.
+SCENES = {
+    "bar_2d": ([], 10., DOWN_2D, (0., 0., 0.)),
+    "bar_3d": (["Time/End time=0.8"], 10., DOWN_3D, (0., 0., 0.)),
+    "box_on_sphere": (["Bodies/box/Refinements=2"], 1., None, (0., 0., -9.81)),
+    "disc_2d": (["Bodies/disc/Refinements=4"], 2., DOWN_2D, (0., 0., 0.)),
+    "geometry_a": (["Bodies/ball/Refinements=2"], 2., DOWN_3D, (0., 0., 0.)),
+    "quick_start": (["Bodies/ball/Refinements=2"], 2., DOWN_3D, (0., 0., 0.)),
+}
+
+
+class ShippedScenes(check_history.SceneTest):
+    def check(self, name):
+        overrides, size, direction, load = SCENES[name]
+        for scheme in check_history.SCHEMES:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(check_history.PARAMETERS / f"{name}.prm", f"shipped-{name}-{scheme}",
+                                        overrides + [f"Time/Scheme={scheme}"])
+                self.expect_contact(run)
+                self.expect_ledger_closes(run)
+                if scheme in check_history.DISSIPATIVE:
+                    self.expect_no_gain_of_energy(run)
+                self.expect_no_penetration(run, size)
+                self.expect_pressure(run, direction)
+                self.expect_balance_of_momentum(run, scheme, lambda start, end: load)
+
+    def test_no_scene_is_forgotten(self):
+        self.assertEqual(sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")), sorted(SCENES))
+
+
+for scene in SCENES:
+    setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check(name))
+
+
+if __name__ == "__main__":
+    check_history.main()
