@@ -11,15 +11,15 @@ namespace signorini
 {
   namespace
   {
-    const std::vector<std::string> options = {
-      "--set", "--validate", "--print-parameters", "--quiet", "--resume", "--version", "--help"};
+    const std::vector<std::string> options =
+      {"--set", "--validate", "--print-parameters", "--quiet", "--resume", "--version", "--help"};
 
     std::pair<std::string, std::string> parse_override(const std::string &assignment)
     {
       const std::size_t equal = assignment.find('=');
       if (equal == std::string::npos || trim(assignment.substr(0, equal)).empty())
-        throw UserError("--set \"" + assignment +
-                        "\": a key and a value are needed. Write --set \"Section/Subsection/Key=value\".");
+        throw UserError("--set \"" + assignment
+                        + "\": a key and a value are needed. Write --set \"Section/Subsection/Key=value\".");
       return {trim(assignment.substr(0, equal)), trim(assignment.substr(equal + 1))};
     }
 
@@ -57,8 +57,7 @@ namespace signorini
         else if (!argument.empty() && argument[0] == '-')
           parse_option(argument, result);
         else if (!result.scene.empty())
-          throw UserError("two scenes, " + result.scene + " and " + argument +
-                          ". Name one; each runs on its own.");
+          throw UserError("two scenes, " + result.scene + " and " + argument + ". Name one; each runs on its own.");
         else
           result.scene = argument;
       }

@@ -10,8 +10,7 @@
 namespace signorini
 {
   template <int dim, std::size_t n_components>
-  std::unique_ptr<dealii::FunctionParser<dim>>
-  make_function(const std::array<std::string, n_components> &expressions)
+  std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions)
   {
     std::vector<std::string> texts(expressions.begin(), expressions.end());
     for (std::string &text : texts)

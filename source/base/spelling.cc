@@ -69,8 +69,7 @@ namespace signorini
     for (const std::string &candidate : valid)
       {
         const unsigned int distance = edit_distance(word, candidate);
-        if (2 * distance <= std::max(word.size(), candidate.size()) &&
-            (best.empty() || distance < best_distance))
+        if (2 * distance <= std::max(word.size(), candidate.size()) && (best.empty() || distance < best_distance))
           {
             best          = candidate;
             best_distance = distance;

@@ -79,6 +79,8 @@ namespace signorini
 
   template std::array<double, 4> contact_frame(const Tensor<1, 2> &);
   template std::array<double, 9> contact_frame(const Tensor<1, 3> &);
-  template bool contact_frame_with_supports<2>(const Tensor<1, 2> &, const std::array<bool, 2> &, std::array<double, 4> &);
-  template bool contact_frame_with_supports<3>(const Tensor<1, 3> &, const std::array<bool, 3> &, std::array<double, 9> &);
+  template bool
+  contact_frame_with_supports<2>(const Tensor<1, 2> &, const std::array<bool, 2> &, std::array<double, 4> &);
+  template bool
+  contact_frame_with_supports<3>(const Tensor<1, 3> &, const std::array<bool, 3> &, std::array<double, 9> &);
 } // namespace signorini

@@ -64,23 +64,25 @@ namespace signorini
           }
         contact_nodes.push_back(contact_node);
       }
-    n_global           = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
+    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
     n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
   }
 
 
   template <int dim>
-  bool ContactSurface<dim>::contains(const typename DoFHandler<dim>::active_cell_iterator &cell, const unsigned int face) const
+  bool ContactSurface<dim>::contains(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                     const unsigned int                                    face) const
   {
     const auto &pairs = discretization.scene.pairs;
-    return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) { return on_surface(pair, cell, face); });
+    return std::any_of(
+      pairs.begin(), pairs.end(), [&](const PairDescription &pair) { return on_surface(pair, cell, face); });
   }
 
 
   template <int dim>
-  bool ContactSurface<dim>::on_surface(const PairDescription                                  &pair,
+  bool ContactSurface<dim>::on_surface(const PairDescription                                &pair,
                                        const typename DoFHandler<dim>::active_cell_iterator &cell,
-                                       const unsigned int                                      face) const
+                                       const unsigned int                                    face) const
   {
     const auto &ids = pair.slave_boundary_ids;
     return cell->is_locally_owned() && cell->material_id() == pair.slave && cell->face(face)->at_boundary()
@@ -91,8 +93,8 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::integrate(const PairDescription &pair, Vector &area, Vector &outward) const
   {
-    const FE_Q<dim>   scalar_fe(1);
-    FEFaceValues<dim> fe_values(discretization.mapping,
+    const FE_Q<dim>                      scalar_fe(1);
+    FEFaceValues<dim>                    fe_values(discretization.mapping,
                                 scalar_fe,
                                 QGauss<dim - 1>(discretization.n_quadrature_points()),
                                 update_values | update_normal_vectors | update_JxW_values);
@@ -165,8 +167,8 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
-    const auto   &scene     = discretization.scene;
-    const double  tolerance = 1e-10 * discretization.body_size();
+    const auto  &scene     = discretization.scene;
+    const double tolerance = 1e-10 * discretization.body_size();
     for (const PairDescription &pair : scene.pairs)
       {
         double     deepest = 0.;
@@ -201,9 +203,10 @@ namespace signorini
               place[c] = Utilities::MPI::max(deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
                                              discretization.communicator());
             std::ostringstream message;
-            message << scene.file_name << ": Contact/Pairs = " << pair.name << ": the body '" << scene.bodies[pair.slave].name
-                    << "' penetrates the obstacle '" << scene.obstacles[pair.obstacle].name << "' at the start, by " << -minimum
-                    << " at (" << place << "). Move the body or the obstacle apart, or change the initial displacement.";
+            message << scene.file_name << ": Contact/Pairs = " << pair.name << ": the body '"
+                    << scene.bodies[pair.slave].name << "' penetrates the obstacle '"
+                    << scene.obstacles[pair.obstacle].name << "' at the start, by " << -minimum << " at (" << place
+                    << "). Move the body or the obstacle apart, or change the initial displacement.";
             throw UserError(message.str());
           }
       }

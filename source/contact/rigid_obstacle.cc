@@ -18,7 +18,8 @@ namespace signorini
       explicit Plane(const ObstacleDescription<dim> &description)
         : point(description.point)
         , normal(description.normal / description.normal.norm())
-      {}
+      {
+      }
 
       ObstacleProjection<dim> project(const Point<dim> &p) const override { return {(p - point) * normal, -normal}; }
 
@@ -38,7 +39,8 @@ namespace signorini
         , axis(axis.norm() > 0. ? axis / axis.norm() : axis)
         , radius(radius)
         , sign(bodies_inside ? -1. : 1.)
-      {}
+      {
+      }
 
       ObstacleProjection<dim> project(const Point<dim> &p) const override
       {
@@ -76,7 +78,8 @@ namespace signorini
       explicit LevelSet(const ObstacleDescription<dim> &description)
         : name(description.name)
         , function(make_function<dim, 1>({{description.signed_distance}}))
-      {}
+      {
+      }
 
       ObstacleProjection<dim> project(const Point<dim> &p) const override
       {
@@ -92,8 +95,9 @@ namespace signorini
           }
         const double slope = gradient.norm();
         if (!(slope > 1e-8))
-          throw UserError("Obstacles/" + name + "/Signed distance does not change near a contact node (its gradient vanishes), "
-                          "so it has no normal there. Give a distance function whose gradient has length 1.");
+          throw UserError("Obstacles/" + name
+                          + "/Signed distance does not change near a contact node (its gradient vanishes), "
+                            "so it has no normal there. Give a distance function whose gradient has length 1.");
         return {function->value(p) / slope, -gradient / slope};
       }
 
@@ -110,15 +114,11 @@ namespace signorini
     if (description.shape == "plane")
       return std::make_unique<Plane<dim>>(description);
     if (description.shape == "sphere")
-      return std::make_unique<Round<dim>>(description.centre,
-                                          Tensor<1, dim>(),
-                                          description.radius,
-                                          description.bodies_inside);
+      return std::make_unique<Round<dim>>(
+        description.centre, Tensor<1, dim>(), description.radius, description.bodies_inside);
     if (description.shape == "cylinder")
-      return std::make_unique<Round<dim>>(description.point,
-                                          description.axis,
-                                          description.radius,
-                                          description.bodies_inside);
+      return std::make_unique<Round<dim>>(
+        description.point, description.axis, description.radius, description.bodies_inside);
     if (description.shape == "function")
       return std::make_unique<LevelSet<dim>>(description);
     throw UserError("Obstacles/" + description.name + "/Shape = " + description.shape

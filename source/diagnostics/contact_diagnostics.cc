@@ -19,9 +19,8 @@ namespace signorini
 
 
   template <int dim>
-  ContactSummary contact_summary(const ContactSurface<dim>  &surface,
-                                 const Discretization<dim> &discretization,
-                                 const State               &state)
+  ContactSummary
+  contact_summary(const ContactSurface<dim> &surface, const Discretization<dim> &discretization, const State &state)
   {
     const MPI_Comm            communicator = discretization.communicator();
     const std::vector<double> gap          = surface.normal_gap(state.displacement);
@@ -34,18 +33,18 @@ namespace signorini
         summary.max_tension     = std::max(summary.max_tension, force);
         summary.max_penetration = std::max(summary.max_penetration, -gap[k]);
       }
-    summary.normal_force    = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
-    summary.n_active        = dealii::Utilities::MPI::sum(summary.n_active, communicator);
-    summary.max_tension     = dealii::Utilities::MPI::max(summary.max_tension, communicator);
-    summary.max_penetration = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
+    summary.normal_force          = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
+    summary.n_active              = dealii::Utilities::MPI::sum(summary.n_active, communicator);
+    summary.max_tension           = dealii::Utilities::MPI::max(summary.max_tension, communicator);
+    summary.max_penetration       = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
     summary.geometric_penetration = surface.geometric_penetration(state.displacement);
-    summary.resultant       = resultant(discretization, state.contact_force);
+    summary.resultant             = resultant(discretization, state.contact_force);
     return summary;
   }
 
 
-  template double normal_force(const ContactNode<2> &, const Vector &);
-  template double normal_force(const ContactNode<3> &, const Vector &);
+  template double         normal_force(const ContactNode<2> &, const Vector &);
+  template double         normal_force(const ContactNode<3> &, const Vector &);
   template ContactSummary contact_summary(const ContactSurface<2> &, const Discretization<2> &, const State &);
   template ContactSummary contact_summary(const ContactSurface<3> &, const Discretization<3> &, const State &);
 } // namespace signorini

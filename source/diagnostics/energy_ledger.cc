@@ -28,7 +28,7 @@ namespace signorini
       }
     booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction
                        - booking.external - booking.transfer;
-    last             = now;
+    last = now;
     remember(state, load);
     return booking;
   }

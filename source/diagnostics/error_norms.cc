@@ -10,10 +10,10 @@ namespace signorini
   template <int dim>
   ErrorNorms ErrorEvaluation<dim>::evaluate(const State &state)
   {
-    const auto &exact        = discretization.scene.exact_solution;
-    const auto [u, u_exact]  = squares(exact.displacement, state.displacement, state.time);
-    const auto [v, v_exact]  = squares(exact.velocity, state.velocity, state.time);
-    const auto ratio         = [](const double a, const double b) { return b > 0. ? std::sqrt(a / b) : 0.; };
+    const auto &exact       = discretization.scene.exact_solution;
+    const auto [u, u_exact] = squares(exact.displacement, state.displacement, state.time);
+    const auto [v, v_exact] = squares(exact.velocity, state.velocity, state.time);
+    const auto ratio        = [](const double a, const double b) { return b > 0. ? std::sqrt(a / b) : 0.; };
     displacement_errors += u;
     displacement_norms += u_exact;
     velocity_errors += v;
@@ -28,9 +28,8 @@ namespace signorini
 
 
   template <int dim>
-  std::pair<double, double> ErrorEvaluation<dim>::squares(const std::array<std::string, dim> &exact,
-                                                          const Vector                       &field,
-                                                          const double                        time) const
+  std::pair<double, double>
+  ErrorEvaluation<dim>::squares(const std::array<std::string, dim> &exact, const Vector &field, const double time) const
   {
     const std::vector<std::array<std::string, dim>> everywhere(discretization.scene.bodies.size(), exact);
     Vector exact_field = discretization.interpolate(everywhere, time), product = discretization.make_vector();

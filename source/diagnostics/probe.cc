@@ -14,7 +14,9 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  Probe<dim>::Probe(const ProbeDescription<dim> &description, const ContactSurface<dim> &surface, const MPI_Comm communicator)
+  Probe<dim>::Probe(const ProbeDescription<dim> &description,
+                    const ContactSurface<dim>   &surface,
+                    const MPI_Comm               communicator)
     : probe_name(description.name)
     , communicator(communicator)
   {
@@ -26,7 +28,8 @@ namespace signorini
           node     = &candidate;
         }
     if (surface.n_global_nodes() == 0)
-      throw UserError("Probes/" + probe_name + ": there is no contact node that it could observe. Check Contact/Pairs, or remove the probe.");
+      throw UserError("Probes/" + probe_name
+                      + ": there is no contact node that it could observe. Check Contact/Pairs, or remove the probe.");
     const auto closest = Utilities::MPI::min_max_avg(distance, communicator);
     owner              = closest.min_index;
     if (Utilities::MPI::this_mpi_process(communicator) != owner)
@@ -51,8 +54,8 @@ namespace signorini
           values[2] = 0.; // no negative zero in tables
         values[3] = node->gap;
       }
-    values               = Utilities::MPI::broadcast(communicator, values, owner);
-    const double weight  = Utilities::MPI::broadcast(communicator, node ? node->weight : 0., owner);
+    values              = Utilities::MPI::broadcast(communicator, values, owner);
+    const double weight = Utilities::MPI::broadcast(communicator, node ? node->weight : 0., owner);
     return {values[3] - values[0], values[0], values[1], values[2] / weight, values[2]};
   }
 

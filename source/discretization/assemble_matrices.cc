@@ -28,7 +28,8 @@ namespace signorini
   {
     /** The hanging node constraints seen as constraints of nodes: those of the first component. */
     template <int dim>
-    AffineConstraints<double> node_constraints(const AffineConstraints<double> &constraints, const IndexSet &relevant_nodes)
+    AffineConstraints<double> node_constraints(const AffineConstraints<double> &constraints,
+                                               const IndexSet                  &relevant_nodes)
     {
       AffineConstraints<double> result(relevant_nodes);
       for (const auto &line : constraints.get_lines())
@@ -71,7 +72,7 @@ namespace signorini
           for (unsigned int b = 0; b < n_vertices; ++b)
             {
               const Tensor<1, dim> &grad_a = fe_values.shape_grad(a, q), &grad_b = fe_values.shape_grad(b, q);
-              const double          JxW    = fe_values.JxW(q);
+              const double          JxW = fe_values.JxW(q);
               mass(a, b) += material.density * fe_values.shape_value(a, q) * fe_values.shape_value(b, q) * JxW;
               const double laplace = mu * (grad_a * grad_b) * JxW;
               for (unsigned int c = 0; c < dim; ++c)
@@ -111,20 +112,20 @@ namespace signorini
   template <int dim>
   void assemble_matrices(const Discretization<dim> &discretization, ElasticMatrices<dim> &matrices)
   {
-    const auto     &dof_handler = discretization.dof_handler;
-    const auto     &constraints = discretization.hanging_node_constraints;
-    const IndexSet &owned       = discretization.locally_owned;
+    const auto     &dof_handler  = discretization.dof_handler;
+    const auto     &constraints  = discretization.hanging_node_constraints;
+    const IndexSet &owned        = discretization.locally_owned;
     const MPI_Comm  communicator = discretization.communicator();
     const IndexSet  owned_nodes = nodes_of<dim>(owned), relevant_nodes = nodes_of<dim>(discretization.locally_relevant);
     const auto      constraints_of_nodes = node_constraints<dim>(constraints, relevant_nodes);
 
-    const FE_Q<dim>           scalar_fe(1);
-    FEValues<dim>             fe_values(discretization.mapping,
+    const FE_Q<dim>    scalar_fe(1);
+    FEValues<dim>      fe_values(discretization.mapping,
                             scalar_fe,
                             QGauss<dim>(discretization.n_quadrature_points()),
                             update_values | update_gradients | update_JxW_values);
-    const unsigned int        n_vertices = scalar_fe.n_dofs_per_cell();
-    FullMatrix<double>        cell_mass(n_vertices, n_vertices), cell_stiffness(dim * n_vertices, dim * n_vertices);
+    const unsigned int n_vertices = scalar_fe.n_dofs_per_cell();
+    FullMatrix<double> cell_mass(n_vertices, n_vertices), cell_stiffness(dim * n_vertices, dim * n_vertices);
     std::vector<types::global_dof_index> dofs(dim * n_vertices), nodes(n_vertices);
     const auto                           get_indices = [&](const auto &cell) {
       cell->get_dof_indices(dofs);
@@ -159,10 +160,8 @@ namespace signorini
       if (cell->is_locally_owned())
         {
           fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell));
-          element_matrices(fe_values,
-                           discretization.scene.bodies[cell->material_id()].material,
-                           cell_mass,
-                           cell_stiffness);
+          element_matrices(
+            fe_values, discretization.scene.bodies[cell->material_id()].material, cell_mass, cell_stiffness);
           get_indices(cell);
           constraints_of_nodes.distribute_local_to_global(cell_mass, nodes, mass);
           constraints.distribute_local_to_global(cell_stiffness, dofs, stiffness);
@@ -198,10 +197,10 @@ namespace signorini
     ghost_nodes.compress();
     ghosts.compress();
 
-    const Epetra_Map       &node_map      = mass.trilinos_matrix().RowMap();
-    const Epetra_Map       &dof_map       = stiffness.trilinos_matrix().RowMap();
-    const Epetra_CrsMatrix  mass_rows      = rows_with_ghosts(mass, make_map(owned_nodes, ghost_nodes, node_map));
-    const Epetra_CrsMatrix  stiffness_rows = rows_with_ghosts(stiffness, make_map(owned, ghosts, dof_map));
+    const Epetra_Map      &node_map       = mass.trilinos_matrix().RowMap();
+    const Epetra_Map      &dof_map        = stiffness.trilinos_matrix().RowMap();
+    const Epetra_CrsMatrix mass_rows      = rows_with_ghosts(mass, make_map(owned_nodes, ghost_nodes, node_map));
+    const Epetra_CrsMatrix stiffness_rows = rows_with_ghosts(stiffness, make_map(owned, ghosts, dof_map));
 
     NodePattern &pattern = matrices.pattern;
     pattern.partitioner  = std::make_shared<Utilities::MPI::Partitioner>(owned, ghosts, communicator);
@@ -212,9 +211,9 @@ namespace signorini
     matrices.mass.clear();
     matrices.stiffness.clear();
     const auto local_node = [&](const int global) {
-      return owned_nodes.is_element(global) ? owned_nodes.index_within_set(global) :
-             ghost_nodes.is_element(global) ? pattern.n_owned + ghost_nodes.index_within_set(global) :
-                                              numbers::invalid_unsigned_int;
+      return owned_nodes.is_element(global)   ? owned_nodes.index_within_set(global)
+             : ghost_nodes.is_element(global) ? pattern.n_owned + ghost_nodes.index_within_set(global)
+                                              : numbers::invalid_unsigned_int;
     };
     std::vector<unsigned int> position(pattern.n_local);
     for (unsigned int node = 0; node < pattern.n_local; ++node)
@@ -223,11 +222,12 @@ namespace signorini
         double *values;
         mass_rows.ExtractMyRowView(node, n_entries, values, columns);
         std::vector<std::pair<unsigned int, double>> row;
-        const types::global_dof_index global_node = mass_rows.GRID(node);
+        const types::global_dof_index                global_node = mass_rows.GRID(node);
         const bool hanging = relevant_nodes.is_element(global_node) && constraints_of_nodes.is_constrained(global_node);
         if (!hanging)
           for (int k = 0; k < n_entries; ++k)
-            if (const unsigned int column = local_node(mass_rows.GCID(columns[k])); column >= node && column < pattern.n_local)
+            if (const unsigned int column = local_node(mass_rows.GCID(columns[k]));
+                column >= node && column < pattern.n_local)
               row.emplace_back(column, values[k]);
         std::sort(row.begin(), row.end());
         for (const auto &[column, value] : row)

@@ -86,9 +86,8 @@ namespace signorini
 
 
   template <int dim>
-  Vector
-  Discretization<dim>::interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body,
-                                   const double                                     time) const
+  Vector Discretization<dim>::interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body,
+                                          const double                                     time) const
   {
     std::vector<std::unique_ptr<FunctionParser<dim>>> functions;
     for (const auto &expressions : expressions_by_body)
@@ -96,8 +95,8 @@ namespace signorini
         functions.push_back(make_function<dim, dim>(expressions));
         functions.back()->set_time(time);
       }
-    Vector                    result = make_vector();
-    dealii::Vector<double>    value(dim);
+    Vector                 result = make_vector();
+    dealii::Vector<double> value(dim);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
@@ -111,9 +110,10 @@ namespace signorini
                 if (!std::isfinite(value[c]))
                   {
                     std::ostringstream message;
-                    message << scene.file_name << ": Bodies/" << scene.bodies[cell->material_id()].name << ": the expression '"
-                            << expressions_by_body[cell->material_id()][c] << "' is not a finite number at (" << cell->vertex(v)
-                            << "), t = " << time << ". Change it so that it can be evaluated everywhere in the body.";
+                    message << scene.file_name << ": Bodies/" << scene.bodies[cell->material_id()].name
+                            << ": the expression '" << expressions_by_body[cell->material_id()][c]
+                            << "' is not a finite number at (" << cell->vertex(v) << "), t = " << time
+                            << ". Change it so that it can be evaluated everywhere in the body.";
                     throw UserError(message.str());
                   }
                 result(dof + c) = value[c];

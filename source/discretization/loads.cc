@@ -78,8 +78,8 @@ namespace signorini
     Vector result = discretization.make_vector();
     discretization.matrices.apply_mass(result, discretization.interpolate(body_forces, time));
 
-    const FE_Q<dim>   scalar_fe(1);
-    FEFaceValues<dim> fe_values(discretization.mapping,
+    const FE_Q<dim>                      scalar_fe(1);
+    FEFaceValues<dim>                    fe_values(discretization.mapping,
                                 scalar_fe,
                                 QGauss<dim - 1>(discretization.n_quadrature_points()),
                                 update_values | update_quadrature_points | update_JxW_values);

@@ -25,12 +25,12 @@ namespace signorini
       if (body.shape == "ball")
         GridGenerator::hyper_ball(mesh, body.centre, body.radius);
       else if (body.shape == "box")
-        GridGenerator::subdivided_hyper_rectangle(mesh,
-                                                  std::vector<unsigned int>(body.repetitions.begin(),
-                                                                            body.repetitions.end()),
-                                                  body.lower_corner,
-                                                  body.upper_corner,
-                                                  true);
+        GridGenerator::subdivided_hyper_rectangle(
+          mesh,
+          std::vector<unsigned int>(body.repetitions.begin(), body.repetitions.end()),
+          body.lower_corner,
+          body.upper_corner,
+          true);
       else if (body.shape == "cylinder")
         {
           if constexpr (dim == 3)
@@ -39,9 +39,9 @@ namespace signorini
               // deal.II's cylinder lies along x; turn x into the wanted axis by a proper rotation.
               GridTools::transform(
                 [&body](const Point<dim> &p) {
-                  const Point<dim> turned = body.axis == 0 ? p :
-                                            body.axis == 1 ? Point<dim>(-p[1], p[0], p[2]) :
-                                                             Point<dim>(-p[2], p[1], p[0]);
+                  const Point<dim> turned = body.axis == 0   ? p
+                                            : body.axis == 1 ? Point<dim>(-p[1], p[0], p[2])
+                                                             : Point<dim>(-p[2], p[1], p[0]);
                   return turned + body.centre;
                 },
                 mesh);
@@ -57,12 +57,12 @@ namespace signorini
 
     /** Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold ids by `offset`. */
     template <int dim>
-    void append(const Triangulation<dim>     &mesh,
-                const types::material_id      material_id,
-                const types::manifold_id      offset,
-                std::vector<Point<dim>>      &vertices,
-                std::vector<CellData<dim>>   &cells,
-                SubCellData                  &faces)
+    void append(const Triangulation<dim>   &mesh,
+                const types::material_id    material_id,
+                const types::manifold_id    offset,
+                std::vector<Point<dim>>    &vertices,
+                std::vector<CellData<dim>> &cells,
+                SubCellData                &faces)
     {
       auto [new_vertices, new_cells, new_faces] = GridTools::get_coarse_mesh_description(mesh);
       const unsigned int first_vertex           = vertices.size();
@@ -82,8 +82,10 @@ namespace signorini
       for (CellData<dim> &cell : new_cells)
         cell.material_id = material_id;
       cells.insert(cells.end(), new_cells.begin(), new_cells.end());
-      faces.boundary_lines.insert(faces.boundary_lines.end(), new_faces.boundary_lines.begin(), new_faces.boundary_lines.end());
-      faces.boundary_quads.insert(faces.boundary_quads.end(), new_faces.boundary_quads.begin(), new_faces.boundary_quads.end());
+      faces.boundary_lines.insert(
+        faces.boundary_lines.end(), new_faces.boundary_lines.begin(), new_faces.boundary_lines.end());
+      faces.boundary_quads.insert(
+        faces.boundary_quads.end(), new_faces.boundary_quads.begin(), new_faces.boundary_quads.end());
     }
 
 
@@ -100,20 +102,25 @@ namespace signorini
 
     /** Refuse meshes that no computer at hand can hold, before an attempt to make them. */
     template <int dim>
-    void check_size(const Scene<dim> &scene, const std::vector<Triangulation<dim>> &coarse_meshes, const unsigned int n_processes)
+    void check_size(const Scene<dim>                      &scene,
+                    const std::vector<Triangulation<dim>> &coarse_meshes,
+                    const unsigned int                     n_processes)
     {
       constexpr double most_coarse = 2e4, most_per_process = 1e7;
       for (unsigned int b = 0; b < scene.bodies.size(); ++b)
         {
-          const auto  &body  = scene.bodies[b];
-          const double cells = coarse_meshes[b].n_active_cells() * std::pow(2., static_cast<double>(dim * body.refinements));
+          const auto  &body = scene.bodies[b];
+          const double cells =
+            coarse_meshes[b].n_active_cells() * std::pow(2., static_cast<double>(dim * body.refinements));
           std::ostringstream message;
           message << scene.file_name << ": Bodies/" << body.name;
           if (coarse_meshes[b].n_active_cells() > most_coarse)
-            throw UserError(message.str() + "/Repetitions gives more than 20000 coarse cells, which every process must keep. Use fewer "
-                                            "repetitions and more Refinements.");
-          message << "/Refinements = " << body.refinements << " gives " << cells << " cells, too many for " << n_processes
-                  << " process(es). Use fewer refinements or more processes.";
+            throw UserError(
+              message.str()
+              + "/Repetitions gives more than 20000 coarse cells, which every process must keep. Use fewer "
+                "repetitions and more Refinements.");
+          message << "/Refinements = " << body.refinements << " gives " << cells << " cells, too many for "
+                  << n_processes << " process(es). Use fewer refinements or more processes.";
           if (cells > most_per_process * n_processes)
             throw UserError(message.str());
         }
@@ -124,11 +131,11 @@ namespace signorini
   template <int dim>
   void make_mesh(const Scene<dim> &scene, parallel::distributed::Triangulation<dim> &triangulation)
   {
-    std::vector<Point<dim>>          vertices;
-    std::vector<CellData<dim>>       cells;
-    SubCellData                      faces;
-    constexpr types::manifold_id     ids_per_body = 4;
-    std::vector<Triangulation<dim>>  coarse_meshes(scene.bodies.size());
+    std::vector<Point<dim>>         vertices;
+    std::vector<CellData<dim>>      cells;
+    SubCellData                     faces;
+    constexpr types::manifold_id    ids_per_body = 4;
+    std::vector<Triangulation<dim>> coarse_meshes(scene.bodies.size());
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       {
         make_coarse_mesh(scene.bodies[b], coarse_meshes[b]);

@@ -13,8 +13,7 @@ namespace signorini
      * What is wanted is known at compile time, so that a missing matrix is not even read.
      */
     template <int dim, bool with_mass, bool with_stiffness>
-    void
-    multiply(const ElasticMatrices<dim> &matrices, const double mass_weight, const double *x, double *y)
+    void multiply(const ElasticMatrices<dim> &matrices, const double mass_weight, const double *x, double *y)
     {
       const NodePattern &pattern = matrices.pattern;
       for (unsigned int row = 0; row < pattern.n_owned; ++row)
@@ -103,10 +102,9 @@ namespace signorini
 
 
   template <int dim>
-  typename ElasticMatrices<dim>::Block
-  ElasticMatrices<dim>::combined_block(const unsigned int position,
-                                       const double       mass_factor,
-                                       const double       stiffness_factor) const
+  typename ElasticMatrices<dim>::Block ElasticMatrices<dim>::combined_block(const unsigned int position,
+                                                                            const double       mass_factor,
+                                                                            const double       stiffness_factor) const
   {
     Block block = stiffness[position];
     for (double &entry : block)

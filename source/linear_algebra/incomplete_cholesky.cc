@@ -37,7 +37,7 @@ namespace signorini
     template <int n>
     std::array<float, n * n> to_float(const Small<n> &entry)
     {
-      std::array<float, n * n>               result;
+      std::array<float, n * n> result;
       Eigen::Map<Eigen::Matrix<float, n, n>>(result.data()) = entry.template cast<float>();
       return result;
     }
@@ -201,7 +201,7 @@ namespace signorini
           pivot = to_double<dim>(pivots[p]);
         // In the frame of the node the held entries become unit rows, which leaves the inverse on the free ones.
         const Eigen::Map<const Eigen::Matrix<double, dim, dim, Eigen::RowMajor>> frame(node.frame.data());
-        Small<dim>                         local = frame * pivot * frame.transpose();
+        Small<dim> local = frame * pivot * frame.transpose();
         for (unsigned int c = 0; c < dim; ++c)
           if (node.held[c])
             {

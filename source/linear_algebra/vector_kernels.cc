@@ -12,11 +12,11 @@ namespace signorini
   double dot(const Vector &x, const Vector &y)
   {
     // Several partial sums let the compiler use vector registers without changing the order of a sum.
-    constexpr unsigned int       n_lanes = 16;
-    std::array<double, n_lanes>  sums{};
-    const double                *a = x.begin(), *b = y.begin();
-    const unsigned int           n = x.locally_owned_size();
-    unsigned int                 i = 0;
+    constexpr unsigned int      n_lanes = 16;
+    std::array<double, n_lanes> sums{};
+    const double               *a = x.begin(), *b = y.begin();
+    const unsigned int          n = x.locally_owned_size();
+    unsigned int                i = 0;
     for (; i + n_lanes <= n; i += n_lanes)
       for (unsigned int lane = 0; lane < n_lanes; ++lane)
         sums[lane] += a[i + lane] * b[i + lane];

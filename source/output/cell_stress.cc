@@ -31,8 +31,7 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<Stress> cell_stress(const Discretization<dim> &discretization,
-                                  const Vector              &displacement)
+  std::vector<Stress> cell_stress(const Discretization<dim> &discretization, const Vector &displacement)
   {
     std::vector<Stress>                  result(discretization.triangulation.n_active_cells());
     FEValues<dim>                        fe_values(discretization.mapping,
@@ -42,21 +41,20 @@ namespace signorini
     std::vector<SymmetricTensor<2, dim>> strains(fe_values.n_quadrature_points);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
-      {
-        fe_values.reinit(cell);
-        fe_values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(displacement,
-                                                                                  strains);
-        // The law is linear: the stress of the mean strain is the mean stress.
-        SymmetricTensor<2, dim> integral;
-        double                  volume = 0.;
-        for (const unsigned int q : fe_values.quadrature_point_indices())
         {
-          integral += fe_values.JxW(q) * strains[q];
-          volume += fe_values.JxW(q);
+          fe_values.reinit(cell);
+          fe_values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(displacement, strains);
+          // The law is linear: the stress of the mean strain is the mean stress.
+          SymmetricTensor<2, dim> integral;
+          double                  volume = 0.;
+          for (const unsigned int q : fe_values.quadrature_point_indices())
+            {
+              integral += fe_values.JxW(q) * strains[q];
+              volume += fe_values.JxW(q);
+            }
+          result[cell->active_cell_index()] =
+            stress_of<dim>(discretization.scene.bodies[cell->material_id()].material, integral / volume);
         }
-        result[cell->active_cell_index()] = stress_of<dim>(
-          discretization.scene.bodies[cell->material_id()].material, integral / volume);
-      }
     return result;
   }
 

@@ -11,46 +11,39 @@
 
 namespace signorini
 {
-  CsvTable::CsvTable(const std::string              &path,
-                     const std::vector<std::string> &column_names,
-                     const MPI_Comm                  communicator)
+  CsvTable::CsvTable(const std::string &path, const std::vector<std::string> &column_names, const MPI_Comm communicator)
     : path(path)
     , n_columns(column_names.size())
     , communicator(communicator)
     , first_process(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
   {
-    succeed_together(communicator,
-                     [&]
-                     {
-                       if (!first_process)
-                         return;
-                       errno = 0;
-                       out.open(path);
-                       write_line(join(column_names, ","));
-                     });
+    succeed_together(communicator, [&] {
+      if (!first_process)
+        return;
+      errno = 0;
+      out.open(path);
+      write_line(join(column_names, ","));
+    });
   }
 
 
   void CsvTable::write_row(const std::vector<double> &values)
   {
-    succeed_together(communicator,
-                     [&]
-                     {
-                       if (!first_process)
-                         return;
-                       if (values.size() != n_columns)
-                         throw RunError("a row of " + std::to_string(values.size()) +
-                                        " numbers for the " + std::to_string(n_columns) +
-                                        " columns of `" + path + "`.");
-                       std::string line;
-                       char        number[32];
-                       for (const double value : values)
-                       {
-                         std::snprintf(number, sizeof(number), "%.17g", value);
-                         line += (line.empty() ? "" : ",") + std::string(number);
-                       }
-                       write_line(line);
-                     });
+    succeed_together(communicator, [&] {
+      if (!first_process)
+        return;
+      if (values.size() != n_columns)
+        throw RunError("a row of " + std::to_string(values.size()) + " numbers for the " + std::to_string(n_columns)
+                       + " columns of `" + path + "`.");
+      std::string line;
+      char        number[32];
+      for (const double value : values)
+        {
+          std::snprintf(number, sizeof(number), "%.17g", value);
+          line += (line.empty() ? "" : ",") + std::string(number);
+        }
+      write_line(line);
+    });
   }
 
 

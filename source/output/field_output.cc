@@ -26,10 +26,10 @@ namespace signorini
       std::vector<NamedComponent> components = {
         {"stress_xx", 0, 0}, {"stress_yy", 1, 1}, {"stress_zz", 2, 2}, {"stress_xy", 0, 1}};
       if (dim == 3)
-      {
-        components.push_back({"stress_xz", 0, 2});
-        components.push_back({"stress_yz", 1, 2});
-      }
+        {
+          components.push_back({"stress_xz", 0, 2});
+          components.push_back({"stress_yz", 1, 2});
+        }
       return components;
     }
   } // namespace
@@ -56,46 +56,41 @@ namespace signorini
     const Vector velocity     = discretization.interpolate_hanging_nodes(state.velocity);
     write_volume(state, displacement, velocity);
     if (!discretization.scene.pairs.empty())
-    {
-      surface_patches.build(state, displacement, velocity);
-      surface_series.write(surface_patches, state.step, state.time);
-    }
+      {
+        surface_patches.build(state, displacement, velocity);
+        surface_series.write(surface_patches, state.step, state.time);
+      }
     last_step = state.step;
   }
 
 
   template <int dim>
-  void FieldOutput<dim>::write_volume(const State  &state,
-                                      const Vector &displacement,
-                                      const Vector &velocity)
+  void FieldOutput<dim>::write_volume(const State &state, const Vector &displacement, const Vector &velocity)
   {
     const auto  &triangulation = discretization.triangulation;
     DataOut<dim> data;
     data.attach_dof_handler(discretization.dof_handler);
     const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
       dim, DataComponentInterpretation::component_is_part_of_vector);
-    data.add_data_vector(displacement,
-                         std::vector<std::string>(dim, "displacement"),
-                         DataOut<dim>::type_dof_data,
-                         vector);
     data.add_data_vector(
-      velocity, std::vector<std::string>(dim, "velocity"), DataOut<dim>::type_dof_data, vector);
+      displacement, std::vector<std::string>(dim, "displacement"), DataOut<dim>::type_dof_data, vector);
+    data.add_data_vector(velocity, std::vector<std::string>(dim, "velocity"), DataOut<dim>::type_dof_data, vector);
 
     const auto                components = stress_components<dim>();
     const std::vector<Stress> stresses   = cell_stress(discretization, displacement);
     // DataOut keeps references to the values until the patches are built.
     std::vector<CellValues> stress_values(components.size(), CellValues(stresses.size()));
-    CellValues body(stresses.size()), equivalent(stresses.size()), subdomain(stresses.size());
+    CellValues              body(stresses.size()), equivalent(stresses.size()), subdomain(stresses.size());
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
-      {
-        const unsigned int index = cell->active_cell_index();
-        body[index]              = cell->material_id();
-        subdomain[index]         = cell->subdomain_id();
-        equivalent[index]        = von_mises(stresses[index]);
-        for (unsigned int c = 0; c < components.size(); ++c)
-          stress_values[c][index] = stresses[index][components[c].i][components[c].j];
-      }
+        {
+          const unsigned int index = cell->active_cell_index();
+          body[index]              = cell->material_id();
+          subdomain[index]         = cell->subdomain_id();
+          equivalent[index]        = von_mises(stresses[index]);
+          for (unsigned int c = 0; c < components.size(); ++c)
+            stress_values[c][index] = stresses[index][components[c].i][components[c].j];
+        }
     data.add_data_vector(body, "body", DataOut<dim>::type_cell_data);
     data.add_data_vector(equivalent, "von_mises", DataOut<dim>::type_cell_data);
     for (unsigned int c = 0; c < components.size(); ++c)

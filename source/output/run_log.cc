@@ -78,7 +78,10 @@ namespace signorini
      * The mpirun of OpenMPI gives the first process a pseudo terminal for its output even if that goes to a file, but a
      * pipe for its errors; a line that is updated in place would litter the file.
      */
-    bool is_terminal() { return isatty(STDOUT_FILENO) == 1 && isatty(STDERR_FILENO) == 1; }
+    bool is_terminal()
+    {
+      return isatty(STDOUT_FILENO) == 1 && isatty(STDERR_FILENO) == 1;
+    }
 
     /** "1 h 02 min", "3 min 20 s" or "12 s". */
     std::string duration(const double seconds)
@@ -105,27 +108,24 @@ namespace signorini
     , both(nullptr)
     , start(Clock::now())
   {
-    succeed_together(communicator,
-                     [&]
-                     {
-                       if (!first_process)
-                         return;
-                       std::error_code error;
-                       std::filesystem::create_directories(directory, error);
-                       if (error)
-                         throw_write_error(directory, error.value());
-                       errno = 0;
-                       log.open(path);
-                       if (!log)
-                         throw_write_error(path, errno);
-                     });
-    tee = std::make_unique<Tee>(first_process ? log.rdbuf() : nullptr,
-                                to_screen ? std::cout.rdbuf() : nullptr);
+    succeed_together(communicator, [&] {
+      if (!first_process)
+        return;
+      std::error_code error;
+      std::filesystem::create_directories(directory, error);
+      if (error)
+        throw_write_error(directory, error.value());
+      errno = 0;
+      log.open(path);
+      if (!log)
+        throw_write_error(path, errno);
+    });
+    tee = std::make_unique<Tee>(first_process ? log.rdbuf() : nullptr, to_screen ? std::cout.rdbuf() : nullptr);
     both.rdbuf(tee.get());
 
     const unsigned int n_processes = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    message(trim(version()) + ", " + date() + ", " + std::to_string(n_processes) +
-            (n_processes == 1 ? " process" : " processes"));
+    message(trim(version()) + ", " + date() + ", " + std::to_string(n_processes)
+            + (n_processes == 1 ? " process" : " processes"));
   }
 
 
@@ -139,17 +139,13 @@ namespace signorini
 
   void RunLog::copy_scene(const std::string &original_text, const std::string &all_parameters) const
   {
-    succeed_together(communicator,
-                     [&]
-                     {
-                       if (!first_process)
-                         return;
-                       const auto directory = std::filesystem::path(path).parent_path();
-                       write_whole_file((directory / "scene.prm").string(),
-                                        [&](std::ostream &out) { out << original_text; });
-                       write_whole_file((directory / "parameters.prm").string(),
-                                        [&](std::ostream &out) { out << all_parameters; });
-                     });
+    succeed_together(communicator, [&] {
+      if (!first_process)
+        return;
+      const auto directory = std::filesystem::path(path).parent_path();
+      write_whole_file((directory / "scene.prm").string(), [&](std::ostream &out) { out << original_text; });
+      write_whole_file((directory / "parameters.prm").string(), [&](std::ostream &out) { out << all_parameters; });
+    });
   }
 
 
@@ -179,34 +175,32 @@ namespace signorini
     const bool              end       = step >= n_steps;
     const auto              tenths    = [&](const unsigned int n) { return 10ull * n / n_steps; };
     const bool              milestone = end || step <= 1 || tenths(step) != tenths(step - 1);
-    const bool              refresh =
-      on_terminal && (milestone || now - last_update > std::chrono::milliseconds(100));
+    const bool              refresh = on_terminal && (milestone || now - last_update > std::chrono::milliseconds(100));
     if (!milestone && !refresh)
       return;
 
     char line[160];
-    std::snprintf(
-      line,
-      sizeof(line),
-      "step %u of %u  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
-      step,
-      n_steps,
-      time,
-      contact_force,
-      100. * relative_energy_change,
-      n_active);
+    std::snprintf(line,
+                  sizeof(line),
+                  "step %u of %u  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
+                  step,
+                  n_steps,
+                  time,
+                  contact_force,
+                  100. * relative_energy_change,
+                  n_active);
     const std::string text = line + time_left(step, n_steps);
     if (milestone)
       log << text << '\n' << std::flush;
     if (refresh)
-    {
-      // The escape sequence clears what a longer line has left.
-      std::cout << '\r' << text << "\033[K" << std::flush;
-      line_is_open = true;
-      last_update  = now;
-      if (end)
-        close_line();
-    }
+      {
+        // The escape sequence clears what a longer line has left.
+        std::cout << '\r' << text << "\033[K" << std::flush;
+        line_is_open = true;
+        last_update  = now;
+        if (end)
+          close_line();
+      }
     else if (milestone && to_screen)
       std::cout << text << '\n' << std::flush;
   }
@@ -233,14 +227,12 @@ namespace signorini
   {
     close_line();
     finished = true;
-    succeed_together(communicator,
-                     [&]
-                     {
-                       errno = 0;
-                       both.flush();
-                       log.flush();
-                       if (first_process && !(tee->complete() && log))
-                         throw_write_error(path, errno);
-                     });
+    succeed_together(communicator, [&] {
+      errno = 0;
+      both.flush();
+      log.flush();
+      if (first_process && !(tee->complete() && log))
+        throw_write_error(path, errno);
+    });
   }
 } // namespace signorini

@@ -15,9 +15,8 @@ namespace signorini
 {
   void throw_write_error(const std::string &path, const int error_number)
   {
-    throw RunError("cannot write `" + path + "`" +
-                   (error_number != 0 ? std::string(": ") + std::strerror(error_number) : "") +
-                   ".");
+    throw RunError("cannot write `" + path + "`"
+                   + (error_number != 0 ? std::string(": ") + std::strerror(error_number) : "") + ".");
   }
 
 
@@ -29,32 +28,32 @@ namespace signorini
     {
       std::ofstream out(temporary, std::ios::binary);
       try
-      {
-        if (out)
-          write(out);
-      }
+        {
+          if (out)
+            write(out);
+        }
       catch (const dealii::ExceptionBase &)
-      {
-        // deal.II looks at its streams too, but cannot name the file.
-        if (out.good())
-          throw;
-      }
+        {
+          // deal.II looks at its streams too, but cannot name the file.
+          if (out.good())
+            throw;
+        }
       out.close();
       if (!out)
-      {
-        const int error_number = errno;
-        std::filesystem::remove(temporary, error);
-        throw_write_error(path, error_number);
-      }
+        {
+          const int error_number = errno;
+          std::filesystem::remove(temporary, error);
+          throw_write_error(path, error_number);
+        }
     }
     std::filesystem::rename(temporary, path, error);
     if (error)
-    {
-      const int       error_number = error.value();
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw_write_error(path, error_number);
-    }
+      {
+        const int       error_number = error.value();
+        std::error_code ignored;
+        std::filesystem::remove(temporary, ignored);
+        throw_write_error(path, error_number);
+      }
   }
 
 
@@ -64,14 +63,14 @@ namespace signorini
     bool        failed      = false;
     std::string message;
     try
-    {
-      action();
-    }
+      {
+        action();
+      }
     catch (const std::exception &exception)
-    {
-      failed  = true;
-      message = exception.what();
-    }
+      {
+        failed  = true;
+        message = exception.what();
+      }
     const unsigned int n     = Communication::n_mpi_processes(communicator);
     const unsigned int rank  = Communication::this_mpi_process(communicator);
     const unsigned int first = Communication::min(failed ? rank : n, communicator);

@@ -33,8 +33,7 @@ namespace signorini
     std::vector<Statement> declared_statements(const dealii::ParameterHandler &prm)
     {
       std::stringstream print;
-      prm.print_parameters(
-        print, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
+      prm.print_parameters(print, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
       return scan_statements(print, "declared parameters");
     }
 
@@ -74,24 +73,21 @@ namespace signorini
 
     bool is_of_later_version(const std::string &word)
     {
-      return std::find(words_of_later_versions.begin(), words_of_later_versions.end(), word) !=
-             words_of_later_versions.end();
+      return std::find(words_of_later_versions.begin(), words_of_later_versions.end(), word)
+             != words_of_later_versions.end();
     }
 
     /** Why there is no section @p name in @p outer, and what to do. */
-    std::string
-    explain_section(const std::vector<Statement> &declared, const Path &outer, const std::string &name)
+    std::string explain_section(const std::vector<Statement> &declared, const Path &outer, const std::string &name)
     {
       const std::string remedy = suggestion(name, sections_in(declared, outer));
       const auto        keys   = keys_of(declared, outer);
       if (is_of_later_version(name))
         return "it is not available in this version. Remove it.";
       if (outer == Path{"Contact"})
-        return "`Contact/Pairs` does not list this pair. Write it exactly as there, or add it there. " +
-               remedy;
+        return "`Contact/Pairs` does not list this pair. Write it exactly as there, or add it there. " + remedy;
       if (!outer.empty() && std::find(keys.begin(), keys.end(), "Names") != keys.end())
-        return "`" + join(outer, "/") + "/Names` does not list this name. Add it there, or correct it. " +
-               remedy;
+        return "`" + join(outer, "/") + "/Names` does not list this name. Add it there, or correct it. " + remedy;
       if (!outer.empty())
         return "section `" + join(outer, "/") + "` has no sections inside. Close it with `end` before.";
       return "there is no such section. " + remedy;
@@ -105,8 +101,8 @@ namespace signorini
           Path inner = outer;
           inner.push_back(name);
           if (!is_declared(declared, inner))
-            throw UserError(statement.origin + ": unknown section `" + join(inner, "/") +
-                            "`: " + explain_section(declared, outer, name));
+            throw UserError(statement.origin + ": unknown section `" + join(inner, "/")
+                            + "`: " + explain_section(declared, outer, name));
           outer = inner;
         }
     }
@@ -123,9 +119,9 @@ namespace signorini
         throw UserError(head + "it is not available in this version. Remove it.");
       for (const Statement &other : declared)
         if (other.key == statement.key)
-          throw UserError(head + "this key belongs to section `" +
-                          (other.section.empty() ? "(top level)" : join(other.section, "/")) +
-                          "`. Move it there; a missing `end` has the same effect.");
+          throw UserError(head + "this key belongs to section `"
+                          + (other.section.empty() ? "(top level)" : join(other.section, "/"))
+                          + "`. Move it there; a missing `end` has the same effect.");
       throw UserError(head + "there is no such key in this section. " + suggestion(statement.key, keys));
     }
 
@@ -145,9 +141,8 @@ namespace signorini
         {
           const std::size_t begin  = pattern.rfind("...") + 3;
           const std::string length = pattern.substr(begin, pattern.find(' ', begin) - begin);
-          return "must be " + length +
-                 (pattern.find("[Integer") != std::string::npos ? " integers" : " numbers") +
-                 " (one per space dimension), separated by commas.";
+          return "must be " + length + (pattern.find("[Integer") != std::string::npos ? " integers" : " numbers")
+                 + " (one per space dimension), separated by commas.";
         }
       if (begins("[Double"))
         return "must be a finite number, for example 5e-3.";
@@ -180,8 +175,7 @@ namespace signorini
       for (std::size_t i = 0; i < statement.section.size(); ++i)
         prm.leave_subsection();
       if (!complaint.empty())
-        throw UserError(statement.origin + ": " + statement.path() + " = " + statement.value + ": " +
-                        complaint);
+        throw UserError(statement.origin + ": " + statement.path() + " = " + statement.value + ": " + complaint);
     }
   } // namespace
 

@@ -25,17 +25,15 @@ namespace signorini
     using dealii::Patterns::Anything;
     declare_shape<dim>(prm);
     declare_material(prm);
-    prm.declare_entry(
-      "Initial displacement",
-      zero_vector<dim>(),
-      Anything(),
-      "Displacement at time 0 (length): one expression in x, y, z per component, separated by "
-      "semicolons.");
-    prm.declare_entry(
-      "Initial velocity",
-      zero_vector<dim>(),
-      Anything(),
-      "Velocity at time 0 (length per time): expressions in x, y, z, separated by semicolons.");
+    prm.declare_entry("Initial displacement",
+                      zero_vector<dim>(),
+                      Anything(),
+                      "Displacement at time 0 (length): one expression in x, y, z per component, separated by "
+                      "semicolons.");
+    prm.declare_entry("Initial velocity",
+                      zero_vector<dim>(),
+                      Anything(),
+                      "Velocity at time 0 (length per time): expressions in x, y, z, separated by semicolons.");
     prm.declare_entry("Body force",
                       zero_vector<dim>(),
                       Anything(),
@@ -49,8 +47,8 @@ namespace signorini
   {
     if (!in.given())
       in.fail("",
-              "`Bodies/Names` lists this body, but it has no subsection. Add `subsection " + name +
-                " ... end` in section Bodies, or remove the name from the list.");
+              "`Bodies/Names` lists this body, but it has no subsection. Add `subsection " + name
+                + " ... end` in section Bodies, or remove the name from the list.");
     BodyDescription<dim> body;
     body.name = name;
     parse_shape(in, body);
@@ -64,8 +62,8 @@ namespace signorini
     return body;
   }
 
-#define INSTANTIATE(dim)                                                                                     \
-  template void                 declare_body<dim>(dealii::ParameterHandler &);                               \
+#define INSTANTIATE(dim)                                                                                               \
+  template void                 declare_body<dim>(dealii::ParameterHandler &);                                         \
   template BodyDescription<dim> parse_body<dim>(const SectionReader &, const std::string &)
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -18,7 +18,7 @@ namespace signorini
   template <int dim>
   std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &body)
   {
-    const unsigned int n_ids = (body.shape == "box" ? 2 * dim : body.shape == "cylinder" ? 3 : 1);
+    const unsigned int                      n_ids = (body.shape == "box" ? 2 * dim : body.shape == "cylinder" ? 3 : 1);
     std::vector<dealii::types::boundary_id> ids(n_ids);
     std::iota(ids.begin(), ids.end(), 0);
     return ids;
@@ -27,12 +27,10 @@ namespace signorini
   namespace
   {
     template <int dim>
-    std::vector<dealii::Point<dim>> points_of_box(const BodyDescription<dim>      &body,
-                                                  const dealii::types::boundary_id id)
+    std::vector<dealii::Point<dim>> points_of_box(const BodyDescription<dim> &body, const dealii::types::boundary_id id)
     {
-      const unsigned int normal_direction = id / 2;
-      const double       normal_coordinate =
-        (id % 2 == 0 ? body.lower_corner : body.upper_corner)[normal_direction];
+      const unsigned int normal_direction    = id / 2;
+      const double       normal_coordinate   = (id % 2 == 0 ? body.lower_corner : body.upper_corner)[normal_direction];
       std::vector<dealii::Point<dim>> points = {centre_of(body)};
       for (unsigned int corner = 0; corner < (1u << dim); ++corner)
         {
@@ -64,8 +62,7 @@ namespace signorini
   } // namespace
 
   template <int dim>
-  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim>      &body,
-                                                  const dealii::types::boundary_id id)
+  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body, const dealii::types::boundary_id id)
   {
     if (body.shape == "box")
       return points_of_box(body, id);
@@ -90,12 +87,11 @@ namespace signorini
     return points;
   }
 
-#define INSTANTIATE(dim)                                                                                     \
-  template dealii::Point<dim>                      centre_of(const BodyDescription<dim> &);                  \
-  template std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &);               \
-  template std::vector<dealii::Point<dim>>         boundary_points(const BodyDescription<dim> &,             \
-                                                                   dealii::types::boundary_id);              \
-  template std::vector<dealii::Point<dim>>         sample_points(const BodyDescription<dim> &)
+#define INSTANTIATE(dim)                                                                                               \
+  template dealii::Point<dim>                      centre_of(const BodyDescription<dim> &);                            \
+  template std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &);                         \
+  template std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &, dealii::types::boundary_id);  \
+  template std::vector<dealii::Point<dim>> sample_points(const BodyDescription<dim> &)
   INSTANTIATE(2);
   INSTANTIATE(3);
 #undef INSTANTIATE

@@ -83,8 +83,8 @@ namespace signorini
           for (std::size_t i = 0; i + 1 < conditions.size(); ++i)
             if (conditions[i].boundary_id == conditions.back().boundary_id)
               in.fail(key,
-                      "boundary id " + std::to_string(conditions[i].boundary_id) +
-                        " is given twice. Join the two entries.");
+                      "boundary id " + std::to_string(conditions[i].boundary_id)
+                        + " is given twice. Join the two entries.");
         }
       return conditions;
     }
@@ -95,14 +95,14 @@ namespace signorini
       for (const BoundaryCondition<dim> &traction : body.traction)
         for (const BoundaryCondition<dim> &dirichlet : body.dirichlet)
           for (unsigned int d = 0; d < dim; ++d)
-            if (traction.boundary_id == dirichlet.boundary_id && !traction.expressions[d].empty() &&
-                traction.expressions[d] != "0" && !dirichlet.expressions[d].empty())
+            if (traction.boundary_id == dirichlet.boundary_id && !traction.expressions[d].empty()
+                && traction.expressions[d] != "0" && !dirichlet.expressions[d].empty())
               in.fail("Traction",
-                      std::string("the ") + "xyz"[d] + " component on boundary id " +
-                        std::to_string(traction.boundary_id) +
-                        " is prescribed as a displacement by `Dirichlet` already. Write - for this "
-                        "component in one "
-                        "of the two.");
+                      std::string("the ") + "xyz"[d] + " component on boundary id "
+                        + std::to_string(traction.boundary_id)
+                        + " is prescribed as a displacement by `Dirichlet` already. Write - for this "
+                          "component in one "
+                          "of the two.");
     }
   } // namespace
 
@@ -110,19 +110,18 @@ namespace signorini
   void declare_conditions(dealii::ParameterHandler &prm)
   {
     using dealii::Patterns::Anything;
-    const std::string form =
-      "`id: expressions` per boundary, separated by |, expressions in x, y, z, t separated by "
-      "semicolons; a - leaves a component free. Example: ";
+    const std::string form = "`id: expressions` per boundary, separated by |, expressions in x, y, z, t separated by "
+                             "semicolons; a - leaves a component free. Example: ";
     prm.declare_entry("Dirichlet",
                       "",
                       Anything(),
-                      "Prescribed displacement (length) on boundaries: " + form +
-                        (dim == 2 ? "0: 0; - | 1: 0; 0.1*sin(t)" : "0: 0; -; - | 1: 0; 0; 0.1*sin(t)"));
+                      "Prescribed displacement (length) on boundaries: " + form
+                        + (dim == 2 ? "0: 0; - | 1: 0; 0.1*sin(t)" : "0: 0; -; - | 1: 0; 0; 0.1*sin(t)"));
     prm.declare_entry("Traction",
                       "",
                       Anything(),
-                      "Surface force (force per area) on boundaries: " + form +
-                        (dim == 2 ? "3: 0; -2*t" : "5: 0; 0; -2*t"));
+                      "Surface force (force per area) on boundaries: " + form
+                        + (dim == 2 ? "3: 0; -2*t" : "5: 0; 0; -2*t"));
   }
 
   template <int dim>

@@ -59,9 +59,9 @@ namespace signorini
                                     const dealii::ExceptionBase &exception)
     {
       in.fail(key,
-              "the expression `" + expression + "` cannot be understood: " + parser_message(exception) +
-                ". It may use the variables " + variables +
-                ", the constant pi, and functions such as sin, exp, if(condition, a, b).");
+              "the expression `" + expression + "` cannot be understood: " + parser_message(exception)
+                + ". It may use the variables " + variables
+                + ", the constant pi, and functions such as sin, exp, if(condition, a, b).");
     }
   } // namespace
 
@@ -72,9 +72,8 @@ namespace signorini
     const std::vector<std::string> components = split(expressions, ';');
     if (components.size() != dim)
       in.fail(key,
-              "must have " + std::to_string(dim) +
-                " components, separated by semicolons (one per space dimension); `" + expressions + "` has " +
-                std::to_string(components.size()) + ".");
+              "must have " + std::to_string(dim) + " components, separated by semicolons (one per space dimension); `"
+                + expressions + "` has " + std::to_string(components.size()) + ".");
     std::array<std::string, dim> result;
     std::copy(components.begin(), components.end(), result.begin());
     return result;
@@ -109,10 +108,9 @@ namespace signorini
             std::ostringstream where;
             where << '(' << point << ')';
             in.fail(key,
-                    "the expression `" + expression + "` is " +
-                      (std::isnan(value) ? "not a number" : "infinite") + " at the point " + where.str() +
-                      (with_time ? " at t = 0" : "") +
-                      ". Correct it, or exclude the point with if(condition, a, b).");
+                    "the expression `" + expression + "` is " + (std::isnan(value) ? "not a number" : "infinite")
+                      + " at the point " + where.str() + (with_time ? " at t = 0" : "")
+                      + ". Correct it, or exclude the point with if(condition, a, b).");
           }
       }
   }
@@ -129,15 +127,12 @@ namespace signorini
     return expressions;
   }
 
-#define INSTANTIATE(dim)                                                                                     \
-  template std::array<std::string, dim> split_components<dim>(                                               \
-    const SectionReader &, const std::string &, const std::string &);                                        \
-  template void                         check_expression<dim>(const SectionReader &,                         \
-                                      const std::string &,                           \
-                                      const std::string &,                           \
-                                      const std::vector<dealii::Point<dim>> &,       \
-                                      bool);                                         \
-  template std::array<std::string, dim> read_expressions<dim>(                                               \
+#define INSTANTIATE(dim)                                                                                               \
+  template std::array<std::string, dim> split_components<dim>(                                                         \
+    const SectionReader &, const std::string &, const std::string &);                                                  \
+  template void check_expression<dim>(                                                                                 \
+    const SectionReader &, const std::string &, const std::string &, const std::vector<dealii::Point<dim>> &, bool);   \
+  template std::array<std::string, dim> read_expressions<dim>(                                                         \
     const SectionReader &, const std::string &, const std::vector<dealii::Point<dim>> &, bool)
   INSTANTIATE(2);
   INSTANTIATE(3);

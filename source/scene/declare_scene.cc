@@ -22,8 +22,7 @@ namespace signorini
       prm.declare_entry("Names",
                         "",
                         dealii::Patterns::Anything(),
-                        "Names of the " + of_what +
-                          ", separated by commas. Each has a subsection of this name.");
+                        "Names of the " + of_what + ", separated by commas. Each has a subsection of this name.");
     }
 
     /** A section with a list of names and a subsection for each. */
@@ -45,28 +44,25 @@ namespace signorini
     {
       using namespace dealii::Patterns;
       prm.declare_entry("Dimension", "3", Selection("2|3"), "Space dimension, 2 (plane strain) or 3.");
-      prm.declare_entry(
-        "Output directory",
-        "output",
-        Anything(),
-        "Folder for all results, relative to the current one. It is made if it does not exist.");
-      prm.declare_entry(
-        "Mapping",
-        "linear",
-        Selection("linear|curved"),
-        "linear: cells with straight edges, isoparametric; curved: quadratic cells, which follow round "
-        "shapes more closely.");
+      prm.declare_entry("Output directory",
+                        "output",
+                        Anything(),
+                        "Folder for all results, relative to the current one. It is made if it does not exist.");
+      prm.declare_entry("Mapping",
+                        "linear",
+                        Selection("linear|curved"),
+                        "linear: cells with straight edges, isoparametric; curved: quadratic cells, which follow round "
+                        "shapes more closely.");
     }
 
     void declare_contact(dealii::ParameterHandler &prm, const std::vector<PairName> &pairs)
     {
-      prm.declare_entry(
-        "Pairs",
-        "",
-        dealii::Patterns::Anything(),
-        "Which body may touch which obstacle: `body : obstacle`, or `body[0,2] : obstacle` for the "
-        "given "
-        "boundary ids of the body only; separated by commas. Each may have a subsection of this name.");
+      prm.declare_entry("Pairs",
+                        "",
+                        dealii::Patterns::Anything(),
+                        "Which body may touch which obstacle: `body : obstacle`, or `body[0,2] : obstacle` for the "
+                        "given "
+                        "boundary ids of the body only; separated by commas. Each may have a subsection of this name.");
       for (const PairName &pair : pairs)
         section(prm, pair.text(), declare_pair);
     }

@@ -13,17 +13,15 @@ namespace signorini
   void declare_exact_solution(dealii::ParameterHandler &prm)
   {
     using dealii::Patterns::Anything;
-    prm.declare_entry(
-      "Displacement",
-      "",
-      Anything(),
-      "Exact displacement (length), to be compared with: expressions in x, y, z, t, separated by "
-      "semicolons. Empty: not known.");
-    prm.declare_entry(
-      "Velocity",
-      "",
-      Anything(),
-      "Exact velocity (length per time): expressions in x, y, z, t, separated by semicolons.");
+    prm.declare_entry("Displacement",
+                      "",
+                      Anything(),
+                      "Exact displacement (length), to be compared with: expressions in x, y, z, t, separated by "
+                      "semicolons. Empty: not known.");
+    prm.declare_entry("Velocity",
+                      "",
+                      Anything(),
+                      "Exact velocity (length per time): expressions in x, y, z, t, separated by semicolons.");
   }
 
   template <int dim>
@@ -49,9 +47,9 @@ namespace signorini
     return exact;
   }
 
-#define INSTANTIATE(dim)                                                                                     \
-  template void                          declare_exact_solution<dim>(dealii::ParameterHandler &);            \
-  template ExactSolutionDescription<dim> parse_exact_solution(const SectionReader &,                         \
+#define INSTANTIATE(dim)                                                                                               \
+  template void                          declare_exact_solution<dim>(dealii::ParameterHandler &);                      \
+  template ExactSolutionDescription<dim> parse_exact_solution(const SectionReader &,                                   \
                                                               const std::vector<BodyDescription<dim>> &)
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -18,10 +18,8 @@ namespace signorini
   {
     using namespace dealii::Patterns;
     prm.declare_entry("Young's modulus", "1", Double(), "E > 0 (force per area).");
-    prm.declare_entry("Poisson's ratio",
-                      "0",
-                      Double(),
-                      "nu, larger than -1 and smaller than 0.5 (no unit). In 2d: plane strain.");
+    prm.declare_entry(
+      "Poisson's ratio", "0", Double(), "nu, larger than -1 and smaller than 0.5 (no unit). In 2d: plane strain.");
     prm.declare_entry("Density", "1", Double(), "Mass per volume, > 0.");
   }
 
@@ -43,8 +41,7 @@ namespace signorini
               "-1 makes the shear modulus infinite: such a material changes its volume only. Use a "
               "larger value.");
     if (!(nu > -1. && nu < .5))
-      in.fail("Poisson's ratio",
-              "no stable material has this value. It must be larger than -1 and smaller than 0.5.");
+      in.fail("Poisson's ratio", "no stable material has this value. It must be larger than -1 and smaller than 0.5.");
     return material;
   }
 } // namespace signorini

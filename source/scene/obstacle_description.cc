@@ -16,29 +16,24 @@ namespace signorini
     const List        point(Double(), dim, dim);
     const std::string zero = (dim == 2 ? "0, 0" : "0, 0, 0");
     const std::string up   = (dim == 2 ? "0, 1" : "0, 0, 1");
-    prm.declare_entry(
-      "Shape",
-      "plane",
-      Selection("plane|sphere|cylinder|function"),
-      "plane, sphere (in 2d: a circle), cylinder (3d, of infinite length), or function (the zero "
-      "set of an expression).");
-    prm.declare_entry(
-      "Point", zero, point, "Plane: a point of its surface; cylinder: a point of its axis (length).");
+    prm.declare_entry("Shape",
+                      "plane",
+                      Selection("plane|sphere|cylinder|function"),
+                      "plane, sphere (in 2d: a circle), cylinder (3d, of infinite length), or function (the zero "
+                      "set of an expression).");
+    prm.declare_entry("Point", zero, point, "Plane: a point of its surface; cylinder: a point of its axis (length).");
     prm.declare_entry(
       "Normal", up, point, "Plane: points out of the obstacle, towards the bodies; any length but zero.");
     prm.declare_entry("Centre", zero, point, "Sphere: the centre (length).");
     prm.declare_entry("Radius", "1", Double(), "Sphere, cylinder: the radius (length), > 0.");
     prm.declare_entry("Axis", up, point, "Cylinder: direction of the axis; any length but zero.");
-    prm.declare_entry("Bodies inside",
-                      "false",
-                      Bool(),
-                      "Sphere, cylinder: the obstacle is hollow and the bodies are inside of it.");
     prm.declare_entry(
-      "Signed distance",
-      "",
-      Anything(),
-      "Function: expression in x, y, z (length), positive where the bodies may be, near its zero set "
-      "the distance to it. Example, a bowl: z - 0.1*(x^2 + y^2)");
+      "Bodies inside", "false", Bool(), "Sphere, cylinder: the obstacle is hollow and the bodies are inside of it.");
+    prm.declare_entry("Signed distance",
+                      "",
+                      Anything(),
+                      "Function: expression in x, y, z (length), positive where the bodies may be, near its zero set "
+                      "the distance to it. Example, a bowl: z - 0.1*(x^2 + y^2)");
   }
 
   namespace
@@ -67,8 +62,8 @@ namespace signorini
   {
     if (!in.given())
       in.fail("",
-              "`Obstacles/Names` lists this obstacle, but it has no subsection. Add `subsection " + name +
-                " ... end` in section Obstacles, or remove the name from the list.");
+              "`Obstacles/Names` lists this obstacle, but it has no subsection. Add `subsection " + name
+                + " ... end` in section Obstacles, or remove the name from the list.");
     ObstacleDescription<dim> obstacle;
     obstacle.name  = name;
     obstacle.shape = in.text("Shape");
@@ -99,8 +94,8 @@ namespace signorini
     return obstacle;
   }
 
-#define INSTANTIATE(dim)                                                                                     \
-  template void                     declare_obstacle<dim>(dealii::ParameterHandler &);                       \
+#define INSTANTIATE(dim)                                                                                               \
+  template void                     declare_obstacle<dim>(dealii::ParameterHandler &);                                 \
   template ObstacleDescription<dim> parse_obstacle<dim>(const SectionReader &, const std::string &)
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -18,8 +18,8 @@ namespace signorini
   {
     [[noreturn]] void refuse(const std::string &directory, const std::string &reason)
     {
-      throw UserError("Output directory = " + directory + ": cannot write there: " + reason +
-                      ". Choose another folder, or correct its permissions.");
+      throw UserError("Output directory = " + directory + ": cannot write there: " + reason
+                      + ". Choose another folder, or correct its permissions.");
     }
 
     /** Folders made for the check only; removed in reverse order, if they are still empty. */

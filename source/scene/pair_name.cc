@@ -41,20 +41,17 @@ namespace signorini
 
     PairName parse_pair(const SectionReader &in, const std::string &text)
     {
-      static const std::regex grammar(
-        R"(([A-Za-z0-9_-]+)(\[([0-9]{1,6}(,[0-9]{1,6})*)\])?:([A-Za-z0-9_-]+)(\[.*\])?)");
-      const std::string compact = without_blanks(text);
-      std::smatch       match;
+      static const std::regex grammar(R"(([A-Za-z0-9_-]+)(\[([0-9]{1,6}(,[0-9]{1,6})*)\])?:([A-Za-z0-9_-]+)(\[.*\])?)");
+      const std::string       compact = without_blanks(text);
+      std::smatch             match;
       if (compact.empty())
         in.fail("Pairs", "the list has an empty entry. Remove the superfluous comma.");
       if (!std::regex_match(compact, match, grammar))
         in.fail("Pairs",
-                "`" + trim(text) +
-                  "` is not a pair. Write `body : obstacle` or, for some boundaries of the " +
-                  "body, `body[0,2] : obstacle`, and separate pairs by commas.");
+                "`" + trim(text) + "` is not a pair. Write `body : obstacle` or, for some boundaries of the "
+                  + "body, `body[0,2] : obstacle`, and separate pairs by commas.");
       if (match[6].matched)
-        in.fail("Pairs",
-                "`" + trim(text) + "`: an obstacle has no boundary ids. Remove " + match[6].str() + ".");
+        in.fail("Pairs", "`" + trim(text) + "`: an obstacle has no boundary ids. Remove " + match[6].str() + ".");
 
       PairName pair{match[1], {}, match[5]};
       if (match[2].matched)
@@ -74,23 +71,22 @@ namespace signorini
     {
       const std::string head = "the pair `" + pair.text() + "`: ";
       if (contains(obstacles, pair.slave))
-        in.fail("Pairs",
-                head + "`" + pair.slave + "` is an obstacle. The body comes first: `body : obstacle`.");
+        in.fail("Pairs", head + "`" + pair.slave + "` is an obstacle. The body comes first: `body : obstacle`.");
       if (!contains(bodies, pair.slave))
         in.fail("Pairs", head + "there is no body `" + pair.slave + "`. " + suggestion(pair.slave, bodies));
       if (pair.partner == pair.slave)
         in.fail("Pairs", head + "contact of a body with itself is not available. Name an obstacle.");
       if (contains(bodies, pair.partner))
         in.fail("Pairs",
-                head + "contact of body against body is not available in this version. "
-                       "Pair each body with an obstacle.");
+                head
+                  + "contact of body against body is not available in this version. "
+                    "Pair each body with an obstacle.");
       if (obstacles.empty())
         in.fail("Pairs",
-                head + "there is no obstacle `" + pair.partner + "`; the scene has none. " +
-                  "Add it to `Obstacles/Names`.");
+                head + "there is no obstacle `" + pair.partner + "`; the scene has none. "
+                  + "Add it to `Obstacles/Names`.");
       if (!contains(obstacles, pair.partner))
-        in.fail("Pairs",
-                head + "there is no obstacle `" + pair.partner + "`. " + suggestion(pair.partner, obstacles));
+        in.fail("Pairs", head + "there is no obstacle `" + pair.partner + "`. " + suggestion(pair.partner, obstacles));
     }
 
     bool overlap(const PairName &first, const PairName &second)
@@ -133,8 +129,7 @@ namespace signorini
         for (const PairName &other : pairs)
           if (overlap(pair, other))
             in.fail("Pairs",
-                    "`" + other.text() + "` and `" + pair.text() +
-                      "` are the same contact twice. Remove one of them.");
+                    "`" + other.text() + "` and `" + pair.text() + "` are the same contact twice. Remove one of them.");
         pairs.push_back(pair);
       }
     return pairs;

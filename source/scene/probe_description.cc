@@ -24,8 +24,8 @@ namespace signorini
   {
     if (!in.given("Point"))
       in.fail("Point",
-              "the probe `" + name + "` has no place. Add `subsection " + name +
-                "` with `set Point = ...` in section Probes, or remove the name from `Probes/Names`.");
+              "the probe `" + name + "` has no place. Add `subsection " + name
+                + "` with `set Point = ...` in section Probes, or remove the name from `Probes/Names`.");
     return {name, in.point<dim>("Point")};
   }
 

@@ -78,8 +78,7 @@ namespace signorini
 
     scene.original_text = text.original;
     std::ostringstream all;
-    prm.print_parameters(
-      all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
+    prm.print_parameters(all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
     scene.all_parameters = all.str();
     return scene;
   }

@@ -82,8 +82,8 @@ namespace signorini
       if (!trim(logical_line).empty())
         fail("the last line ends with a backslash, but there is no line to continue it.");
       if (section.size() > depth_of_sections)
-        throw UserError(section_origin.back() + ": `subsection " + section.back() +
-                        "` has no `end` before the end of the file. Add the missing `end`.");
+        throw UserError(section_origin.back() + ": `subsection " + section.back()
+                        + "` has no `end` before the end of the file. Add the missing `end`.");
     }
 
     void Scanner::scan_line(const std::string &line, const std::string &file_name, const unsigned int depth)
@@ -113,9 +113,9 @@ namespace signorini
       else if (line.find('=') != std::string::npos)
         fail("`" + line + "` is not a statement. Write `set " + line + "`.");
       else
-        fail("`" + line +
-             "` is not a statement. Valid: `set key = value`, `subsection name`, `end`, "
-             "`include file`; comments start with #.");
+        fail("`" + line
+             + "` is not a statement. Valid: `set key = value`, `subsection name`, `end`, "
+               "`include file`; comments start with #.");
     }
 
     void Scanner::set(const std::string &assignment)
@@ -152,8 +152,8 @@ namespace signorini
     {
       std::vector<std::string> path = split(override.first, '/');
       if (std::any_of(path.begin(), path.end(), [](const auto &name) { return name.empty(); }))
-        throw UserError("--set \"" + override.first + "=" + override.second +
-                        "\": the path has an empty name. Write --set \"Section/Subsection/Key=value\".");
+        throw UserError("--set \"" + override.first + "=" + override.second
+                        + "\": the path has an empty name. Write --set \"Section/Subsection/Key=value\".");
       const std::string key = path.back();
       path.pop_back();
       return {path, key, trim(override.second), file_name + ", --set"};

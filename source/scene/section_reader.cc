@@ -49,9 +49,9 @@ namespace signorini
 
   bool SectionReader::given() const
   {
-    return std::any_of(scene_text->statements.begin(),
-                       scene_text->statements.end(),
-                       [&](const Statement &statement) { return statement.section == path; });
+    return std::any_of(scene_text->statements.begin(), scene_text->statements.end(), [&](const Statement &statement) {
+      return statement.section == path;
+    });
   }
 
   std::string SectionReader::text(const std::string &key) const
@@ -77,8 +77,7 @@ namespace signorini
     return value;
   }
 
-  unsigned int
-  SectionReader::integer(const std::string &key, const unsigned int min, const unsigned int max) const
+  unsigned int SectionReader::integer(const std::string &key, const unsigned int min, const unsigned int max) const
   {
     const long int value = converted(*this, key, [&] { return prm->get_integer(path, key); });
     if (value < static_cast<long int>(min) || value > static_cast<long int>(max))

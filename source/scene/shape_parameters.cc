@@ -25,21 +25,19 @@ namespace signorini
     void declare_refinement(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
-      prm.declare_entry(
-        "Refinements",
-        "0",
-        Integer(),
-        "Uniform refinements of the coarse mesh; each halves the size of the cells. At most 12.");
+      prm.declare_entry("Refinements",
+                        "0",
+                        Integer(),
+                        "Uniform refinements of the coarse mesh; each halves the size of the cells. At most 12.");
       prm.declare_entry("Local refinements",
                         "0",
                         Integer(),
                         "Further refinements of the cells that `Refine where` selects. At most 12.");
-      prm.declare_entry(
-        "Refine where",
-        "",
-        Anything(),
-        "Expression in x, y, z, evaluated at the centre of a cell: positive values select the cell for "
-        "local refinement, for example 0.2 - z near the plane z = 0.");
+      prm.declare_entry("Refine where",
+                        "",
+                        Anything(),
+                        "Expression in x, y, z, evaluated at the centre of a cell: positive values select the cell for "
+                        "local refinement, for example 0.2 - z near the plane z = 0.");
     }
 
     template <int dim>
@@ -64,16 +62,15 @@ namespace signorini
       for (unsigned int d = 0; d < dim; ++d)
         if (!(body.lower_corner[d] < body.upper_corner[d]))
           in.fail("Upper corner",
-                  std::string("its ") + directions[d] +
-                    " coordinate must be larger than that of `Lower corner` = " + in.text("Lower corner") +
-                    ". Exchange or correct the corners.");
+                  std::string("its ") + directions[d] + " coordinate must be larger than that of `Lower corner` = "
+                    + in.text("Lower corner") + ". Exchange or correct the corners.");
       const dealii::Point<dim> repetitions = in.point<dim>("Repetitions");
       for (unsigned int d = 0; d < dim; ++d)
         {
           if (repetitions[d] < 1 || repetitions[d] > max_repetitions)
             in.fail("Repetitions",
-                    std::string("a box needs at least one cell in ") + directions[d] +
-                      " direction and at most a million. Give positive integers.");
+                    std::string("a box needs at least one cell in ") + directions[d]
+                      + " direction and at most a million. Give positive integers.");
           body.repetitions[d] = static_cast<unsigned int>(repetitions[d]);
         }
     }

@@ -34,13 +34,12 @@ namespace signorini
                       "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, ml "
                       "(algebraic multigrid), "
                       "or automatic (chosen from the Courant number).");
-    prm.declare_entry(
-      "Tolerance",
-      as_text(defaults.tolerance),
-      Double(),
-      "Accuracy of each step: error in the energy norm divided by the root of the largest energy of "
-      "the "
-      "run (no unit), between 0 and 0.01. The energy ledger closes to this accuracy.");
+    prm.declare_entry("Tolerance",
+                      as_text(defaults.tolerance),
+                      Double(),
+                      "Accuracy of each step: error in the energy norm divided by the root of the largest energy of "
+                      "the "
+                      "run (no unit), between 0 and 0.01. The energy ledger closes to this accuracy.");
     prm.declare_entry("Maximum active set iterations",
                       std::to_string(defaults.maximum_active_set_iterations),
                       Integer(),
@@ -58,8 +57,8 @@ namespace signorini
     solver.tolerance      = in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");
     if (solver.tolerance > max_tolerance)
       in.fail("Tolerance",
-              "a step solved so roughly is useless, its error appears as energy. Give at most " +
-                as_text(max_tolerance) + ", for example 2e-11.");
+              "a step solved so roughly is useless, its error appears as energy. Give at most " + as_text(max_tolerance)
+                + ", for example 2e-11.");
     solver.maximum_active_set_iterations = in.integer("Maximum active set iterations", 1, unlimited);
     solver.maximum_linear_iterations     = in.integer("Maximum linear iterations", 1, unlimited);
     return solver;

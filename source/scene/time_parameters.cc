@@ -22,14 +22,13 @@ namespace signorini
   void declare_time(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.declare_entry(
-      "Scheme",
-      "contact-stabilized",
-      Selection("newmark|contact-implicit|contact-stabilized"),
-      "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
-      "condition; dissipative, smooth contact forces. contact-implicit: the same without this "
-      "predictor; dissipative, contact forces oscillate. newmark: the classical scheme with "
-      "contact; gains energy at impact, for comparison only.");
+    prm.declare_entry("Scheme",
+                      "contact-stabilized",
+                      Selection("newmark|contact-implicit|contact-stabilized"),
+                      "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
+                      "condition; dissipative, smooth contact forces. contact-implicit: the same without this "
+                      "predictor; dissipative, contact forces oscillate. newmark: the classical scheme with "
+                      "contact; gains energy at impact, for comparison only.");
     prm.declare_entry("Mass",
                       "consistent",
                       Selection("consistent|lumped"),
@@ -64,16 +63,15 @@ namespace signorini
 
     if (time.step_size > time.end_time)
       in.fail("Step size",
-              "is larger than the end time " + in.text("End time") +
-                ". Reduce the step size or increase `End time`.");
+              "is larger than the end time " + in.text("End time") + ". Reduce the step size or increase `End time`.");
     if (time.end_time / time.step_size > max_steps)
       in.fail("Step size",
-              "needs more than a hundred million steps until the end time " + in.text("End time") +
-                ". Increase the step size or reduce `End time`.");
+              "needs more than a hundred million steps until the end time " + in.text("End time")
+                + ". Increase the step size or reduce `End time`.");
     if (time.predictor != "consistent" && time.scheme != "contact-stabilized")
       in.fail("Predictor mass",
-              "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " +
-                time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
+              "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " + time.scheme
+                + ". Remove this key or set `Scheme = contact-stabilized`.");
     return time;
   }
 } // namespace signorini

@@ -23,7 +23,8 @@ namespace signorini
     , errors(discretization)
     , velocity_zigzags(probes.size())
     , clock(discretization.communicator(), false)
-  {}
+  {
+  }
 
 
   template <int dim>
@@ -60,8 +61,8 @@ namespace signorini
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)
                      + " is not a finite number. Check the loads, velocities and material constants of the scene.");
-    largest_energy              = std::max(largest_energy, energy_of_motion());
-    largest_residual            = std::max(largest_residual, std::abs(booking.residual));
+    largest_energy   = std::max(largest_energy, energy_of_motion());
+    largest_residual = std::max(largest_residual, std::abs(booking.residual));
     write(state, report, booking, step_size);
 
     impulse += step_size * contact_now.normal_force;
@@ -151,16 +152,19 @@ namespace signorini
     if (first_contact >= 0.)
       text << "  contact           from " << first_contact << " to " << last_contact << ", largest force "
            << force_variation.largest() << ", impulse " << impulse << "\n"
-           << "  oscillation       total variation of the force over twice its maximum: " << force_variation.measure() << "\n"
+           << "  oscillation       total variation of the force over twice its maximum: " << force_variation.measure()
+           << "\n"
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
     if (deepest > 1e-2 * discretization.body_size())
-      text << "  warning: by the true geometry a contact node was " << deepest << " deep in an obstacle. Contact is linearised about the\n"
-           << "           initial configuration, with one obstacle per node: do not trust motion along a curved obstacle or in a corner.\n";
+      text << "  warning: by the true geometry a contact node was " << deepest
+           << " deep in an obstacle. Contact is linearised about the\n"
+           << "           initial configuration, with one obstacle per node: do not trust motion along a curved "
+              "obstacle or in a corner.\n";
     for (unsigned int p = 0; p < probes.size(); ++p)
-      text << "  probe " << probes[p].name() << " at (" << probes[p].position() << "): zigzag of the normal velocity in contact "
-           << velocity_zigzags[p].amplitude() << "\n";
+      text << "  probe " << probes[p].name() << " at (" << probes[p].position()
+           << "): zigzag of the normal velocity in contact " << velocity_zigzags[p].amplitude() << "\n";
     if (discretization.scene.exact_solution.given)
       text << "  errors            displacement " << 100. * latest_errors.relative_displacement << " %, velocity "
            << 100. * latest_errors.relative_velocity << " % (relative, in space and time)\n";

@@ -15,7 +15,8 @@ namespace signorini
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , discretization(scene, communicator)
-  {}
+  {
+  }
 
 
   template <int dim>
@@ -128,17 +129,20 @@ namespace signorini
   std::string Simulation<dim>::description() const
   {
     std::ostringstream text;
-    text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of " << scene.time.step_size
-         << "\n  bodies            " << scene.bodies.size() << ", " << discretization.triangulation.n_global_active_cells()
-         << " cells, " << discretization.dof_handler.n_dofs() << " degrees of freedom"
-         << "\n  contact nodes     " << surface->n_global_nodes()
-         << "\n  Courant number    " << discretization.courant_number(scene.time.step_size)
-         << "\n  processes         " << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
+    text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
+         << scene.time.step_size << "\n  bodies            " << scene.bodies.size() << ", "
+         << discretization.triangulation.n_global_active_cells() << " cells, " << discretization.dof_handler.n_dofs()
+         << " degrees of freedom"
+         << "\n  contact nodes     " << surface->n_global_nodes() << "\n  Courant number    "
+         << discretization.courant_number(scene.time.step_size) << "\n  processes         "
+         << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
     if (!scene.pairs.empty() && surface->n_global_nodes() == 0)
-      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces the obstacle, or supports hold them all\n";
+      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces the obstacle, or "
+              "supports hold them all\n";
     if (surface->n_supported() > 0)
-      text << "  note: " << surface->n_supported()
-           << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
+      text
+        << "  note: " << surface->n_supported()
+        << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
     return text.str();
   }
 

@@ -34,7 +34,8 @@ namespace signorini
     , active(surface.nodes().size(), 0)
     , predictor_active(active)
     , last_correction(discretization.make_vector())
-  {}
+  {
+  }
 
 
   template <int dim>
@@ -78,10 +79,8 @@ namespace signorini
     const auto &scene     = discretization.scene;
     chosen_preconditioner = scene.solver.preconditioner;
     if (chosen_preconditioner == "automatic")
-      chosen_preconditioner =
-        choose_preconditioner(discretization.courant_number(step_size), scene.time.n_steps());
-    step_operator =
-      std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor);
+      chosen_preconditioner = choose_preconditioner(discretization.courant_number(step_size), scene.time.n_steps());
+    step_operator = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor);
     step_preconditioner =
       make_preconditioner(chosen_preconditioner, discretization.matrices, coordinates, 1., stiffness_factor);
   }
@@ -131,19 +130,19 @@ namespace signorini
         active[k] = 1;
 
     Vector residual = discretization.make_vector();
-    solution.effort = effort_of(
-      solver.solve({*step_operator,
-                    *step_preconditioner,
-                    right_hand_side,
-                    coordinates.normal_entries(),
-                    problem.bounds,
-                    coordinates.supported_entries(),
-                    prescribed,
-                    solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
-                    1e-12 * discretization.body_size()},
-                   active,
-                   increment,
-                   residual));
+    solution.effort =
+      effort_of(solver.solve({*step_operator,
+                              *step_preconditioner,
+                              right_hand_side,
+                              coordinates.normal_entries(),
+                              problem.bounds,
+                              coordinates.supported_entries(),
+                              prescribed,
+                              solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
+                              1e-12 * discretization.body_size()},
+                             active,
+                             increment,
+                             residual));
 
     forecast.remember(right_hand_side, increment, residual);
 
@@ -204,22 +203,22 @@ namespace signorini
         mass_operator       = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
         mass_preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
       }
-    correction = last_correction; // in contact coordinates
+    correction                     = last_correction; // in contact coordinates
     const Vector              zero = discretization.make_vector();
     const std::vector<double> held(coordinates.supported_entries().size(), 0.);
-    const SolveEffort         effort = effort_of(
-      solver.solve({*mass_operator,
-                    *mass_preconditioner,
-                    zero,
-                    coordinates.normal_entries(),
-                    left,
-                    coordinates.supported_entries(),
-                    held,
-                    discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
-                    bound_length},
-                   predictor_active,
-                   correction,
-                   mass_correction));
+    const SolveEffort         effort =
+      effort_of(solver.solve({*mass_operator,
+                              *mass_preconditioner,
+                              zero,
+                              coordinates.normal_entries(),
+                              left,
+                              coordinates.supported_entries(),
+                              held,
+                              discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
+                              bound_length},
+                             predictor_active,
+                             correction,
+                             mass_correction));
     last_correction = correction;
     mass_correction *= -1.; // the residual 0 - M c
     coordinates.to_cartesian(correction);

@@ -54,7 +54,7 @@ namespace signorini
       residuals.pop_back();
     residuals.push_front(residual);
 
-    const unsigned int n          = entries.size();
+    const unsigned int n = entries.size();
     Eigen::MatrixXd    new_gram(n, n);
     new_gram.bottomRightCorner(n - 1, n - 1) = gram.topLeftCorner(n - 1, n - 1);
     for (unsigned int i = 0; i < n; ++i)

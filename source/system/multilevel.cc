@@ -17,11 +17,13 @@ namespace signorini
     : coordinates(coordinates)
     , cartesian(matrices.pattern.partitioner)
   {
-    const NodePattern &pattern     = matrices.pattern;
-    const auto        &partitioner = *pattern.partitioner;
-    const IndexSet    &owned       = partitioner.locally_owned_range();
+    const NodePattern &pattern        = matrices.pattern;
+    const auto        &partitioner    = *pattern.partitioner;
+    const IndexSet    &owned          = partitioner.locally_owned_range();
     const auto         for_each_entry = [&](const auto &action) {
-      const auto dof = [&](const unsigned int node, const unsigned int c) { return partitioner.local_to_global(dim * node + c); };
+      const auto dof = [&](const unsigned int node, const unsigned int c) {
+        return partitioner.local_to_global(dim * node + c);
+      };
       for (unsigned int node = 0; node < pattern.n_owned; ++node)
         for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
           for (unsigned int c = 0; c < dim; ++c)

@@ -50,7 +50,8 @@ namespace signorini
         : coordinates(coordinates)
         , factor(matrices, mass_factor, stiffness_factor, coordinates.contact_nodes())
         , cartesian(matrices.pattern.partitioner)
-      {}
+      {
+      }
 
       void set_mask(const Mask &mask) override
       {
@@ -72,10 +73,10 @@ namespace signorini
       }
 
     private:
-      const ContactCoordinates<dim>       &coordinates;
-      IncompleteCholesky<dim, block_size>  factor;
-      mutable Vector                       cartesian;
-      std::vector<unsigned int>            held_entries;
+      const ContactCoordinates<dim>      &coordinates;
+      IncompleteCholesky<dim, block_size> factor;
+      mutable Vector                      cartesian;
+      std::vector<unsigned int>           held_entries;
 
       /** The factor holds rotated entries only to single precision; a multiplier must not leak through, so they become exact zeros. */
       void hold(Vector &vector) const
@@ -119,13 +120,10 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                                              \
-  template std::unique_ptr<MaskedPreconditioner> make_preconditioner(const std::string &,                             \
-                                                                     const ElasticMatrices<dim> &,                    \
-                                                                     const ContactCoordinates<dim> &,                 \
-                                                                     double,                                          \
-                                                                     double);                                         \
-  template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(const ElasticMatrices<dim> &,               \
+#define INSTANTIATE(dim)                                                                                               \
+  template std::unique_ptr<MaskedPreconditioner> make_preconditioner(                                                  \
+    const std::string &, const ElasticMatrices<dim> &, const ContactCoordinates<dim> &, double, double);               \
+  template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(const ElasticMatrices<dim> &,                \
                                                                           const ContactCoordinates<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -17,7 +17,8 @@ namespace signorini
     , mass_factor(mass_factor)
     , stiffness_factor(stiffness_factor)
     , cartesian(matrices.pattern.partitioner)
-  {}
+  {
+  }
 
 
   template <int dim>

@@ -23,7 +23,8 @@ namespace signorini
                             const NormalGap &gap)
     {
       IncrementSolution solution;
-      system.solve({step_size * step_size / 4., right_hand_side, gap, state.displacement, state.time, step_size}, solution);
+      system.solve({step_size * step_size / 4., right_hand_side, gap, state.displacement, state.time, step_size},
+                   solution);
       return solution;
     }
 

@@ -32,10 +32,8 @@ namespace signorini
   } // namespace
 
 
-  SolveReport PrimalDualActiveSet::solve(const ConstrainedProblem &problem,
-                                         ActiveSet                &active,
-                                         Vector                   &solution,
-                                         Vector                   &residual)
+  SolveReport
+  PrimalDualActiveSet::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
   {
     SolveReport           report;
     std::set<std::size_t> seen;
@@ -61,8 +59,9 @@ namespace signorini
           {
             if (reduction == 0.)
               {
-                report.n_active = dealii::Utilities::MPI::sum(
-                  static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)), solution.get_mpi_communicator());
+                report.n_active =
+                  dealii::Utilities::MPI::sum(static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)),
+                                              solution.get_mpi_communicator());
                 return report;
               }
             reduction = 0.; // the set stands: now solve accurately and look once more
@@ -79,8 +78,9 @@ namespace signorini
         set_mask(problem, active);
       }
 
-    const unsigned int linear_iterations = report.linear_iterations, active_set_iterations = report.active_set_iterations;
-    report = fallback.solve(problem, active, solution, residual);
+    const unsigned int linear_iterations     = report.linear_iterations,
+                       active_set_iterations = report.active_set_iterations;
+    report                                   = fallback.solve(problem, active, solution, residual);
     report.linear_iterations += linear_iterations;
     report.active_set_iterations += active_set_iterations;
     report.fallback = true;
@@ -88,10 +88,8 @@ namespace signorini
   }
 
 
-  void PrimalDualActiveSet::start(const ConstrainedProblem &problem,
-                                  ActiveSet                &active,
-                                  Vector                   &solution,
-                                  Vector                   &residual)
+  void
+  PrimalDualActiveSet::start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
   {
     for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
       solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
@@ -113,10 +111,9 @@ namespace signorini
     unsigned int n_changes = 0;
     for (std::size_t k = 0; k < active.size(); ++k)
       {
-        const unsigned int i = problem.bounded_entries[k];
-        const bool         now =
-          active[k] ? residual.local_element(i) >= 0. :
-                      solution.local_element(i) > problem.upper_bounds[k] + problem.bound_tolerance;
+        const unsigned int i   = problem.bounded_entries[k];
+        const bool         now = active[k] ? residual.local_element(i) >= 0.
+                                           : solution.local_element(i) > problem.upper_bounds[k] + problem.bound_tolerance;
         n_changes += (now != static_cast<bool>(active[k]));
         active[k] = now;
       }

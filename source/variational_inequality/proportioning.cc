@@ -128,7 +128,8 @@ namespace signorini
   } // namespace
 
 
-  SolveReport Proportioning::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
+  SolveReport
+  Proportioning::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
   {
     const ScaledProblem scaled(problem);
     // The norm here is the diagonal one; the smallest eigenvalue of S K S for Q1 is above 0.01 for mass-dominated matrices.
@@ -190,8 +191,9 @@ namespace signorini
         direction = free;
       }
     if (!converged)
-      throw RunError("The inequality of this step was not solved to its tolerance: neither the active set method nor the "
-                     "method of proportioning converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
+      throw RunError(
+        "The inequality of this step was not solved to its tolerance: neither the active set method nor the "
+        "method of proportioning converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
 
     for (std::size_t k = 0; k < active.size(); ++k)
       {
@@ -207,8 +209,8 @@ namespace signorini
       solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
     problem.matrix.vmult(residual, solution);
     residual.sadd(-1., 1., problem.right_hand_side);
-    report.n_active = dealii::Utilities::MPI::sum(static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)),
-                                                  solution.get_mpi_communicator());
+    report.n_active = dealii::Utilities::MPI::sum(
+      static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)), solution.get_mpi_communicator());
     return report;
   }
 } // namespace signorini

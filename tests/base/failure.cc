@@ -20,8 +20,7 @@ namespace
 
   bool is_last()
   {
-    return dealii::Utilities::MPI::this_mpi_process(comm) + 1 ==
-           dealii::Utilities::MPI::n_mpi_processes(comm);
+    return dealii::Utilities::MPI::this_mpi_process(comm) + 1 == dealii::Utilities::MPI::n_mpi_processes(comm);
   }
 } // namespace
 

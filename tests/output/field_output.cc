@@ -23,9 +23,7 @@ namespace
     const std::string        text = contents(path);
     const std::regex         pattern("[ ]" + name + "=\"([^\"]*)\"");
     std::vector<std::string> values;
-    for (auto i = std::sregex_iterator(text.begin(), text.end(), pattern);
-         i != std::sregex_iterator();
-         ++i)
+    for (auto i = std::sregex_iterator(text.begin(), text.end(), pattern); i != std::sregex_iterator(); ++i)
       values.push_back((*i)[1]);
     return values;
   }
@@ -36,9 +34,7 @@ namespace
     return std::find(fields.begin(), fields.end(), field) != fields.end();
   }
 
-  void expect_complete(const std::string              &folder,
-                       const std::string              &series,
-                       const std::vector<std::string> &times)
+  void expect_complete(const std::string &folder, const std::string &series, const std::vector<std::string> &times)
   {
     const std::string pvd = folder + "/" + series + ".pvd";
     EXPECT_EQ(attributes(pvd, "timestep"), times);
@@ -49,8 +45,7 @@ namespace
         const auto pieces = attributes(folder + "/" + file, "Source");
         EXPECT_EQ(pieces.size(), dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
         for (const std::string &piece : pieces)
-          EXPECT_NE(contents(folder + "/fields/" + piece).find("</VTKFile>"), std::string::npos)
-            << piece;
+          EXPECT_NE(contents(folder + "/fields/" + piece).find("</VTKFile>"), std::string::npos) << piece;
       }
     for (const auto &entry : std::filesystem::directory_iterator(folder + "/fields"))
       EXPECT_NE(entry.path().extension(), ".part");
@@ -86,8 +81,15 @@ namespace
     expect_complete(folder.name, "surface", {"0", "0.123456789012"});
 
     const std::string volume = folder.name + "/fields/volume_000007.pvtu";
-    for (const char *field : {"displacement", "velocity", "body", "von_mises", "stress_xx",
-                              "stress_yy", "stress_zz", "stress_xy", "subdomain"})
+    for (const char *field : {"displacement",
+                              "velocity",
+                              "body",
+                              "von_mises",
+                              "stress_xx",
+                              "stress_yy",
+                              "stress_zz",
+                              "stress_xy",
+                              "subdomain"})
       EXPECT_TRUE(names(volume, field)) << field;
     EXPECT_EQ(names(volume, "stress_yz"), dim == 3);
     const std::string surface = folder.name + "/fields/surface_000007.pvtu";

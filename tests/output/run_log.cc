@@ -47,7 +47,7 @@ TEST(RunLog, ScreenUnlessQuiet)
         log.finish();
       }
       const std::string screen = testing::internal::GetCapturedStdout();
-      const bool first = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
+      const bool        first  = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0;
       if (first && !quiet)
         EXPECT_EQ(screen, contents(folder.name + "/log.txt"));
       else
@@ -76,8 +76,7 @@ TEST(RunLog, CopiesOfTheScene)
   log.copy_scene("set Dimension = 2", "set Dimension = 2\nset Output directory = x\n");
   log.finish();
   EXPECT_EQ(contents(folder.name + "/scene.prm"), "set Dimension = 2");
-  EXPECT_EQ(contents(folder.name + "/parameters.prm"),
-            "set Dimension = 2\nset Output directory = x\n");
+  EXPECT_EQ(contents(folder.name + "/parameters.prm"), "set Dimension = 2\nset Output directory = x\n");
 }
 
 TEST(RunLog, FullDisk)

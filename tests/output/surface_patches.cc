@@ -34,8 +34,7 @@ namespace
     state.contact_force = discretization.make_vector();
     for (const auto &node : box.surface->nodes())
       for (unsigned int c = 0; c < dim; ++c)
-        state.contact_force.local_element(dim * node.node + c) =
-          -pressure * node.weight * node.normal()[c];
+        state.contact_force.local_element(dim * node.node + c) = -pressure * node.weight * node.normal()[c];
 
     SurfacePatches<dim> patches(discretization, *box.surface);
     patches.build(state,

@@ -38,8 +38,7 @@ namespace
         expect_words(message, mistake.words);
 
         const TemporaryFile correct(correct_scene());
-        expect_words(refusal(correct.name, {{mistake.path, mistake.value}}),
-                     {correct.name + ", --set", mistake.path});
+        expect_words(refusal(correct.name, {{mistake.path, mistake.value}}), {correct.name + ", --set", mistake.path});
       }
   }
 } // namespace
@@ -90,17 +89,16 @@ TEST(Mistakes, ShapesAndMaterial)
 
 TEST(Mistakes, Expressions)
 {
-  expect_refusals(
-    {{"Bodies/ball/Initial velocity", "0; 0; -2*q", {"`-2*q`", "Unexpected token \"q\"", "x,y,z"}},
-     {"Bodies/ball/Initial velocity", "0; 0; sin(", {"`sin(`", "Unexpected end"}},
-     {"Bodies/ball/Initial velocity", "0; 0; t", {"`t`", "x,y,z,"}},
-     {"Bodies/ball/Initial velocity", "0; 0; ", {"Expression is empty"}},
-     {"Bodies/ball/Initial velocity", "0, 0, -2", {"3 components", "semicolons"}},
-     {"Bodies/ball/Initial velocity", "0; -2", {"3 components", "has 2"}},
-     {"Bodies/ball/Initial displacement", "0; 0; 1/x", {"`1/x`", "infinite", "if(condition"}},
-     {"Bodies/ball/Body force", "0; 0; sqrt(-1-t)", {"`sqrt(-1-t)`", "not a number", "t = 0"}},
-     {"Bodies/box/Dirichlet", "0: foo(x); -; -", {"`foo(x)`", "cannot be understood"}},
-     {"Bodies/box/Traction", "5: 0; 0; 1/(z - 1.5)", {"infinite"}}});
+  expect_refusals({{"Bodies/ball/Initial velocity", "0; 0; -2*q", {"`-2*q`", "Unexpected token \"q\"", "x,y,z"}},
+                   {"Bodies/ball/Initial velocity", "0; 0; sin(", {"`sin(`", "Unexpected end"}},
+                   {"Bodies/ball/Initial velocity", "0; 0; t", {"`t`", "x,y,z,"}},
+                   {"Bodies/ball/Initial velocity", "0; 0; ", {"Expression is empty"}},
+                   {"Bodies/ball/Initial velocity", "0, 0, -2", {"3 components", "semicolons"}},
+                   {"Bodies/ball/Initial velocity", "0; -2", {"3 components", "has 2"}},
+                   {"Bodies/ball/Initial displacement", "0; 0; 1/x", {"`1/x`", "infinite", "if(condition"}},
+                   {"Bodies/ball/Body force", "0; 0; sqrt(-1-t)", {"`sqrt(-1-t)`", "not a number", "t = 0"}},
+                   {"Bodies/box/Dirichlet", "0: foo(x); -; -", {"`foo(x)`", "cannot be understood"}},
+                   {"Bodies/box/Traction", "5: 0; 0; 1/(z - 1.5)", {"infinite"}}});
 }
 
 TEST(Mistakes, BoundaryConditions)
@@ -135,18 +133,17 @@ TEST(Mistakes, ObstaclesAndProbes)
 
 TEST(Mistakes, Pairs)
 {
-  expect_refusals(
-    {{"Contact/Pairs", "bal : floor", {"no body `bal`", "Did you mean `ball`?", "Valid: ball, box"}},
-     {"Contact/Pairs", "ball : flor", {"no obstacle `flor`", "Did you mean `floor`?", "pillar"}},
-     {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
-     {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
-     {"Contact/Pairs", "ball : ball", {"with itself", "Name an obstacle"}},
-     {"Contact/Pairs", "ball : box", {"body against body is not available in this version"}},
-     {"Contact/Pairs", "floor : ball", {"The body comes first"}},
-     {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
-     {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
-     {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}},
-     {"Contact/ball : floor/Friction coefficient", "0.3", {"not available", "Set it to 0"}}});
+  expect_refusals({{"Contact/Pairs", "bal : floor", {"no body `bal`", "Did you mean `ball`?", "Valid: ball, box"}},
+                   {"Contact/Pairs", "ball : flor", {"no obstacle `flor`", "Did you mean `floor`?", "pillar"}},
+                   {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
+                   {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
+                   {"Contact/Pairs", "ball : ball", {"with itself", "Name an obstacle"}},
+                   {"Contact/Pairs", "ball : box", {"body against body is not available in this version"}},
+                   {"Contact/Pairs", "floor : ball", {"The body comes first"}},
+                   {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
+                   {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
+                   {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}},
+                   {"Contact/ball : floor/Friction coefficient", "0.3", {"not available", "Set it to 0"}}});
 }
 
 TEST(Mistakes, SolverAndOutput)
@@ -195,8 +192,7 @@ TEST(Mistakes, SeveralValuesTogether)
   expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});
   expect({{"Probes/Names", "south, north"}}, {"Probes/north/Point (not given)", "Add"});
   expect({{"Bodies/ball/Shape", "cylinder"}, {"Bodies/ball/Length", "-1"}}, {"Length = -1", "positive"});
-  expect({{"Obstacles/floor/Shape", "function"}},
-         {"Obstacles/floor/Signed distance (not given)", "Give one"});
+  expect({{"Obstacles/floor/Shape", "function"}}, {"Obstacles/floor/Signed distance (not given)", "Give one"});
   expect({{"Exact solution/Displacement", "0; 0; 1"}}, {"Exact solution/Velocity (not given)", "both"});
   expect({{"Exact solution/Velocity", "0; 0; 1"}}, {"Exact solution/Displacement (not given)", "both"});
 }

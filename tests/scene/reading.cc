@@ -125,10 +125,10 @@ TEST(Reading, OtherShapes)
 TEST(Reading, TwoDimensions)
 {
   const TemporaryFile file(
-    "set Dimension = 2\n" + assignment("Time/Step size", "1e-2") + assignment("Time/End time", "1") +
-    assignment("Bodies/Names", "disc") + assignment("Bodies/disc/Centre", "0, 1") +
-    assignment("Bodies/disc/Initial velocity", "0; -2*y") +
-    assignment("Exact solution/Displacement", "0; -2*t") + assignment("Exact solution/Velocity", "0; -2"));
+    "set Dimension = 2\n" + assignment("Time/Step size", "1e-2") + assignment("Time/End time", "1")
+    + assignment("Bodies/Names", "disc") + assignment("Bodies/disc/Centre", "0, 1")
+    + assignment("Bodies/disc/Initial velocity", "0; -2*y") + assignment("Exact solution/Displacement", "0; -2*t")
+    + assignment("Exact solution/Velocity", "0; -2"));
   EXPECT_EQ(read_dimension(file.name, {}), 2u);
   const Scene<2> scene = read_scene<2>(file.name, {});
   EXPECT_DOUBLE_EQ(scene.bodies[0].centre[1], 1.);
@@ -151,8 +151,7 @@ TEST(Reading, ContinuedLinesAndIncludedFiles)
 {
   const TemporaryFile included(assignment("Time/Step size", "1e-2"));
   const std::string   name = included.name.substr(included.name.rfind('/') + 1);
-  const TemporaryFile file(correct_scene() + "include " + name +
-                           "\nsubsection Time\n  set End time \\\n = 1\nend\n");
+  const TemporaryFile file(correct_scene() + "include " + name + "\nsubsection Time\n  set End time \\\n = 1\nend\n");
   const Scene<3>      scene = read_scene<3>(file.name, {});
   EXPECT_DOUBLE_EQ(scene.time.step_size, 1e-2);
   EXPECT_DOUBLE_EQ(scene.time.end_time, 1.);

@@ -24,8 +24,7 @@ namespace signorini::tests
     explicit TemporaryFile(const std::string &text)
     {
       static int counter = 0;
-      name =
-        testing::TempDir() + "scene_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + ".prm";
+      name = testing::TempDir() + "scene_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + ".prm";
       std::ofstream(name) << text;
     }
     TemporaryFile(const TemporaryFile &) = delete;

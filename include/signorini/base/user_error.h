@@ -18,7 +18,8 @@ namespace signorini
   public:
     explicit UserError(const std::string &message)
       : std::runtime_error(message)
-    {}
+    {
+    }
   };
 
   /**
@@ -30,7 +31,8 @@ namespace signorini
   public:
     explicit RunError(const std::string &message)
       : std::runtime_error(message)
-    {}
+    {
+    }
   };
 } // namespace signorini
 

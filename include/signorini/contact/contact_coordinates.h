@@ -53,12 +53,13 @@ namespace signorini
   private:
     using Frame = std::array<double, dim * dim>;
 
-    const Supports<dim>                                       &supports;
-    const std::vector<ContactNode<dim>>                       &owned_contact_nodes;
-    std::vector<unsigned int>                                  normals, supported, special, contact;
-    std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>> support_sources; ///< condition, point, component
-    std::vector<Frame>                                         special_frames; ///< in the order of `special`
-    mutable Vector                                             mask_values;
+    const Supports<dim>                 &supports;
+    const std::vector<ContactNode<dim>> &owned_contact_nodes;
+    std::vector<unsigned int>            normals, supported, special, contact;
+    std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
+                       support_sources; ///< condition, point, component
+    std::vector<Frame> special_frames;  ///< in the order of `special`
+    mutable Vector     mask_values;
   };
 } // namespace signorini
 

@@ -71,17 +71,17 @@ namespace signorini
     void check_initial_gap(const Vector &initial_displacement) const;
 
   private:
-    const Discretization<dim>                         &discretization;
-    std::vector<ContactNode<dim>>                      contact_nodes;
-    std::vector<std::unique_ptr<RigidObstacle<dim>>>   obstacles;
-    unsigned int                                       n_global = 0, n_left_to_supports = 0;
+    const Discretization<dim>                       &discretization;
+    std::vector<ContactNode<dim>>                    contact_nodes;
+    std::vector<std::unique_ptr<RigidObstacle<dim>>> obstacles;
+    unsigned int                                     n_global = 0, n_left_to_supports = 0;
 
     /** Area and averaged outward normal (times area) per node for one pair; `normal` has dim, `area` one entry per node. */
     void integrate(const PairDescription &pair, Vector &area, Vector &normal) const;
     /** Whether a boundary face belongs to the slave surface of a pair. */
-    bool on_surface(const PairDescription                                          &pair,
+    bool on_surface(const PairDescription                                        &pair,
                     const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                    unsigned int                                                    face) const;
+                    unsigned int                                                  face) const;
   };
 } // namespace signorini
 

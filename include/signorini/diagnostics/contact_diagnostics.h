@@ -12,16 +12,17 @@ namespace signorini
   /** Contact at one instant, summed over all contact nodes. */
   struct ContactSummary
   {
-    double                normal_force = 0.; ///< sum of |normal nodal forces|
-    std::array<double, 3> resultant{};       ///< on the bodies
-    unsigned int          n_active        = 0;  ///< nodes that carry a contact force
-    double                max_penetration = 0.; ///< largest violation of u.nu <= g, 0 if there is none
+    double                normal_force = 0.;          ///< sum of |normal nodal forces|
+    std::array<double, 3> resultant{};                ///< on the bodies
+    unsigned int          n_active              = 0;  ///< nodes that carry a contact force
+    double                max_penetration       = 0.; ///< largest violation of u.nu <= g, 0 if there is none
     double                geometric_penetration = 0.; ///< the same by the true geometry, with all obstacles
-    double                max_tension     = 0.; ///< largest nodal force of the wrong sign
+    double                max_tension           = 0.; ///< largest nodal force of the wrong sign
   };
 
   template <int dim>
-  ContactSummary contact_summary(const ContactSurface<dim> &surface, const Discretization<dim> &discretization, const State &state);
+  ContactSummary
+  contact_summary(const ContactSurface<dim> &surface, const Discretization<dim> &discretization, const State &state);
 
   /** Normal component of the force at a contact node, negative in compression. */
   template <int dim>

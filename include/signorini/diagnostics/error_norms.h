@@ -28,16 +28,18 @@ namespace signorini
   public:
     explicit ErrorEvaluation(const Discretization<dim> &discretization)
       : discretization(discretization)
-    {}
+    {
+    }
 
     ErrorNorms evaluate(const State &state);
 
   private:
     const Discretization<dim> &discretization;
-    double                     displacement_errors = 0., displacement_norms = 0., velocity_errors = 0., velocity_norms = 0.;
+    double displacement_errors = 0., displacement_norms = 0., velocity_errors = 0., velocity_norms = 0.;
 
     /** Squared norms of the error of a field and of its exact interpolant. */
-    std::pair<double, double> squares(const std::array<std::string, dim> &exact, const Vector &field, double time) const;
+    std::pair<double, double>
+    squares(const std::array<std::string, dim> &exact, const Vector &field, double time) const;
   };
 } // namespace signorini
 

@@ -33,11 +33,11 @@ namespace signorini
     ProbeReading read(const State &state) const;
 
   private:
-    const std::string        probe_name;
-    const MPI_Comm           communicator;
-    const ContactNode<dim>  *node = nullptr; ///< only on the owner
-    dealii::Point<dim>       node_position;
-    unsigned int             owner = 0;
+    const std::string       probe_name;
+    const MPI_Comm          communicator;
+    const ContactNode<dim> *node = nullptr; ///< only on the owner
+    dealii::Point<dim>      node_position;
+    unsigned int            owner = 0;
   };
 } // namespace signorini
 

@@ -34,14 +34,14 @@ namespace signorini
     /** Assemble mass and stiffness; needed before vectors can be made. */
     void assemble();
 
-    const Scene<dim>                                  &scene;
-    dealii::parallel::distributed::Triangulation<dim>  triangulation;
-    dealii::FESystem<dim>                              fe;
-    dealii::MappingQ<dim>                              mapping;
-    dealii::DoFHandler<dim>                            dof_handler;
-    dealii::AffineConstraints<double>                  hanging_node_constraints;
-    dealii::IndexSet                                   locally_owned, locally_relevant;
-    ElasticMatrices<dim>                               matrices;
+    const Scene<dim>                                 &scene;
+    dealii::parallel::distributed::Triangulation<dim> triangulation;
+    dealii::FESystem<dim>                             fe;
+    dealii::MappingQ<dim>                             mapping;
+    dealii::DoFHandler<dim>                           dof_handler;
+    dealii::AffineConstraints<double>                 hanging_node_constraints;
+    dealii::IndexSet                                  locally_owned, locally_relevant;
+    ElasticMatrices<dim>                              matrices;
     /** Positions of the local nodes of the pattern, ghosts included. */
     std::vector<dealii::Point<dim>> node_positions;
 

@@ -22,10 +22,10 @@ namespace signorini
     const Vector &at(double time);
 
   private:
-    const Discretization<dim>                &discretization;
-    bool                                      has_loads = false, depends_on_time = false;
-    std::array<std::pair<double, Vector>, 2>  kept;
-    unsigned int                              latest = 0;
+    const Discretization<dim>               &discretization;
+    bool                                     has_loads = false, depends_on_time = false;
+    std::array<std::pair<double, Vector>, 2> kept;
+    unsigned int                             latest = 0;
 
     Vector assemble(double time) const;
   };

@@ -21,8 +21,8 @@ namespace signorini
     explicit Supports(const Discretization<dim> &discretization);
 
     /** Per component the index of the condition that prescribes it, or `none`. */
-    using Components                       = std::array<unsigned int, dim>;
-    static constexpr unsigned int none     = static_cast<unsigned int>(-1);
+    using Components                   = std::array<unsigned int, dim>;
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
     /** Prescribed components by owned node. */
     const std::map<unsigned int, Components> &nodes() const { return prescribed; }

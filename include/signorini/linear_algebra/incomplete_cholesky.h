@@ -54,20 +54,20 @@ namespace signorini
     using Entry    = std::array<float, block_size * block_size>; ///< column by column
     using Diagonal = std::array<float, dim * dim>;
 
-    const NodePattern        &pattern;
-    std::vector<unsigned int> order;      ///< position in the elimination -> local node
-    std::vector<unsigned int> row_start, columns; ///< strictly lower triangle by rows; positions instead of nodes
-    std::vector<Entry>        lower;              ///< L, with a spare entry at the end, see Lanes
-    std::vector<Entry>        pivots;           ///< D_p
-    std::vector<Diagonal>     inverse_pivots;   ///< pseudo-inverse on the free directions
-    std::vector<unsigned int> position_of;      ///< local node -> position
-    std::vector<unsigned int> held_positions;   ///< whose inverse pivot differs from the full one
-    std::vector<float>        weights;          ///< per position, root of the partition of unity
-    bool                      overlapping;
-    double                    matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
-    mutable std::vector<float> work, scattered; ///< four numbers per position
-    mutable Vector            ghosted_source;
-    mutable unsigned long     applications = 0;
+    const NodePattern         &pattern;
+    std::vector<unsigned int>  order;              ///< position in the elimination -> local node
+    std::vector<unsigned int>  row_start, columns; ///< strictly lower triangle by rows; positions instead of nodes
+    std::vector<Entry>         lower;              ///< L, with a spare entry at the end, see Lanes
+    std::vector<Entry>         pivots;             ///< D_p
+    std::vector<Diagonal>      inverse_pivots;     ///< pseudo-inverse on the free directions
+    std::vector<unsigned int>  position_of;        ///< local node -> position
+    std::vector<unsigned int>  held_positions;     ///< whose inverse pivot differs from the full one
+    std::vector<float>         weights;            ///< per position, root of the partition of unity
+    bool                       overlapping;
+    double                     matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
+    mutable std::vector<float> work, scattered;   ///< four numbers per position
+    mutable Vector             ghosted_source;
+    mutable unsigned long      applications = 0;
 
     /** Where an entry of the lower triangle comes from: position in the upper triangle of the matrix, and whether it is turned. */
     struct Origin

@@ -21,10 +21,10 @@ namespace signorini
    */
   struct NodePattern
   {
-    unsigned int                                             n_owned = 0; ///< nodes of this process
-    unsigned int                                             n_local = 0; ///< with ghosts
-    std::vector<unsigned int>                                row_start;   ///< n_local + 1 entries
-    std::vector<unsigned int>                                columns;     ///< ascending within a row, which begins with its diagonal
+    unsigned int              n_owned = 0; ///< nodes of this process
+    unsigned int              n_local = 0; ///< with ghosts
+    std::vector<unsigned int> row_start;   ///< n_local + 1 entries
+    std::vector<unsigned int> columns;     ///< ascending within a row, which begins with its diagonal
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner; ///< of vectors with dim entries per node
 
     bool is_empty(const unsigned int node) const { return row_start[node] == row_start[node + 1]; }

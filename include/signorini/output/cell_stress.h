@@ -28,8 +28,7 @@ namespace signorini
    * @param displacement with ghosts and hanging nodes, see Discretization::interpolate_hanging_nodes()
    */
   template <int dim>
-  std::vector<Stress> cell_stress(const Discretization<dim> &discretization,
-                                  const Vector              &displacement);
+  std::vector<Stress> cell_stress(const Discretization<dim> &discretization, const Vector &displacement);
 } // namespace signorini
 
 #endif

@@ -21,9 +21,7 @@ namespace signorini
   {
   public:
     /** Collective; the first process replaces the file. @throws RunError on all processes if that is not possible. */
-    CsvTable(const std::string              &path,
-             const std::vector<std::string> &column_names,
-             MPI_Comm                        communicator);
+    CsvTable(const std::string &path, const std::vector<std::string> &column_names, MPI_Comm communicator);
 
     /** Collective; the values of the first process count. @throws RunError on all processes if the disk is full. */
     void write_row(const std::vector<double> &values);

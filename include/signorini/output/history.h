@@ -37,7 +37,10 @@ namespace signorini
   class History
   {
   public:
-    History(const std::string &directory, bool with_errors, const std::vector<Probe<dim>> &probes, MPI_Comm communicator);
+    History(const std::string             &directory,
+            bool                           with_errors,
+            const std::vector<Probe<dim>> &probes,
+            MPI_Comm                       communicator);
 
     void write(const HistoryRow &row);
     void write_probe(unsigned int probe, double time, const ProbeReading &reading);

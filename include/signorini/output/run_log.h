@@ -60,9 +60,9 @@ namespace signorini
     std::ofstream        log;
     std::unique_ptr<Tee> tee;
     std::ostream         both;
-    bool finished = false; ///< the log says how the run ended
-    bool              line_is_open = false; ///< the cursor stands behind the progress on a terminal
-    Clock::time_point start, last_update;
+    bool                 finished     = false; ///< the log says how the run ended
+    bool                 line_is_open = false; ///< the cursor stands behind the progress on a terminal
+    Clock::time_point    start, last_update;
 
     void        close_line();
     std::string time_left(unsigned int step, unsigned int n_steps) const;

@@ -50,20 +50,20 @@ namespace signorini
 
     dealii::Point<dim>            centre; ///< ball, cylinder
     double                        radius = 1.;
-    double                        length = 2.; ///< cylinder: full length, centred at `centre`
-    unsigned int                  axis   = dim - 1; ///< cylinder: direction of the axis, 0, 1, 2
-    dealii::Point<dim>            lower_corner, upper_corner;    ///< box
-    std::array<unsigned int, dim> repetitions;                   ///< box: coarse cells per direction
-    unsigned int                  refinements       = 0;         ///< uniform refinements
-    unsigned int                  local_refinements = 0;         ///< further refinements of the cells selected below
-    std::string                   refine_where;                  ///< expression in x, y, z of the cell centre; > 0 selects
+    double                        length = 2.;                ///< cylinder: full length, centred at `centre`
+    unsigned int                  axis   = dim - 1;           ///< cylinder: direction of the axis, 0, 1, 2
+    dealii::Point<dim>            lower_corner, upper_corner; ///< box
+    std::array<unsigned int, dim> repetitions;                ///< box: coarse cells per direction
+    unsigned int                  refinements       = 0;      ///< uniform refinements
+    unsigned int                  local_refinements = 0;      ///< further refinements of the cells selected below
+    std::string                   refine_where;               ///< expression in x, y, z of the cell centre; > 0 selects
 
-    Material                            material;
-    std::array<std::string, dim>        initial_displacement; ///< expressions in x, y, z
-    std::array<std::string, dim>        initial_velocity;
-    std::array<std::string, dim>        body_force; ///< force per *mass* (f of the paper's rho f), expressions in x, y, z, t
-    std::vector<BoundaryCondition<dim>> dirichlet;  ///< prescribed displacement
-    std::vector<BoundaryCondition<dim>> traction;   ///< prescribed stress vector
+    Material                     material;
+    std::array<std::string, dim> initial_displacement; ///< expressions in x, y, z
+    std::array<std::string, dim> initial_velocity;
+    std::array<std::string, dim> body_force; ///< force per *mass* (f of the paper's rho f), expressions in x, y, z, t
+    std::vector<BoundaryCondition<dim>> dirichlet; ///< prescribed displacement
+    std::vector<BoundaryCondition<dim>> traction;  ///< prescribed stress vector
   };
 } // namespace signorini
 

@@ -19,8 +19,7 @@ namespace signorini
 
   /** A few points on one boundary, for trying expressions. */
   template <int dim>
-  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body,
-                                                  dealii::types::boundary_id  id);
+  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body, dealii::types::boundary_id id);
 
   /** The centre of the body and the points of all its boundaries. */
   template <int dim>

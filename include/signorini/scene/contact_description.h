@@ -15,10 +15,10 @@ namespace signorini
   /** One entry of `Contact/Pairs`, `slave : obstacle` or `slave[ids] : obstacle`. */
   struct PairDescription
   {
-    std::string                             name;     ///< as written in the scene
-    unsigned int                            slave;    ///< index into Scene::bodies
-    std::vector<dealii::types::boundary_id> slave_boundary_ids; ///< empty: the whole boundary of the body
-    unsigned int                            obstacle; ///< index into Scene::obstacles
+    std::string                             name;                      ///< as written in the scene
+    unsigned int                            slave;                     ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id> slave_boundary_ids;        ///< empty: the whole boundary of the body
+    unsigned int                            obstacle;                  ///< index into Scene::obstacles
     double                                  friction_coefficient = 0.; ///< only 0 so far
   };
 

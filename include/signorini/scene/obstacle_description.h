@@ -22,7 +22,7 @@ namespace signorini
     double                 radius = 1.;     ///< sphere, cylinder
     dealii::Tensor<1, dim> axis;            ///< cylinder (3d): direction of its axis
     bool                   bodies_inside = false; ///< sphere, cylinder: the bodies are inside (a hollow obstacle)
-    std::string            signed_distance; ///< function: expression in x, y, z; positive where the bodies may be
+    std::string            signed_distance;       ///< function: expression in x, y, z; positive where the bodies may be
   };
 } // namespace signorini
 

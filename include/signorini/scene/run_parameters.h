@@ -11,7 +11,7 @@ namespace signorini
   /** Section `Solver`: the inequality of a step and the linear systems in it. */
   struct SolverParameters
   {
-    std::string  preconditioner = "automatic"; ///< automatic | jacobi | incomplete-cholesky | ml
+    std::string preconditioner = "automatic"; ///< automatic | jacobi | incomplete-cholesky | ml
     /**
      * Solutions are accepted when their error in the energy norm of the velocity is below `tolerance` times the root of the
      * largest energy of the run so far; the energy ledger then closes to this accuracy.

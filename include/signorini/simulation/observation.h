@@ -54,17 +54,19 @@ namespace signorini
     dealii::Timer              clock;
     ProductCount               products_before; ///< at the end of the last observation, whose own products do not count
 
-    double   largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0., impulse = 0.;
-    double   first_contact = -1., last_contact = -1.;
+    double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
+           impulse           = 0.;
+    double     first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
     /** The energy that changes are compared with. */
     double relative_scale() const;
     /** Products since the last observation. */
-    ProductCount products_of_step() const;
-    const Vector *load(double time);
-    static std::vector<Probe<dim>> make_probes(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
+    ProductCount                   products_of_step() const;
+    const Vector                  *load(double time);
+    static std::vector<Probe<dim>> make_probes(const Discretization<dim> &discretization,
+                                               const ContactSurface<dim> &surface);
   };
 } // namespace signorini
 

@@ -36,12 +36,12 @@ namespace signorini
     void run();
 
   private:
-    const Scene<dim>    &scene;
-    const bool           quiet;
-    std::ostringstream   timer_table;
-    dealii::TimerOutput  timer;
-    Discretization<dim>  discretization;
-    State                state;
+    const Scene<dim>   &scene;
+    const bool          quiet;
+    std::ostringstream  timer_table;
+    dealii::TimerOutput timer;
+    Discretization<dim> discretization;
+    State               state;
 
     std::unique_ptr<Supports<dim>>             supports;
     std::unique_ptr<ContactSurface<dim>>       surface;
@@ -50,9 +50,9 @@ namespace signorini
     std::unique_ptr<ElasticContactSystem<dim>> system;
 
     /** Matrices, contact surface, system, initial state. */
-    void prepare();
-    void set_initial_state();
-    bool writes_fields(unsigned int step) const;
+    void        prepare();
+    void        set_initial_state();
+    bool        writes_fields(unsigned int step) const;
     std::string description() const;
   };
 } // namespace signorini

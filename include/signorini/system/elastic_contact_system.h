@@ -56,7 +56,7 @@ namespace signorini
     Loads<dim>                    &loads;
     dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
-    double                                energy_scale = 0.;
+    double                                energy_scale     = 0.;
     double                                stiffness_factor = -1.; ///< of the preconditioner at hand
     std::string                           chosen_preconditioner;
     std::unique_ptr<StepOperator<dim>>    step_operator, mass_operator;
@@ -68,7 +68,8 @@ namespace signorini
 
     void prepare(double stiffness_factor, double step_size);
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
-    double solver_tolerance(double step_size, const Vector &right_hand_side, const MaskedPreconditioner &preconditioner) const;
+    double
+    solver_tolerance(double step_size, const Vector &right_hand_side, const MaskedPreconditioner &preconditioner) const;
   };
 } // namespace signorini
 

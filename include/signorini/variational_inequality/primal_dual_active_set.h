@@ -34,7 +34,8 @@ namespace signorini
 
     explicit PrimalDualActiveSet(const Parameters &parameters)
       : parameters(parameters)
-    {}
+    {
+    }
 
     SolveReport
     solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual) override;
@@ -49,7 +50,8 @@ namespace signorini
     /** Put the fixed and the active entries to their values and compute the residual. */
     void start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual);
     /** The semismooth Newton update of the set. @return number of changes on all processes */
-    unsigned int update(const ConstrainedProblem &problem, ActiveSet &active, const Vector &solution, const Vector &residual) const;
+    unsigned int
+    update(const ConstrainedProblem &problem, ActiveSet &active, const Vector &solution, const Vector &residual) const;
     /** Move entries that have just become active to their bounds and update the residual. */
     void hold(const ConstrainedProblem &problem, const ActiveSet &active, Vector &solution, Vector &residual);
     void set_mask(const ConstrainedProblem &problem, const ActiveSet &active);

@@ -18,7 +18,8 @@ namespace signorini
   public:
     explicit Proportioning(const unsigned int maximum_iterations = 100000)
       : maximum_iterations(maximum_iterations)
-    {}
+    {
+    }
 
     SolveReport
     solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual) override;
