@@ -228,6 +228,22 @@ namespace signorini
 
 
   template <int dim>
+  Vector ElasticContactSystem<dim>::support_part(const Vector &forces) const
+  {
+    Vector part = discretization.make_vector();
+    if (!coordinates.supported_entries().empty())
+      {
+        Vector local = forces;
+        coordinates.to_contact(local);
+        for (const unsigned int i : coordinates.supported_entries())
+          part.local_element(i) = local.local_element(i);
+        coordinates.to_cartesian(part);
+      }
+    return part;
+  }
+
+
+  template <int dim>
   std::string ElasticContactSystem<dim>::cost_summary() const
   {
     const ProductCount &products = discretization.matrices.products();

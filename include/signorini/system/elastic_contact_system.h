@@ -40,6 +40,8 @@ namespace signorini
                         Vector          &correction,
                         Vector          &mass_correction) override;
 
+    Vector support_part(const Vector &forces) const override;
+
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
 

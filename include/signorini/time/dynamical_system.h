@@ -81,6 +81,14 @@ namespace signorini
                                 double           step_size,
                                 Vector          &correction,
                                 Vector          &mass_correction) = 0;
+
+    /** The part of nodal forces that acts in the directions of supports. Zero for systems without supports. */
+    virtual Vector support_part(const Vector &forces) const
+    {
+      Vector none = forces;
+      none        = 0.;
+      return none;
+    }
   };
 } // namespace signorini
 
