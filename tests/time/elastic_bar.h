@@ -78,12 +78,22 @@ namespace signorini
                         Vector &mass_correction) override
     {
       correction = mass_correction = make_vector();
-      view(correction)             = minimise(
-        mass, Eigen::VectorXd::Zero(mass.rows()), {bounds[0] + free_increment(0), bounds[1] - free_increment(last())});
+      const double    fixed        = 0.; // supports are not corrected
+      const NormalGap left         = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
+      view(correction) = minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
       apply_mass(mass_correction, correction);
       SolveEffort effort;
       effort.n_active = correction.linfty_norm() > 0.;
       return effort;
+    }
+
+    Vector support_part(const Vector &forces) const override
+    {
+      Vector             part   = make_vector();
+      const unsigned int middle = mass.rows() / 2;
+      if (motion)
+        part(middle) = forces(middle);
+      return part;
     }
 
   private:

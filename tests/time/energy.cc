@@ -66,7 +66,7 @@ namespace
       return load * increment;
     }
 
-    /** 2/tau^2 (tau v - p)'M(d - p) with the projected predictor p. */
+    /** 2/tau^2 (tau v - p)'M(d - p) with the projected predictor p, without the reaction of supports, which is no loss. */
     double work_of_predictor(const State &before, const Vector &increment) const
     {
       Vector p = before.velocity, c, Mc;
@@ -75,6 +75,7 @@ namespace
       p += c;
       Vector rest = increment;
       rest -= p;
+      Mc -= system.support_part(Mc);
       return -2. / (tau * tau) * (Mc * rest);
     }
   };
