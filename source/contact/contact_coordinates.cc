@@ -15,6 +15,7 @@ namespace signorini
                                               const Supports<dim>       &supports)
     : supports(supports)
     , owned_contact_nodes(surface.nodes())
+    , node_coupling(surface.coupling())
     , mask_values(discretization.make_vector())
   {
     Frame identity{};
@@ -70,7 +71,62 @@ namespace signorini
 
 
   template <int dim>
-  void ContactCoordinates<dim>::to_contact(Vector &vector) const
+  void ContactCoordinates<dim>::displacement_to_cartesian(Vector &vector) const
+  {
+    add_partner_motion(vector, 1.);
+    rotate_from_frames(vector);
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::displacement_to_contact(Vector &vector) const
+  {
+    rotate_to_frames(vector);
+    add_partner_motion(vector, -1.);
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::force_to_contact(Vector &vector) const
+  {
+    rotate_to_frames(vector);
+    add_to_partners(vector, 1.);
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::force_to_cartesian(Vector &vector) const
+  {
+    add_to_partners(vector, -1.);
+    rotate_from_frames(vector);
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::add_partner_motion(Vector &vector, const double factor) const
+  {
+    if (!node_coupling.any())
+      return;
+    const std::vector<double> motion = node_coupling.partner_motion(vector);
+    for (std::size_t k = 0; k < motion.size(); ++k)
+      vector.local_element(normals[k]) += factor * motion[k];
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::add_to_partners(Vector &vector, const double factor) const
+  {
+    if (!node_coupling.any())
+      return;
+    std::vector<double> forces;
+    for (const unsigned int entry : normals)
+      forces.push_back(factor * vector.local_element(entry));
+    node_coupling.add_to_partners(forces, vector);
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::rotate_to_frames(Vector &vector) const
   {
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
@@ -86,7 +142,7 @@ namespace signorini
 
 
   template <int dim>
-  void ContactCoordinates<dim>::to_cartesian(Vector &vector) const
+  void ContactCoordinates<dim>::rotate_from_frames(Vector &vector) const
   {
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
@@ -118,6 +174,10 @@ namespace signorini
     mask_values.zero_out_ghost_values();
     for (unsigned int i = 0; i < mask.size(); ++i)
       mask_values.local_element(i) = mask[i];
+    // A relative entry is not a direction of its node alone.
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      if (!owned_contact_nodes[k].partners.empty())
+        mask_values.local_element(normals[k]) = 0.;
     mask_values.update_ghost_values();
     HeldNodes<dim> result;
     for (unsigned int k = 0; k < special.size(); ++k)

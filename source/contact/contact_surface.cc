@@ -2,15 +2,13 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/contact_surface.h>
-
-#include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/fe_values.h>
+#include <signorini/contact/mortar_coupling.h>
+#include <signorini/contact/overlap.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <map>
 #include <sstream>
 
@@ -18,54 +16,126 @@ namespace signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    // What facets of curved surfaces that fit together may overlap, relative to the size of a face.
+    constexpr double facet_overlap = 0.05;
+
+    /** If any process has something to complain about, all throw the first complaint. Collective. */
+    void throw_if_any(const std::string &complaint, const MPI_Comm communicator)
+    {
+      for (const std::string &text : Utilities::MPI::all_gather(communicator, complaint))
+        if (!text.empty())
+          throw UserError(text);
+    }
+  } // namespace
+
+
   template <int dim>
   ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const Supports<dim> &supports)
     : discretization(discretization)
+    , obstacle_contact(discretization, supports)
+    , contact_nodes(obstacle_contact.nodes())
+    , n_left_to_supports(obstacle_contact.n_supported())
   {
-    const auto &scene = discretization.scene;
-    for (const auto &description : scene.obstacles)
-      obstacles.push_back(make_obstacle(description));
-
-    std::map<unsigned int, ContactNode<dim>> closest;
-    for (unsigned int p = 0; p < scene.pairs.size(); ++p)
-      {
-        Vector area = discretization.make_vector(), outward = area;
-        integrate(scene.pairs[p], area, outward);
-        for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
-          {
-            const double weight = area.local_element(dim * node);
-            if (!(weight > 0.))
-              continue;
-            const Point<dim> &position   = discretization.node_positions[node];
-            const auto        projection = obstacles[scene.pairs[p].obstacle]->project(position);
-            double            facing     = 0.;
-            for (unsigned int c = 0; c < dim; ++c)
-              facing += outward.local_element(dim * node + c) * projection.normal[c];
-            const auto known = closest.find(node);
-            // Across the normal, where an equator or the side of a box is, round-off must not decide.
-            const bool faces = facing > 1e-8 * weight;
-            if (faces && (known == closest.end() || projection.gap < known->second.gap))
-              closest[node] = {node, p, position, projection.gap, weight, contact_frame(projection.normal)};
-          }
-      }
-
-    for (auto &[node, contact_node] : closest)
-      {
-        if (const auto support = supports.nodes().find(node); support != supports.nodes().end())
-          {
-            std::array<bool, dim> held;
-            for (unsigned int c = 0; c < dim; ++c)
-              held[c] = support->second[c] != Supports<dim>::none;
-            if (!contact_frame_with_supports<dim>(contact_node.normal(), held, contact_node.frame))
-              {
-                ++n_left_to_supports;
-                continue;
-              }
-          }
-        contact_nodes.push_back(contact_node);
-      }
+    for (unsigned int p = 0; p < discretization.scene.pairs.size(); ++p)
+      if (discretization.scene.pairs[p].of_two_bodies())
+        add_pair_of_bodies(p, supports);
+    std::stable_sort(contact_nodes.begin(),
+                     contact_nodes.end(),
+                     [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
+    node_coupling =
+      std::make_unique<NodeCoupling<dim>>(contact_nodes, discretization.matrices.pattern.partitioner);
+    check_that_pairs_are_disjoint();
     n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
-    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::add_pair_of_bodies(const unsigned int pair, const Supports<dim> &supports)
+  {
+    const auto            &scene       = discretization.scene;
+    const PairDescription &description = scene.pairs[pair];
+    const std::string      head        = scene.file_name + ": Contact/Pairs = " + description.name + ": ";
+    if (const auto place = find_deep_overlap(discretization, description.slave, description.master))
+      {
+        std::ostringstream message;
+        message << head << "the bodies '" << scene.bodies[description.slave].name << "' and '"
+                << scene.bodies[description.master].name << "' overlap at the start, at (" << *place
+                << "). Move one of them.";
+        throw UserError(message.str());
+      }
+
+    const MortarCoupling<dim> mortar(discretization, supports, pair);
+    if (!(mortar.covered_area() > 0.))
+      throw UserError(head + "no face of the slave looks at a face of the master along its normal, so that they can never "
+                             "touch. Check the boundary ids and the positions of the bodies.");
+    auto nodes = mortar.nodes();
+    close_small_overlaps(pair, nodes);
+    contact_nodes.insert(contact_nodes.end(), nodes.begin(), nodes.end());
+    n_left_to_supports += mortar.n_supported();
+
+    const double covered = mortar.covered_area() / mortar.slave_area();
+    if (!description.slave_boundary_ids.empty() && covered < 0.999)
+      {
+        std::ostringstream note;
+        note << std::setprecision(3) << description.name << ": the master is opposite to " << 100. * covered
+             << " % of the slave surface; the rest of it is taken to be free";
+        assumptions.push_back(note.str());
+      }
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::close_small_overlaps(const unsigned int pair, std::vector<ContactNode<dim>> &nodes)
+  {
+    const double size    = discretization.body_size();
+    double       deepest = 0.;
+    for (ContactNode<dim> &node : nodes)
+      {
+        const double face_size = std::pow(node.weight, 1. / (dim - 1));
+        const double depth     = -node.gap;
+        if (std::abs(depth) < 1e-12 * size)
+          node.gap = 0.;
+        else if (depth > 0. && depth < facet_overlap * face_size)
+          {
+            deepest  = std::max(deepest, depth);
+            node.gap = 0.;
+          }
+      }
+    deepest = Utilities::MPI::max(deepest, discretization.communicator());
+    if (deepest > 0.)
+      {
+        std::ostringstream note;
+        note << std::setprecision(3) << discretization.scene.pairs[pair].name
+             << ": the surfaces overlap by up to " << deepest
+             << ", a small part of a face, as facets of curved surfaces may; taken to touch without stress";
+        assumptions.push_back(note.str());
+      }
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::check_that_pairs_are_disjoint() const
+  {
+    const auto &scene     = discretization.scene;
+    const auto  complaint = [&](const ContactNode<dim> &node, const std::string &other) {
+      std::ostringstream message;
+      message << scene.file_name << ": Contact/Pairs: `" << scene.pairs[node.pair].name << "` and " << other
+              << " share the node at (" << node.position
+              << "). A node can have one partner. Choose boundary ids for the pairs, as in `body[2] : other[3]`, so that their "
+                 "surfaces do not meet.";
+      return message.str();
+    };
+    std::string text;
+    for (std::size_t k = 1; k < contact_nodes.size(); ++k)
+      if (contact_nodes[k].node == contact_nodes[k - 1].node)
+        text = complaint(contact_nodes[k], "`" + scene.pairs[contact_nodes[k - 1].pair].name + "`");
+    const std::vector<unsigned int> partners = node_coupling->owned_partners();
+    for (const ContactNode<dim> &node : contact_nodes)
+      if (std::binary_search(partners.begin(), partners.end(), node.node))
+        text = complaint(node, "another pair of its body");
+    throw_if_any(text, discretization.communicator());
   }
 
 
@@ -74,142 +144,56 @@ namespace signorini
                                      const unsigned int                                    face) const
   {
     const auto &pairs = discretization.scene.pairs;
-    return std::any_of(
-      pairs.begin(), pairs.end(), [&](const PairDescription &pair) { return on_surface(pair, cell, face); });
+    return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) {
+      return is_surface_face<dim>(cell, face, pair.slave, pair.slave_boundary_ids);
+    });
   }
 
 
   template <int dim>
-  bool ContactSurface<dim>::on_surface(const PairDescription                                &pair,
-                                       const typename DoFHandler<dim>::active_cell_iterator &cell,
-                                       const unsigned int                                    face) const
+  std::vector<double> ContactSurface<dim>::relative_normal(const Vector &motion) const
   {
-    const auto &ids = pair.slave_boundary_ids;
-    return cell->is_locally_owned() && cell->material_id() == pair.slave && cell->face(face)->at_boundary()
-           && (ids.empty() || std::find(ids.begin(), ids.end(), cell->face(face)->boundary_id()) != ids.end());
-  }
-
-
-  template <int dim>
-  void ContactSurface<dim>::integrate(const PairDescription &pair, Vector &area, Vector &outward) const
-  {
-    const FE_Q<dim>                      scalar_fe(1);
-    FEFaceValues<dim>                    fe_values(discretization.mapping,
-                                scalar_fe,
-                                QGauss<dim - 1>(discretization.n_quadrature_points()),
-                                update_values | update_normal_vectors | update_JxW_values);
-    std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
-    dealii::Vector<double>               local_area(dofs.size()), local_normal(dofs.size());
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      for (const unsigned int f : cell->face_indices())
-        if (on_surface(pair, cell, f))
-          {
-            fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell), f);
-            local_area   = 0.;
-            local_normal = 0.;
-            for (const unsigned int q : fe_values.quadrature_point_indices())
-              for (unsigned int v = 0; v < scalar_fe.n_dofs_per_cell(); ++v)
-                {
-                  const double measure = fe_values.shape_value(v, q) * fe_values.JxW(q);
-                  local_area[dim * v] += measure;
-                  for (unsigned int c = 0; c < dim; ++c)
-                    local_normal[dim * v + c] += measure * fe_values.normal_vector(q)[c];
-                }
-            cell->get_dof_indices(dofs);
-            // A hanging node hands its share to the nodes that it hangs between.
-            discretization.hanging_node_constraints.distribute_local_to_global(local_area, dofs, area);
-            discretization.hanging_node_constraints.distribute_local_to_global(local_normal, dofs, outward);
-          }
-    area.compress(VectorOperation::add);
-    outward.compress(VectorOperation::add);
-    // Shape functions that do not live on a face contribute round-off; what is tiny is not on the surface.
-    const double threshold = 1e-10 * area.linfty_norm();
-    for (unsigned int i = 0; i < area.locally_owned_size(); ++i)
-      if (area.local_element(i) < threshold)
-        area.local_element(i) = 0.;
+    std::vector<double> result = node_coupling->partner_motion(motion);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      {
+        double own = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          own += contact_nodes[k].frame[c] * motion.local_element(dim * contact_nodes[k].node + c);
+        result[k] = own - result[k];
+      }
+    return result;
   }
 
 
   template <int dim>
   std::vector<double> ContactSurface<dim>::normal_gap(const Vector &displacement) const
   {
-    std::vector<double> gap;
-    gap.reserve(contact_nodes.size());
-    for (const ContactNode<dim> &contact_node : contact_nodes)
-      {
-        double normal_displacement = 0.;
-        for (unsigned int c = 0; c < dim; ++c)
-          normal_displacement += contact_node.frame[c] * displacement.local_element(dim * contact_node.node + c);
-        gap.push_back(contact_node.gap - normal_displacement);
-      }
+    std::vector<double> gap = relative_normal(displacement);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      gap[k] = contact_nodes[k].gap - gap[k];
     return gap;
-  }
-
-
-  template <int dim>
-  double ContactSurface<dim>::geometric_penetration(const Vector &displacement) const
-  {
-    const auto &pairs   = discretization.scene.pairs;
-    double      deepest = 0.;
-    for (const ContactNode<dim> &contact_node : contact_nodes)
-      {
-        Point<dim> position = contact_node.position;
-        for (unsigned int c = 0; c < dim; ++c)
-          position[c] += displacement.local_element(dim * contact_node.node + c);
-        for (const PairDescription &pair : pairs)
-          if (pair.slave == pairs[contact_node.pair].slave)
-            deepest = std::max(deepest, -obstacles[pair.obstacle]->project(position).gap);
-      }
-    return Utilities::MPI::max(deepest, discretization.communicator());
   }
 
 
   template <int dim>
   void ContactSurface<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
-    const auto  &scene     = discretization.scene;
-    const double tolerance = 1e-10 * discretization.body_size();
-    for (const PairDescription &pair : scene.pairs)
-      {
-        double     deepest = 0.;
-        Point<dim> place;
-        const auto look = [&](const Point<dim> &point) {
-          const double gap = obstacles[pair.obstacle]->project(point).gap;
-          if (gap < deepest)
-            {
-              deepest = gap;
-              place   = point;
-            }
-        };
-        Vector ghosted(discretization.locally_owned, discretization.locally_relevant, discretization.communicator());
-        ghosted.copy_locally_owned_data_from(initial_displacement);
-        ghosted.update_ghost_values();
-        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-          for (const unsigned int f : cell->face_indices())
-            if (on_surface(pair, cell, f))
-              for (const unsigned int v : cell->face(f)->vertex_indices())
-                {
-                  Point<dim> point = cell->face(f)->vertex(v);
-                  look(point);
-                  for (unsigned int c = 0; c < dim; ++c)
-                    point[c] += ghosted(cell->face(f)->vertex_dof_index(v, c));
-                  look(point);
-                }
-        // The process with the deepest point tells the others, so that all report the same place.
-        const double minimum = Utilities::MPI::min(deepest, discretization.communicator());
-        if (minimum < -tolerance)
-          {
-            for (unsigned int c = 0; c < dim; ++c)
-              place[c] = Utilities::MPI::max(deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
-                                             discretization.communicator());
-            std::ostringstream message;
-            message << scene.file_name << ": Contact/Pairs = " << pair.name << ": the body '"
-                    << scene.bodies[pair.slave].name << "' penetrates the obstacle '"
-                    << scene.obstacles[pair.obstacle].name << "' at the start, by " << -minimum << " at (" << place
-                    << "). Move the body or the obstacle apart, or change the initial displacement.";
-            throw UserError(message.str());
-          }
-      }
+    obstacle_contact.check_initial_gap(initial_displacement);
+    const auto               &scene   = discretization.scene;
+    const std::vector<double> gap     = normal_gap(initial_displacement);
+    double                    deepest = 1e-10 * discretization.body_size();
+    std::string               text;
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      if (scene.pairs[contact_nodes[k].pair].of_two_bodies() && gap[k] < -deepest)
+        {
+          deepest = -gap[k];
+          std::ostringstream message;
+          message << scene.file_name << ": Contact/Pairs = " << scene.pairs[contact_nodes[k].pair].name
+                  << ": the bodies overlap at the start, by " << deepest << " at (" << contact_nodes[k].position
+                  << "). Move one of them, or change the initial displacement.";
+          text = message.str();
+        }
+    throw_if_any(text, discretization.communicator());
   }
 
 

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/contact_diagnostics.h>
-#include <signorini/diagnostics/momentum.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -27,8 +26,11 @@ namespace signorini
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
-        const double force = normal_force(surface.nodes()[k], state.contact_force);
-        summary.normal_force += std::abs(force);
+        const ContactNode<dim> &node  = surface.nodes()[k];
+        const double            force = normal_force(node, state.contact_force);
+        summary.normal_force += std::abs(node.transmission * force);
+        for (unsigned int c = 0; c < dim; ++c)
+          summary.resultant[c] += node.transmission * force * node.frame[c];
         summary.n_active += (force != 0.);
         summary.max_tension     = std::max(summary.max_tension, force);
         summary.max_penetration = std::max(summary.max_penetration, -gap[k]);
@@ -38,7 +40,8 @@ namespace signorini
     summary.max_tension           = dealii::Utilities::MPI::max(summary.max_tension, communicator);
     summary.max_penetration       = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
     summary.geometric_penetration = surface.geometric_penetration(state.displacement);
-    summary.resultant             = resultant(discretization, state.contact_force);
+    for (double &component : summary.resultant)
+      component = dealii::Utilities::MPI::sum(component, communicator);
     return summary;
   }
 

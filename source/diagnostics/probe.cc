@@ -19,44 +19,43 @@ namespace signorini
                     const MPI_Comm               communicator)
     : probe_name(description.name)
     , communicator(communicator)
+    , surface(surface)
   {
     double distance = std::numeric_limits<double>::max();
-    for (const ContactNode<dim> &candidate : surface.nodes())
-      if (const double d = candidate.position.distance(description.point); d < distance)
+    for (unsigned int k = 0; k < surface.nodes().size(); ++k)
+      if (const double d = surface.nodes()[k].position.distance(description.point); d < distance)
         {
           distance = d;
-          node     = &candidate;
+          node     = k;
         }
     if (surface.n_global_nodes() == 0)
       throw UserError("Probes/" + probe_name
                       + ": there is no contact node that it could observe. Check Contact/Pairs, or remove the probe.");
     const auto closest = Utilities::MPI::min_max_avg(distance, communicator);
     owner              = closest.min_index;
-    if (Utilities::MPI::this_mpi_process(communicator) != owner)
-      node = nullptr;
-    node_position = Utilities::MPI::broadcast(communicator, node ? node->position : Point<dim>(), owner);
+    const bool is_here = Utilities::MPI::this_mpi_process(communicator) == owner;
+    node_position =
+      Utilities::MPI::broadcast(communicator, is_here ? surface.nodes()[node].position : Point<dim>(), owner);
   }
 
 
   template <int dim>
   ProbeReading Probe<dim>::read(const State &state) const
   {
-    std::array<double, 4> values{};
-    if (node)
+    const std::vector<double> displacement = surface.relative_normal(state.displacement),
+                              velocity     = surface.relative_normal(state.velocity);
+    std::array<double, 5> values{};
+    if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            values[0] += node->frame[c] * state.displacement.local_element(dim * node->node + c);
-            values[1] += node->frame[c] * state.velocity.local_element(dim * node->node + c);
-          }
-        values[2] = -normal_force(*node, state.contact_force);
-        if (values[2] == 0.)
-          values[2] = 0.; // no negative zero in tables
-        values[3] = node->gap;
+        const ContactNode<dim> &contact_node = surface.nodes()[node];
+        const double            force        = -normal_force(contact_node, state.contact_force);
+        values = {
+          {contact_node.gap - displacement[node], displacement[node], velocity[node], force / contact_node.weight, force}};
+        for (double &value : values)
+          value += 0.; // no negative zero in tables
       }
-    values              = Utilities::MPI::broadcast(communicator, values, owner);
-    const double weight = Utilities::MPI::broadcast(communicator, node ? node->weight : 0., owner);
-    return {values[3] - values[0], values[0], values[1], values[2] / weight, values[2]};
+    values = Utilities::MPI::broadcast(communicator, values, owner);
+    return {values[0], values[1], values[2], values[3], values[4]};
   }
 
 

@@ -29,6 +29,9 @@ namespace signorini
     , dof_handler(triangulation)
   {
     make_mesh(scene, triangulation);
+    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
+      for (unsigned int c = 0; c < dim; ++c)
+        largest_extent = std::max(largest_extent, bounding_box(b).side_length(c));
     dof_handler.distribute_dofs(fe);
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
@@ -135,29 +138,14 @@ namespace signorini
 
 
   template <int dim>
-  double Discretization<dim>::body_size() const
+  BoundingBox<dim> Discretization<dim>::bounding_box(const unsigned int body) const
   {
-    double size = 0.;
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        Point<dim> lower, upper;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            lower[c] = std::numeric_limits<double>::max();
-            upper[c] = -lower[c];
-          }
-        for (const auto &cell : triangulation.cell_iterators_on_level(0))
-          if (cell->material_id() == b)
-            for (const unsigned int v : cell->vertex_indices())
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  lower[c] = std::min(lower[c], cell->vertex(v)[c]);
-                  upper[c] = std::max(upper[c], cell->vertex(v)[c]);
-                }
-        for (unsigned int c = 0; c < dim; ++c)
-          size = std::max(size, upper[c] - lower[c]);
-      }
-    return Utilities::MPI::max(size, communicator());
+    std::vector<Point<dim>> points;
+    for (const auto &cell : triangulation.cell_iterators_on_level(0))
+      if (cell->material_id() == body)
+        for (const unsigned int v : cell->vertex_indices())
+          points.push_back(cell->vertex(v));
+    return BoundingBox<dim>(points);
   }
 
 

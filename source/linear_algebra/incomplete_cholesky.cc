@@ -50,7 +50,10 @@ namespace signorini
                                                           const double                     stiffness_factor,
                                                           const std::vector<unsigned int> &eliminate_last)
     : pattern(matrices.pattern)
-    , overlapping(pattern.n_local > pattern.n_owned)
+    // For all processes: the exchange of overlapping parts is collective, even if one process has no ghosts.
+    , overlapping(dealii::Utilities::MPI::max(static_cast<unsigned int>(pattern.n_local > pattern.n_owned),
+                                              pattern.partitioner->get_mpi_communicator())
+                  > 0)
     , work(4 * pattern.n_local, 0.f)
     , ghosted_source(pattern.partitioner)
   {

@@ -28,13 +28,16 @@ namespace signorini
     }
 
     template <int dim>
-    void check_boundary_ids(const SectionReader &in, const PairName &pair, const BodyDescription<dim> &body)
+    void check_boundary_ids(const SectionReader             &in,
+                            const PairName                  &pair,
+                            const std::vector<unsigned int> &ids,
+                            const BodyDescription<dim>      &body)
     {
       const std::vector<dealii::types::boundary_id> existing = boundary_ids(body);
       std::vector<std::string>                      valid;
       for (const dealii::types::boundary_id id : existing)
         valid.push_back(std::to_string(id));
-      for (const unsigned int id : pair.ids)
+      for (const unsigned int id : ids)
         if (std::find(existing.begin(), existing.end(), id) == existing.end())
           in.fail("Pairs",
                   "the pair `" + pair.text() + "`: the body `" + body.name + "` is a " + body.shape
@@ -68,11 +71,22 @@ namespace signorini
     for (const PairName &name : names)
       {
         PairDescription pair;
-        pair.name     = name.text();
-        pair.slave    = index_of(bodies, name.slave);
-        pair.obstacle = index_of(obstacles, name.partner);
-        check_boundary_ids(in, name, scene.bodies[pair.slave]);
+        pair.name  = name.text();
+        pair.slave = index_of(bodies, name.slave);
+        check_boundary_ids(in, name, name.ids, scene.bodies[pair.slave]);
         pair.slave_boundary_ids.assign(name.ids.begin(), name.ids.end());
+        if (const unsigned int master = index_of(bodies, name.partner); master < bodies.size())
+          {
+            pair.master = master;
+            if (scene.time.predictor == "lumped")
+              in.fail("Pairs",
+                      "the pair `" + name.text() + "`: the lumped predictor is available for rigid obstacles only. Set "
+                        + "`Time/Predictor mass = consistent`.");
+            check_boundary_ids(in, name, name.partner_ids, scene.bodies[master]);
+            pair.master_boundary_ids.assign(name.partner_ids.begin(), name.partner_ids.end());
+          }
+        else
+          pair.obstacle = index_of(obstacles, name.partner);
         pair.friction_coefficient = parse_friction(in.section(pair.name));
         pairs.push_back(pair);
       }

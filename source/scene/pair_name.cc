@@ -39,29 +39,34 @@ namespace signorini
       return pairs;
     }
 
+    /** The numbers in `[0,2]`; none if there are no brackets. */
+    std::vector<unsigned int> parse_ids(const SectionReader &in, const std::string &pair, const std::string &brackets)
+    {
+      std::vector<unsigned int> ids;
+      if (brackets.empty())
+        return ids;
+      for (const std::string &id : split(brackets.substr(1, brackets.size() - 2), ','))
+        {
+          ids.push_back(std::stoul(id));
+          if (std::count(ids.begin(), ids.end(), ids.back()) > 1)
+            in.fail("Pairs", "`" + pair + "` names boundary id " + id + " twice. Name it once.");
+        }
+      return ids;
+    }
+
     PairName parse_pair(const SectionReader &in, const std::string &text)
     {
-      static const std::regex grammar(R"(([A-Za-z0-9_-]+)(\[([0-9]{1,6}(,[0-9]{1,6})*)\])?:([A-Za-z0-9_-]+)(\[.*\])?)");
-      const std::string       compact = without_blanks(text);
-      std::smatch             match;
+      const std::string ids     = R"((\[[0-9]{1,6}(?:,[0-9]{1,6})*\])?)";
+      const std::string name    = "([A-Za-z0-9_-]+)";
+      const std::string compact = without_blanks(text);
+      std::smatch       match;
       if (compact.empty())
         in.fail("Pairs", "the list has an empty entry. Remove the superfluous comma.");
-      if (!std::regex_match(compact, match, grammar))
+      if (!std::regex_match(compact, match, std::regex(name + ids + ":" + name + ids)))
         in.fail("Pairs",
-                "`" + trim(text) + "` is not a pair. Write `body : obstacle` or, for some boundaries of the "
-                  + "body, `body[0,2] : obstacle`, and separate pairs by commas.");
-      if (match[6].matched)
-        in.fail("Pairs", "`" + trim(text) + "`: an obstacle has no boundary ids. Remove " + match[6].str() + ".");
-
-      PairName pair{match[1], {}, match[5]};
-      if (match[2].matched)
-        for (const std::string &id : split(match[3].str(), ','))
-          {
-            pair.ids.push_back(std::stoul(id));
-            if (std::count(pair.ids.begin(), pair.ids.end(), pair.ids.back()) > 1)
-              in.fail("Pairs", "`" + trim(text) + "` names boundary id " + id + " twice. Name it once.");
-          }
-      return pair;
+                "`" + trim(text) + "` is not a pair. Write `body : partner` or, for some boundaries of a "
+                  + "body, `body[0,2] : partner[3]`, and separate pairs by commas.");
+      return {match[1], parse_ids(in, trim(text), match[2]), match[3], parse_ids(in, trim(text), match[4])};
     }
 
     void check_names(const SectionReader            &in,
@@ -75,38 +80,50 @@ namespace signorini
       if (!contains(bodies, pair.slave))
         in.fail("Pairs", head + "there is no body `" + pair.slave + "`. " + suggestion(pair.slave, bodies));
       if (pair.partner == pair.slave)
-        in.fail("Pairs", head + "contact of a body with itself is not available. Name an obstacle.");
-      if (contains(bodies, pair.partner))
-        in.fail("Pairs",
-                head
-                  + "contact of body against body is not available in this version. "
-                    "Pair each body with an obstacle.");
-      if (obstacles.empty())
-        in.fail("Pairs",
-                head + "there is no obstacle `" + pair.partner + "`; the scene has none. "
-                  + "Add it to `Obstacles/Names`.");
-      if (!contains(obstacles, pair.partner))
-        in.fail("Pairs", head + "there is no obstacle `" + pair.partner + "`. " + suggestion(pair.partner, obstacles));
+        in.fail("Pairs", head + "contact of a body with itself is not available. Name another body or an obstacle.");
+      if (contains(obstacles, pair.partner) && !pair.partner_ids.empty())
+        in.fail("Pairs", head + "an obstacle has no boundary ids. Remove them.");
+      if (!contains(bodies, pair.partner) && !contains(obstacles, pair.partner))
+        {
+          std::vector<std::string> partners = obstacles;
+          for (const std::string &body : bodies)
+            if (body != pair.slave)
+              partners.push_back(body);
+          in.fail("Pairs",
+                  head + "there is no obstacle or body `" + pair.partner + "`"
+                    + (partners.empty() ? "; the scene has no other. Add it to `Obstacles/Names` or `Bodies/Names`." :
+                                          ". " + suggestion(pair.partner, partners)));
+        }
     }
 
+    bool have_common(const std::vector<unsigned int> &ids, const std::vector<unsigned int> &others)
+    {
+      return ids.empty() || others.empty() || std::any_of(ids.begin(), ids.end(), [&](const unsigned int id) {
+               return std::find(others.begin(), others.end(), id) != others.end();
+             });
+    }
+
+    /** Whether two pairs describe contact of the same surfaces, perhaps the other way round. */
     bool overlap(const PairName &first, const PairName &second)
     {
-      if (first.slave != second.slave || first.partner != second.partner)
-        return false;
-      if (first.ids.empty() || second.ids.empty())
-        return true;
-      return std::any_of(first.ids.begin(), first.ids.end(), [&](const unsigned int id) {
-        return std::find(second.ids.begin(), second.ids.end(), id) != second.ids.end();
-      });
+      return (first.slave == second.slave && first.partner == second.partner && have_common(first.ids, second.ids)
+              && have_common(first.partner_ids, second.partner_ids))
+             || (first.slave == second.partner && first.partner == second.slave
+                 && have_common(first.ids, second.partner_ids) && have_common(first.partner_ids, second.ids));
+    }
+
+    std::string in_brackets(const std::vector<unsigned int> &ids)
+    {
+      std::vector<std::string> numbers;
+      for (const unsigned int id : ids)
+        numbers.push_back(std::to_string(id));
+      return ids.empty() ? "" : "[" + join(numbers, ",") + "]";
     }
   } // namespace
 
   std::string PairName::text() const
   {
-    std::vector<std::string> numbers;
-    for (const unsigned int id : ids)
-      numbers.push_back(std::to_string(id));
-    return slave + (ids.empty() ? "" : "[" + join(numbers, ",") + "]") + " : " + partner;
+    return slave + in_brackets(ids) + " : " + partner + in_brackets(partner_ids);
   }
 
   std::string with_normal_blanks(const std::string &name)

@@ -37,7 +37,7 @@ namespace signorini
   void print_parameters(std::ostream &out)
   {
     dealii::ParameterHandler prm;
-    declare_scene<3>(prm, {{"ball"}, {"floor"}, {"south_pole"}, {{"ball", {}, "floor"}}});
+    declare_scene<3>(prm, {{"ball"}, {"floor"}, {"south_pole"}, {{"ball", {}, "floor", {}}}});
     set_example_values(prm);
     out << "# All keys of a scene, with descriptions and defaults, for one body, one obstacle and one "
            "probe.\n"

@@ -89,6 +89,12 @@ namespace signorini
     contact_now                 = contact_summary(surface, discretization, state);
     if (discretization.scene.exact_solution.given)
       latest_errors = errors.evaluate(state);
+    const Momentum momentum_now = momentum(discretization, state);
+    if (state.step == 0)
+      initial_momentum = momentum_now;
+    double drift_square = 0.;
+    for (unsigned int c = 0; c < 3; ++c)
+      drift_square += std::pow(momentum_now.angular[c] - initial_momentum.angular[c], 2);
     const bool write_row = state.step % discretization.scene.output.history_every == 0;
     if (write_row)
       history.write({state,
@@ -97,7 +103,8 @@ namespace signorini
                      discretization.dof_handler.n_dofs(),
                      ledger.current(),
                      booking,
-                     momentum(discretization, state),
+                     momentum_now,
+                     std::sqrt(drift_square),
                      contact_now,
                      report,
                      products,

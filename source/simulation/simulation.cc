@@ -143,6 +143,8 @@ namespace signorini
       text
         << "  note: " << surface->n_supported()
         << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
+    for (const std::string &note : surface->notes())
+      text << "  note: " << note << "\n";
     return text.str();
   }
 

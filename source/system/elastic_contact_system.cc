@@ -110,7 +110,7 @@ namespace signorini
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;
-    coordinates.to_contact(right_hand_side);
+    coordinates.force_to_contact(right_hand_side);
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
     forecast.guess(right_hand_side, increment);
@@ -119,7 +119,7 @@ namespace signorini
     if (!prescribed.empty())
       {
         Vector displacement = problem.displacement;
-        coordinates.to_contact(displacement);
+        coordinates.rotate_to_frames(displacement); // supported entries are not relative
         for (unsigned int j = 0; j < prescribed.size(); ++j)
           prescribed[j] -= displacement.local_element(coordinates.supported_entries()[j]);
       }
@@ -154,9 +154,9 @@ namespace signorini
     for (const unsigned int i : coordinates.supported_entries())
       solution.support_reaction.local_element(i) = -residual.local_element(i);
 
-    coordinates.to_cartesian(increment);
-    coordinates.to_cartesian(solution.contact_reaction);
-    coordinates.to_cartesian(solution.support_reaction);
+    coordinates.displacement_to_cartesian(increment);
+    coordinates.force_to_cartesian(solution.contact_reaction);
+    coordinates.force_to_cartesian(solution.support_reaction);
   }
 
 
@@ -171,12 +171,12 @@ namespace signorini
     mass_correction = correction;
 
     // The bound of the correction is what is left of the gap after the free increment.
-    NormalGap  left         = surface.normal_gap(free_increment);
+    NormalGap  left         = surface.relative_normal(free_increment);
     const auto bound_length = 1e-12 * discretization.body_size();
     bool       admissible   = true;
     for (unsigned int k = 0; k < left.size(); ++k)
       {
-        left[k]    = bounds[k] - (surface.nodes()[k].gap - left[k]);
+        left[k]    = bounds[k] - left[k];
         admissible = admissible && left[k] >= -bound_length;
       }
     if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
@@ -193,7 +193,7 @@ namespace signorini
               ++effort.n_active;
             }
         effort.n_active = dealii::Utilities::MPI::sum(effort.n_active, discretization.communicator());
-        coordinates.to_cartesian(correction);
+        coordinates.rotate_from_frames(correction); // obstacles only
         apply_mass(mass_correction, correction);
         return effort;
       }
@@ -221,8 +221,8 @@ namespace signorini
                              mass_correction));
     last_correction = correction;
     mass_correction *= -1.; // the residual 0 - M c
-    coordinates.to_cartesian(correction);
-    coordinates.to_cartesian(mass_correction);
+    coordinates.displacement_to_cartesian(correction);
+    coordinates.force_to_cartesian(mass_correction);
     return effort;
   }
 
@@ -234,10 +234,10 @@ namespace signorini
     if (!coordinates.supported_entries().empty())
       {
         Vector local = forces;
-        coordinates.to_contact(local);
+        coordinates.force_to_contact(local);
         for (const unsigned int i : coordinates.supported_entries())
           part.local_element(i) = local.local_element(i);
-        coordinates.to_cartesian(part);
+        coordinates.rotate_from_frames(part); // supported entries are not relative
       }
     return part;
   }

@@ -72,10 +72,10 @@ namespace signorini
     for (unsigned int i = 0; i < mask.size(); ++i)
       if (mask[i])
         cartesian.local_element(i) = 0.;
-    coordinates.to_cartesian(cartesian);
+    coordinates.force_to_cartesian(cartesian);
     destination.zero_out_ghost_values();
     multigrid.vmult(destination, cartesian);
-    coordinates.to_contact(destination);
+    coordinates.displacement_to_contact(destination);
     for (unsigned int i = 0; i < mask.size(); ++i)
       if (mask[i])
         destination.local_element(i) = 0.;

@@ -66,9 +66,9 @@ namespace signorini
       {
         cartesian.copy_locally_owned_data_from(source);
         hold(cartesian);
-        coordinates.to_cartesian(cartesian);
+        coordinates.force_to_cartesian(cartesian);
         factor.vmult(destination, cartesian);
-        coordinates.to_contact(destination);
+        coordinates.displacement_to_contact(destination);
         hold(destination);
       }
 

@@ -25,9 +25,9 @@ namespace signorini
   void StepOperator<dim>::vmult(Vector &destination, const Vector &source) const
   {
     cartesian.copy_locally_owned_data_from(source);
-    coordinates.to_cartesian(cartesian);
+    coordinates.displacement_to_cartesian(cartesian);
     matrices.apply(destination, cartesian, mass_factor, stiffness_factor);
-    coordinates.to_contact(destination);
+    coordinates.force_to_contact(destination);
   }
 
 
@@ -48,13 +48,17 @@ namespace signorini
         for (unsigned int c = 0; c < dim; ++c)
           destination.local_element(dim * node + c) = block(c, c);
       }
+    std::vector<double> normal_entries;
     for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
       {
         const Eigen::Map<const Block> frame(contact_node.frame.data());
         const Block                   block = frame * block_of(contact_node.node) * frame.transpose();
         for (unsigned int c = 0; c < dim; ++c)
           destination.local_element(dim * contact_node.node + c) = block(c, c);
+        normal_entries.push_back(block(0, 0));
       }
+    // Partners move contact nodes along; products of different contact nodes are left out.
+    coordinates.coupling().add_squares_to_partners(normal_entries, destination);
   }
 
 

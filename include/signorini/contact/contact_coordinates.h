@@ -11,9 +11,18 @@
 namespace signorini
 {
   /**
-   * The transformation u = T w between Cartesian components u and contact coordinates w, in which the entries of a contact node
-   * are its displacements along the normal and the tangents. T is orthogonal and touches contact nodes only; contact is a
-   * bound on the single entry w_{p,nu}.
+   * The transformation u = T w between Cartesian components u and contact coordinates w, in which a contact node p has its
+   * displacements along the tangents and, along the normal, its displacement *relative to the other side*,
+   *
+   *   w_{p,nu} = nu_p.(u_p - sum_l P_pl u_l),
+   *
+   * so that contact is a bound on this single entry (Krause and Walloth 2012, section 2; there the tangential components are relative,
+   * too, which matters only with friction). T touches contact nodes and their partners only. At rigid obstacles P is
+   * absent and T orthogonal; with two bodies displacements and forces transform differently:
+   *
+   *   u = T w,    K in contact coordinates is T'K T,    forces f in contact coordinates are T'f.
+   *
+   * All transformations are in place, and collective if there are two bodies in contact.
    */
   template <int dim>
   class ContactCoordinates
@@ -23,11 +32,24 @@ namespace signorini
                        const ContactSurface<dim> &surface,
                        const Supports<dim>       &supports);
 
-    /** w = T'u, in place. */
-    void to_contact(Vector &vector) const;
+    /** u = T w. */
+    void displacement_to_cartesian(Vector &vector) const;
 
-    /** u = T w, in place. */
-    void to_cartesian(Vector &vector) const;
+    /** w = T^-1 u. */
+    void displacement_to_contact(Vector &vector) const;
+
+    /** T'f. */
+    void force_to_contact(Vector &vector) const;
+
+    /** The inverse of the last one. */
+    void force_to_cartesian(Vector &vector) const;
+
+    /** The components of contact nodes in their frames, of displacements or forces, without regard to the other side. */
+    void rotate_to_frames(Vector &vector) const;
+    void rotate_from_frames(Vector &vector) const;
+
+    /** What moves the other side of the contact nodes. */
+    const NodeCoupling<dim> &coupling() const { return node_coupling; }
 
     /** The normal entry of each contact node, in the order of the surface. */
     const std::vector<unsigned int> &normal_entries() const { return normals; }
@@ -47,7 +69,10 @@ namespace signorini
     /** Local nodes, ghosts included, that carry a contact frame. Ascending. */
     const std::vector<unsigned int> &contact_nodes() const { return contact; }
 
-    /** The held directions of special nodes that a mask of owned entries describes. Collective: asks the owners of ghosts. */
+    /**
+     * The directions of special nodes that a mask of owned entries holds in space; relative entries are not among them.
+     * Collective: asks the owners of ghosts.
+     */
     HeldNodes<dim> held_nodes(const Mask &mask) const;
 
   private:
@@ -55,11 +80,17 @@ namespace signorini
 
     const Supports<dim>                 &supports;
     const std::vector<ContactNode<dim>> &owned_contact_nodes;
+    const NodeCoupling<dim>             &node_coupling;
     std::vector<unsigned int>            normals, supported, special, contact;
     std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
                        support_sources; ///< condition, point, component
     std::vector<Frame> special_frames;  ///< in the order of `special`
     mutable Vector     mask_values;
+
+    /** Normal entries += factor nu.(P u); the partners of contact nodes are in Cartesian components. */
+    void add_partner_motion(Vector &vector, double factor) const;
+    /** The entries of partners += factor P'(nu f_nu). */
+    void add_to_partners(Vector &vector, double factor) const;
   };
 } // namespace signorini
 

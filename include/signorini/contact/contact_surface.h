@@ -4,47 +4,28 @@
 #ifndef signorini_contact_contact_surface_h
 #define signorini_contact_contact_surface_h
 
-#include <signorini/contact/rigid_obstacle.h>
-#include <signorini/discretization/discretization.h>
-#include <signorini/discretization/supports.h>
+#include <signorini/contact/node_coupling.h>
+#include <signorini/contact/obstacle_contact.h>
 
 namespace signorini
 {
-  /** A node of a slave surface that may touch an obstacle. */
-  template <int dim>
-  struct ContactNode
-  {
-    unsigned int                  node;     ///< owned node
-    unsigned int                  pair;     ///< index into Scene::pairs
-    dealii::Point<dim>            position; ///< in the reference configuration
-    double                        gap;      ///< g: initial distance along the normal
-    double                        weight;   ///< D: area (length in 2d) that belongs to the node
-    std::array<double, dim * dim> frame;    ///< rows: normal nu, tangents
-
-    dealii::Tensor<1, dim> normal() const
-    {
-      dealii::Tensor<1, dim> nu;
-      for (unsigned int c = 0; c < dim; ++c)
-        nu[c] = frame[c];
-      return nu;
-    }
-  };
-
   /**
-   * The possible contact boundary: unconstrained nodes of the slave surfaces with gap, weight and contact coordinates (normal
-   * and tangents). The linearised condition of non-penetration is u.nu <= g at each (Krause and Walloth 2012, equation (3)).
-   *
-   * A node belongs to the closest obstacle among the pairs of its body, and only if its surface faces that obstacle. A
-   * node whose normal displacement is prescribed by a support is left out.
+   * The possible contact boundary: nodes of the slave surfaces with gap, weight, contact frame (normal and tangents), and
+   * what is opposite: a rigid obstacle or, by a mortar coupling, another body. The linearised condition of non-penetration is
+   * [u].nu <= g at each (Krause and Walloth 2012, equations (3) and (12)), with the relative displacement [u]_p = u_p - sum_l P_pl u_l.
    */
   template <int dim>
   class ContactSurface
   {
   public:
+    /** @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs share a node */
     ContactSurface(const Discretization<dim> &discretization, const Supports<dim> &supports);
 
     /** Nodes that this process owns. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
+
+    /** What moves the other side of the nodes. */
+    const NodeCoupling<dim> &coupling() const { return *node_coupling; }
 
     /** Number of contact nodes on all processes. */
     unsigned int n_global_nodes() const { return n_global; }
@@ -52,36 +33,46 @@ namespace signorini
     /** Number of nodes (all processes) where a support took the place of contact. */
     unsigned int n_supported() const { return n_left_to_supports; }
 
+    /** What was assumed about the pairs, for the user: one sentence each. */
+    const std::vector<std::string> &notes() const { return assumptions; }
+
     /** Whether a face of an owned cell is part of the slave surface of any pair. */
     bool contains(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell, unsigned int face) const;
 
-    /** gamma = g - u.nu. */
+    /** [u].nu per node, of displacements or velocities. Collective. */
+    std::vector<double> relative_normal(const Vector &motion) const;
+
+    /** gamma = g - [u].nu. Collective. */
     std::vector<double> normal_gap(const Vector &displacement) const;
 
     /**
      * Largest depth of a displaced contact node in *any* obstacle of its body, by the true geometry, on all processes; 0 if there is none.
      * The condition of the steps is linearised about the reference configuration, with one obstacle per node; this is what it misses.
      */
-    double geometric_penetration(const Vector &displacement) const;
+    double geometric_penetration(const Vector &displacement) const
+    {
+      return obstacle_contact.geometric_penetration(displacement);
+    }
 
     /**
-     * Check that no slave surface penetrates its obstacle at the start.
+     * Check that nothing overlaps at the start.
      * @throws UserError naming pair, depth and place
      */
     void check_initial_gap(const Vector &initial_displacement) const;
 
   private:
-    const Discretization<dim>                       &discretization;
-    std::vector<ContactNode<dim>>                    contact_nodes;
-    std::vector<std::unique_ptr<RigidObstacle<dim>>> obstacles;
-    unsigned int                                     n_global = 0, n_left_to_supports = 0;
+    const Discretization<dim>         &discretization;
+    ObstacleContact<dim>               obstacle_contact;
+    std::vector<ContactNode<dim>>      contact_nodes;
+    std::unique_ptr<NodeCoupling<dim>> node_coupling;
+    unsigned int                       n_global = 0, n_left_to_supports = 0;
+    std::vector<std::string>           assumptions;
 
-    /** Area and averaged outward normal (times area) per node for one pair; `normal` has dim, `area` one entry per node. */
-    void integrate(const PairDescription &pair, Vector &area, Vector &normal) const;
-    /** Whether a boundary face belongs to the slave surface of a pair. */
-    bool on_surface(const PairDescription                                        &pair,
-                    const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                    unsigned int                                                  face) const;
+    void add_pair_of_bodies(unsigned int pair, const Supports<dim> &supports);
+    /** Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones are an error. */
+    void close_small_overlaps(unsigned int pair, std::vector<ContactNode<dim>> &nodes);
+    /** Each node belongs to one pair, and is not itself the opposite side of another. */
+    void check_that_pairs_are_disjoint() const;
   };
 } // namespace signorini
 

@@ -13,7 +13,7 @@ namespace signorini
   struct ContactSummary
   {
     double                normal_force = 0.;          ///< sum of |normal nodal forces|
-    std::array<double, 3> resultant{};                ///< on the bodies
+    std::array<double, 3> resultant{};                ///< of the forces on the slave surfaces
     unsigned int          n_active              = 0;  ///< nodes that carry a contact force
     double                max_penetration       = 0.; ///< largest violation of u.nu <= g, 0 if there is none
     double                geometric_penetration = 0.; ///< the same by the true geometry, with all obstacles

@@ -9,7 +9,7 @@
 
 namespace signorini
 {
-  /** What a probe sees; the normal points out of the body. */
+  /** What a probe sees of the relative motion; the normal points out of the slave body. */
   struct ProbeReading
   {
     double gap                 = 0.;
@@ -35,7 +35,8 @@ namespace signorini
   private:
     const std::string       probe_name;
     const MPI_Comm          communicator;
-    const ContactNode<dim> *node = nullptr; ///< only on the owner
+    const ContactSurface<dim> &surface;
+    unsigned int               node = 0; ///< index into the nodes of the surface, on the owner
     dealii::Point<dim>      node_position;
     unsigned int            owner = 0;
   };

@@ -7,6 +7,8 @@
 #include <signorini/linear_algebra/elastic_matrices.h>
 #include <signorini/scene/scene.h>
 
+#include <deal.II/base/bounding_box.h>
+
 #include <deal.II/distributed/tria.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -57,8 +59,11 @@ namespace signorini
     /** Copy with ghosts for output: hanging nodes filled by interpolation. */
     Vector interpolate_hanging_nodes(const Vector &vector) const;
 
+    /** Box around the coarse mesh of a body; the same on all processes. */
+    dealii::BoundingBox<dim> bounding_box(unsigned int body) const;
+
     /** Largest extent of a body: the unit of length for tolerances. */
-    double body_size() const;
+    double body_size() const { return largest_extent; }
 
     /** Courant number c_p tau / h of the smallest cell. */
     double courant_number(double step_size) const;
@@ -66,6 +71,8 @@ namespace signorini
     MPI_Comm communicator() const { return triangulation.get_communicator(); }
 
   private:
+    double largest_extent = 0.;
+
     /**
      * Move hanging vertices of round bodies onto the straight edges and faces of their coarser neighbours: the mesh has no gaps
      * then, and the elements represent every linear function.

@@ -25,6 +25,7 @@ namespace signorini
     Energy         energy;
     EnergyBooking  booking;
     Momentum       momentum;
+    double         angular_momentum_drift = 0.; ///< |change of the angular momentum since the start|
     ContactSummary contact;
     StepReport     report;
     ProductCount   products; ///< matrix-vector products of this step

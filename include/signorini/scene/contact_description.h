@@ -12,14 +12,20 @@
 
 namespace signorini
 {
-  /** One entry of `Contact/Pairs`, `slave : obstacle` or `slave[ids] : obstacle`. */
+  /** One entry of `Contact/Pairs`: `slave : obstacle` or `slave : master`, each body with boundary ids in brackets or without. */
   struct PairDescription
   {
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
     std::string                             name;                      ///< as written in the scene
     unsigned int                            slave;                     ///< index into Scene::bodies
     std::vector<dealii::types::boundary_id> slave_boundary_ids;        ///< empty: the whole boundary of the body
-    unsigned int                            obstacle;                  ///< index into Scene::obstacles
+    unsigned int                            obstacle = none;           ///< index into Scene::obstacles, or
+    unsigned int                            master   = none;           ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id> master_boundary_ids;       ///< empty: the whole boundary of the body
     double                                  friction_coefficient = 0.; ///< only 0 so far
+
+    bool of_two_bodies() const { return master != none; }
   };
 
   /** Section `Probes/<name>`: history of the contact node that is closest to a point. */

@@ -11,14 +11,15 @@ namespace signorini
 {
   class SectionReader;
 
-  /** `slave : partner` or `slave[ids] : partner`, taken apart. */
+  /** `slave : partner`, taken apart; both may have boundary ids, `slave[ids] : partner[ids]`. */
   struct PairName
   {
     std::string               slave;
     std::vector<unsigned int> ids; ///< empty: the whole boundary
     std::string               partner;
+    std::vector<unsigned int> partner_ids; ///< of a body; empty: the whole boundary
 
-    /** The normal form, `ball[2,3] : floor`. */
+    /** The normal form, `ball[2,3] : box[0]`. */
     std::string text() const;
   };
 
@@ -27,7 +28,7 @@ namespace signorini
 
   /**
    * The list `Contact/Pairs`; @p in is the section Contact.
-   * @throws UserError for what is not a pair, for unknown names, and for contact that is not available.
+   * @throws UserError for what is not a pair, for unknown names, and for contact of a body with itself.
    */
   std::vector<PairName> parse_pair_names(const SectionReader            &in,
                                          const std::string              &list,

@@ -49,6 +49,7 @@ namespace signorini
     EnergyLedger               ledger;
     ErrorEvaluation<dim>       errors;
     ContactSummary             contact_now;
+    Momentum                   initial_momentum;
     TotalVariation             force_variation;
     std::vector<Zigzag>        velocity_zigzags;
     dealii::Timer              clock;

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_contact_node_h
+#define signorini_contact_contact_node_h
+
+#include <signorini/contact/surface_face.h>
+
+namespace signorini
+{
+  /** A node of a slave surface that may touch an obstacle or another body. */
+  template <int dim>
+  struct ContactNode
+  {
+    unsigned int                  node;     ///< owned node
+    unsigned int                  pair;     ///< index into Scene::pairs
+    dealii::Point<dim>            position; ///< in the reference configuration
+    double                        gap;      ///< g: initial distance along the normal
+    double                        weight;   ///< D: area (length in 2d) that belongs to the node
+    std::array<double, dim * dim> frame;    ///< rows: normal nu out of the body, tangents
+    /** The row of P: what moves the opposite side. Weights add up to one; empty at a rigid obstacle. */
+    NodeWeights partners;
+    /**
+     * Force on the slave body per nodal force: 1, and more where nodes without multiplier take their share of it (they are
+     * among the partners with negative weights).
+     */
+    double transmission = 1.;
+
+    dealii::Tensor<1, dim> normal() const
+    {
+      dealii::Tensor<1, dim> nu;
+      for (unsigned int c = 0; c < dim; ++c)
+        nu[c] = frame[c];
+      return nu;
+    }
+  };
+} // namespace signorini
+
+#endif

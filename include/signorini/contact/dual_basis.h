@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_dual_basis_h
+#define signorini_contact_dual_basis_h
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace signorini
+{
+  /**
+   * Coefficients C of the dual basis psi_i = sum_k C_ik N_k on the covered part of one slave face (Wohlmuth 2000):
+   *
+   *   int psi_i N_j = delta_ij int N_j   for all nodes i, j that carry a multiplier,      sum_i psi_i = 1.
+   *
+   * With M over the covered part only, this is the consistent modification for partly covered faces (Cichosz and Bischoff
+   * 2011). The shape functions of nodes that carry no multiplier are shared out evenly among the others; their rows are zero,
+   * and int psi_i N_k need not vanish for them.
+   *
+   * @param mass    int N N' over the covered part of the face
+   * @param carries whether a node carries a multiplier; at least one has to
+   */
+  Eigen::MatrixXd dual_basis(const Eigen::MatrixXd &mass, const std::vector<bool> &carries);
+} // namespace signorini
+
+#endif

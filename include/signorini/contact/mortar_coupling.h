@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_mortar_coupling_h
+#define signorini_contact_mortar_coupling_h
+
+#include <signorini/contact/contact_node.h>
+#include <signorini/contact/contact_search.h>
+#include <signorini/discretization/supports.h>
+
+#include <Eigen/Core>
+
+#include <map>
+
+namespace signorini
+{
+  /**
+   * Contact of two bodies with dual Lagrange multipliers (Wohlmuth 2000; Krause and Walloth 2012, section 2). For each node i of the
+   * slave surface that carries a multiplier
+   *
+   *   D_i = int psi_i N_i,    P_il = 1/D_i int psi_i N_l(chi) over the nodes l of the master,    sum_l P_il = 1,
+   *
+   * with chi the projection along the normals of the slave faces. The relative displacement [u]_i = u_i - sum_l P_il u_l is a matter
+   * of single nodes, because the multipliers are biorthogonal to the traces. The same combination of positions gives
+   * the gap g_i = -nu_i.[X]_i. Only the covered part of a slave face counts.
+   *
+   * Slave nodes that carry no multiplier because a support holds them in the normal direction, or because only a sliver of
+   * their surroundings is covered, appear among the l, so that constants and linear functions are still reproduced.
+   * Hanging nodes on either side are replaced by their parents before anything else.
+   */
+  template <int dim>
+  class MortarCoupling
+  {
+  public:
+    /** Collective. @param pair index of a pair of two bodies in the scene */
+    MortarCoupling(const Discretization<dim> &discretization, const Supports<dim> &supports, unsigned int pair);
+
+    /** The owned nodes that carry a multiplier, ascending. */
+    const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
+
+    /** Areas (lengths in 2d) on all processes: of the slave surface, and of its covered part. */
+    double slave_area() const { return total_area; }
+    double covered_area() const { return total_covered_area; }
+
+    /** Number of nodes on all processes that lost their multiplier to a support. */
+    unsigned int n_supported() const { return n_left_to_supports; }
+
+  private:
+    /** Integrals over the covered part of a slave face; one row per node that moves the face. */
+    struct CoveredFace
+    {
+      std::vector<dealii::types::global_dof_index>               nodes;
+      Eigen::MatrixXd                                            mass;     ///< int N_i N_j
+      std::map<dealii::types::global_dof_index, Eigen::VectorXd> mixed;    ///< per master node l: int N_i N_l(chi)
+      Eigen::MatrixXd                                            normals;  ///< int N_i n, dim columns
+      Eigen::MatrixXd                                            distance; ///< int N_i (X(chi) - X), dim columns
+      Eigen::VectorXd                                            full;     ///< int N_i over the whole face
+    };
+    using Rows = std::map<dealii::types::global_dof_index, std::map<dealii::types::global_dof_index, double>>;
+
+    const Discretization<dim>    &discretization;
+    const unsigned int            pair;
+    std::vector<ContactNode<dim>> contact_nodes;
+    double                        total_area = 0., total_covered_area = 0.;
+    unsigned int                  n_left_to_supports = 0;
+
+    std::vector<CoveredFace> integrate(const FacingSurfaces<dim> &surfaces);
+    /** Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with ghosts */
+    Vector choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports);
+    /** Dual basis face by face: partners, gaps. */
+    void assemble_rows(const std::vector<CoveredFace> &faces, const Vector &carries);
+    /** Sum the rows of all processes at the owners of the nodes. */
+    Rows send_to_owners(const Rows &rows) const;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_obstacle_contact_h
+#define signorini_contact_obstacle_contact_h
+
+#include <signorini/contact/contact_node.h>
+#include <signorini/contact/rigid_obstacle.h>
+#include <signorini/discretization/supports.h>
+
+#include <map>
+
+namespace signorini
+{
+  /**
+   * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its body, and only if its surface
+   * faces that obstacle. A node whose normal displacement is prescribed by a support is left out.
+   */
+  template <int dim>
+  class ObstacleContact
+  {
+  public:
+    ObstacleContact(const Discretization<dim> &discretization, const Supports<dim> &supports);
+
+    /** The owned nodes that may touch an obstacle, ascending. */
+    const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
+
+    /** Number of nodes (all processes) where a support took the place of contact. */
+    unsigned int n_supported() const { return n_left_to_supports; }
+
+    /** Largest depth of a displaced contact node in *any* obstacle of its body, on all processes; 0 if there is none. */
+    double geometric_penetration(const Vector &displacement) const;
+
+    /** @throws UserError naming pair, depth and place, if a slave surface penetrates its obstacle at the start */
+    void check_initial_gap(const Vector &initial_displacement) const;
+
+  private:
+    const Discretization<dim>                       &discretization;
+    std::vector<std::unique_ptr<RigidObstacle<dim>>> obstacles;
+    std::vector<ContactNode<dim>>                    contact_nodes;
+    unsigned int                                     n_left_to_supports = 0;
+
+    /** Enter the nodes of a pair that have no closer obstacle yet. */
+    void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest) const;
+    /** Area and averaged outward normal (times area) per node for one pair; `normal` has dim, `area` one entry per node. */
+    void integrate(const PairDescription &pair, Vector &area, Vector &normal) const;
+  };
+} // namespace signorini
+
+#endif

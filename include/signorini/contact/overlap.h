@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_overlap_h
+#define signorini_contact_overlap_h
+
+#include <signorini/discretization/discretization.h>
+
+#include <optional>
+
+namespace signorini
+{
+  /**
+   * A point that lies well inside both bodies, if the coarse meshes show one: a vertex or a centre of a coarse cell of one body
+   * within a coarse cell of the other. It finds the overlaps that are too deep for the gap between surfaces to see. The
+   * coarse mesh is known to every process, so that all come to the same result without communication.
+   */
+  template <int dim>
+  std::optional<dealii::Point<dim>>
+  find_deep_overlap(const Discretization<dim> &discretization, unsigned int body, unsigned int other_body);
+} // namespace signorini
+
+#endif

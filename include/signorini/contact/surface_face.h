@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_surface_face_h
+#define signorini_contact_surface_face_h
+
+#include <signorini/discretization/discretization.h>
+
+#include <deal.II/base/bounding_box.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+namespace signorini
+{
+  /** A linear combination of nodes: global node and weight. */
+  using NodeWeights = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+  /**
+   * A (bi)linear face of a contact surface with the nodes that move it, detached from the mesh, so that it can travel to
+   * another process. Vertices in deal.II's lexicographic order, reference coordinates in [0,1]^(dim-1).
+   */
+  template <int dim>
+  struct SurfaceFace
+  {
+    static constexpr unsigned int n_vertices = 1u << (dim - 1);
+
+    std::array<dealii::Point<dim>, n_vertices> vertices;        ///< in the reference configuration
+    std::array<NodeWeights, n_vertices>        nodes;           ///< one node of weight 1, or the parents of a hanging vertex
+    double                                     orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
+
+    /** Values of the (bi)linear shape functions. */
+    static std::array<double, n_vertices> shape_values(const dealii::Point<dim - 1> &xi);
+
+    dealii::Point<dim> position(const dealii::Point<dim - 1> &xi) const;
+
+    /** Derivatives of the position by the reference coordinates. */
+    std::array<dealii::Tensor<1, dim>, dim - 1> tangents(const dealii::Point<dim - 1> &xi) const;
+
+    /** Outward normal times the surface element. */
+    dealii::Tensor<1, dim> area_vector(const dealii::Point<dim - 1> &xi) const;
+
+    dealii::Point<dim>        centre() const;
+    double                    diameter() const;
+    dealii::BoundingBox<dim>  bounding_box() const;
+
+    template <class Archive>
+    void serialize(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &vertices &nodes &orientation;
+    }
+  };
+
+  /** Whether a face of an owned cell lies on the boundary of a body and has one of the boundary ids (empty: all). */
+  template <int dim>
+  bool is_surface_face(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                       unsigned int                                                  face,
+                       unsigned int                                                  body,
+                       const std::vector<dealii::types::boundary_id>                &boundary_ids);
+
+  /** The faces of owned cells of a body with one of the boundary ids (empty: all). */
+  template <int dim>
+  std::vector<SurfaceFace<dim>> owned_surface_faces(const Discretization<dim>                     &discretization,
+                                                    unsigned int                                   body,
+                                                    const std::vector<dealii::types::boundary_id> &boundary_ids);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/contact_search.h>
+
+#include <deal.II/numerics/rtree.h>
+
+#include <boost/geometry/algorithms/intersects.hpp>
+#include <boost/geometry/index/predicates.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    using Boxes = std::vector<BoundingBox<dim>>;
+
+    /** Where the master may be that a slave face sees: the face, swept along its normal. */
+    template <int dim>
+    class SearchBoxes
+    {
+    public:
+      SearchBoxes(const BoundingBox<dim> &slave_body, const BoundingBox<dim> &master_body)
+        : slave_body(slave_body)
+        , master_body(master_body)
+      {
+      }
+
+      BoundingBox<dim> operator()(const SurfaceFace<dim> &face) const
+      {
+        const Tensor<1, dim> normal = unit_normal(face);
+        double               ahead  = 0.; // to the far side of the master
+        for (unsigned int corner = 0; corner < GeometryInfo<dim>::vertices_per_cell; ++corner)
+          ahead = std::max(ahead, normal * (master_body.vertex(corner) - face.centre()));
+        std::vector<Point<dim>> points;
+        for (const Point<dim> &vertex : face.vertices)
+          {
+            points.push_back(vertex + ahead * normal);
+            points.push_back(vertex - behind(face) * normal);
+          }
+        return BoundingBox<dim>(points);
+      }
+
+      /** How deep in the slave body the master still counts. */
+      double behind(const SurfaceFace<dim> &face) const
+      {
+        const Tensor<1, dim> normal = unit_normal(face);
+        double               depth  = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          depth += 0.25 * std::abs(normal[c]) * (slave_body.side_length(c) + master_body.side_length(c));
+        return depth;
+      }
+
+    private:
+      const BoundingBox<dim> slave_body, master_body;
+
+      static Tensor<1, dim> unit_normal(const SurfaceFace<dim> &face)
+      {
+        Point<dim - 1> middle;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          middle[d] = 0.5;
+        const Tensor<1, dim> normal = face.area_vector(middle);
+        return normal / normal.norm();
+      }
+    };
+
+
+    template <int dim>
+    Boxes<dim> bounding_boxes(const std::vector<SurfaceFace<dim>> &faces)
+    {
+      Boxes<dim> boxes;
+      for (const SurfaceFace<dim> &face : faces)
+        boxes.push_back(face.bounding_box());
+      return boxes;
+    }
+
+
+    /** Send each master face to the processes in whose boxes it lies. */
+    template <int dim>
+    std::vector<SurfaceFace<dim>>
+    exchange(const std::vector<SurfaceFace<dim>> &owned, const Boxes<dim> &search_boxes, const MPI_Comm communicator)
+    {
+      if (Utilities::MPI::n_mpi_processes(communicator) == 1)
+        return owned;
+      // A few boxes that contain all: the top of the tree.
+      const Boxes<dim> summary =
+        search_boxes.empty() ? Boxes<dim>() : extract_rtree_level(pack_rtree(search_boxes), 0);
+      const auto summaries = Utilities::MPI::all_gather(communicator, summary);
+      std::map<unsigned int, std::vector<SurfaceFace<dim>>> outgoing;
+      for (const SurfaceFace<dim> &face : owned)
+        {
+          const BoundingBox<dim> box = face.bounding_box();
+          for (unsigned int rank = 0; rank < summaries.size(); ++rank)
+            if (std::any_of(summaries[rank].begin(), summaries[rank].end(), [&](const BoundingBox<dim> &search_box) {
+                  return boost::geometry::intersects(box, search_box);
+                }))
+              outgoing[rank].push_back(face);
+        }
+      std::vector<SurfaceFace<dim>> received;
+      for (auto &[rank, faces] : Utilities::MPI::some_to_some(communicator, outgoing))
+        received.insert(received.end(), faces.begin(), faces.end());
+      return received;
+    }
+
+
+    /** Of the segments on a slave face keep those of the closest sheet. */
+    template <int dim>
+    void keep_closest_sheet(std::vector<Segment<dim>> &segments, const double face_size)
+    {
+      double closest = std::numeric_limits<double>::max();
+      for (const Segment<dim> &segment : segments)
+        closest = std::min(closest, std::abs(segment.gap));
+      segments.erase(std::remove_if(segments.begin(),
+                                    segments.end(),
+                                    [&](const Segment<dim> &segment) {
+                                      return std::abs(segment.gap) > closest + face_size;
+                                    }),
+                     segments.end());
+    }
+  } // namespace
+
+
+  template <int dim>
+  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization, const PairDescription &pair)
+  {
+    FacingSurfaces<dim>    result;
+    const SearchBoxes<dim> search_box(discretization.bounding_box(pair.slave),
+                                      discretization.bounding_box(pair.master));
+    result.slaves = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
+
+    Boxes<dim> search_boxes;
+    for (const SurfaceFace<dim> &face : result.slaves)
+      search_boxes.push_back(search_box(face));
+    result.masters = exchange(owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
+                              search_boxes,
+                              discretization.communicator());
+
+    const Boxes<dim> master_boxes = bounding_boxes(result.masters); // the tree refers to them
+    const auto       tree         = pack_rtree_of_indices(master_boxes);
+    result.segments.resize(result.slaves.size());
+    for (std::size_t f = 0; f < result.slaves.size(); ++f)
+      {
+        const SurfaceFace<dim> &slave = result.slaves[f];
+        std::vector<std::size_t> candidates;
+        tree.query(boost::geometry::index::intersects(search_boxes[f]), std::back_inserter(candidates));
+        std::sort(candidates.begin(), candidates.end()); // the order of sums must not depend on the tree
+        double size = slave.diameter();
+        for (const std::size_t m : candidates)
+          {
+            Segment<dim> segment = intersect(slave, result.masters[m]);
+            if (segment.points.empty() || segment.gap < -search_box.behind(slave))
+              continue;
+            segment.master = m;
+            size           = std::max(size, result.masters[m].diameter());
+            result.segments[f].push_back(std::move(segment));
+          }
+        keep_closest_sheet(result.segments[f], size);
+      }
+    return result;
+  }
+
+
+  template FacingSurfaces<2> find_facing_surfaces(const Discretization<2> &, const PairDescription &);
+  template FacingSurfaces<3> find_facing_surfaces(const Discretization<3> &, const PairDescription &);
+} // namespace signorini

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/contact_frame.h>
+#include <signorini/contact/face_segments.h>
+#include <signorini/contact/polygon_clipping.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The auxiliary plane: through the centre of the slave face, across its normal there. */
+    template <int dim>
+    struct Plane
+    {
+      Point<dim>                          origin;
+      Tensor<1, dim>                      normal;
+      std::array<Tensor<1, dim>, dim - 1> axes;
+
+      explicit Plane(const SurfaceFace<dim> &face)
+        : origin(face.centre())
+      {
+        Point<dim - 1> middle;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          middle[d] = 0.5;
+        normal           = face.area_vector(middle);
+        normal           = normal / normal.norm();
+        const auto frame = contact_frame<dim>(normal);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          for (unsigned int c = 0; c < dim; ++c)
+            axes[d][c] = frame[dim * (d + 1) + c];
+      }
+
+      Point<dim - 1> project(const Tensor<1, dim> &from_origin) const
+      {
+        Point<dim - 1> result;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          result[d] = axes[d] * from_origin;
+        return result;
+      }
+    };
+
+
+    /** The reference coordinates of the point of a face that lies over a point of the plane, by Newton's method. */
+    template <int dim>
+    Point<dim - 1> map_back(const SurfaceFace<dim> &face, const Plane<dim> &plane, const Point<dim - 1> &target)
+    {
+      Point<dim - 1> xi;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        xi[d] = 0.5;
+      for (unsigned int iteration = 0; iteration < 20; ++iteration)
+        {
+          const Tensor<1, dim - 1> defect = target - plane.project(face.position(xi) - plane.origin);
+          const auto               t      = face.tangents(xi);
+          Tensor<2, dim - 1>       jacobian;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            {
+              const Point<dim - 1> column = plane.project(t[d]);
+              for (unsigned int c = 0; c < dim - 1; ++c)
+                jacobian[c][d] = column[c];
+            }
+          const Tensor<1, dim - 1> change = invert(jacobian) * defect;
+          xi += change;
+          if (change.norm() < 1e-14)
+            break;
+        }
+      return xi;
+    }
+
+
+    /** The outline of a face in the plane, counterclockwise (2d: two ascending coordinates). */
+    template <int dim>
+    std::vector<Point<dim - 1>> outline(const SurfaceFace<dim> &face, const Plane<dim> &plane)
+    {
+      std::vector<Point<dim - 1>> points;
+      for (const Point<dim> &vertex : face.vertices)
+        points.push_back(plane.project(vertex - plane.origin));
+      if constexpr (dim == 2)
+        {
+          if (points[1][0] < points[0][0])
+            std::swap(points[0], points[1]);
+        }
+      else
+        {
+          std::swap(points[2], points[3]); // lexicographic to circular
+          if (area(points) < 0.)
+            std::reverse(points.begin(), points.end());
+        }
+      return points;
+    }
+
+
+    double measure(const std::vector<Point<1>> &interval) { return interval.empty() ? 0. : interval[1][0] - interval[0][0]; }
+    double measure(const Polygon &polygon) { return area(polygon); }
+
+    std::vector<Point<1>> overlap(const std::vector<Point<1>> &a, const std::vector<Point<1>> &b)
+    {
+      const double lower = std::max(a[0][0], b[0][0]), upper = std::min(a[1][0], b[1][0]);
+      return lower < upper ? std::vector<Point<1>>{Point<1>(lower), Point<1>(upper)} : std::vector<Point<1>>();
+    }
+
+    Polygon overlap(const Polygon &a, const Polygon &b)
+    {
+      for (unsigned int d = 0; d < 2; ++d)
+        {
+          const auto less    = [d](const Point<2> &p, const Point<2> &q) { return p[d] < q[d]; };
+          const auto [a0, a1] = std::minmax_element(a.begin(), a.end(), less);
+          const auto [b0, b1] = std::minmax_element(b.begin(), b.end(), less);
+          if ((*a1)[d] <= (*b0)[d] || (*b1)[d] <= (*a0)[d])
+            return {};
+        }
+      return clip(a, b);
+    }
+
+
+    /** Points and weights on an interval, exact for the products of linear functions. */
+    std::vector<std::pair<Point<1>, double>> quadrature(const std::vector<Point<1>> &interval)
+    {
+      static const QGauss<1>                   rule(3);
+      const double                             length = measure(interval);
+      std::vector<std::pair<Point<1>, double>> result;
+      for (unsigned int q = 0; q < rule.size(); ++q)
+        result.emplace_back(interval[0] + length * Tensor<1, 1>(rule.point(q)), length * rule.weight(q));
+      return result;
+    }
+
+
+    /** Points and weights on a polygon, seven on each triangle of a fan around its centre: exact for degree 5. */
+    std::vector<std::pair<Point<2>, double>> quadrature(const Polygon &polygon)
+    {
+      static const QGaussSimplex<2>            rule(3);
+      std::vector<std::pair<Point<2>, double>> result;
+      Point<2>                                 centre;
+      for (const Point<2> &p : polygon)
+        centre += p / static_cast<double>(polygon.size());
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        {
+          const Tensor<1, 2> a = polygon[i] - centre, b = polygon[(i + 1) % polygon.size()] - centre;
+          const double       jacobian = a[0] * b[1] - a[1] * b[0];
+          for (unsigned int q = 0; q < rule.size(); ++q)
+            result.emplace_back(centre + rule.point(q)[0] * a + rule.point(q)[1] * b, jacobian * rule.weight(q));
+        }
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
+  {
+    Segment<dim>     segment;
+    const Plane<dim> plane(slave);
+    Point<dim - 1>   middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    const Tensor<1, dim> master_normal = master.area_vector(middle);
+    // Beyond 84 degrees faces do not look at each other; a projection would be distorted without bound.
+    if (master_normal * plane.normal > -0.1 * master_normal.norm())
+      return segment;
+
+    const auto slave_outline = outline(slave, plane);
+    const auto common        = overlap(slave_outline, outline(master, plane));
+    segment.area             = measure(common);
+    if (!(segment.area > 1e-12 * measure(slave_outline)))
+      return segment;
+
+    double moment = 0.;
+    for (const auto &[point, weight] : quadrature(common))
+      {
+        const Point<dim - 1>       xi = map_back(slave, plane, point), eta = map_back(master, plane, point);
+        const Tensor<1, dim> surface = slave.area_vector(xi);
+        segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
+        moment += weight * (plane.normal * (master.position(eta) - slave.position(xi)));
+      }
+    segment.gap = moment / segment.area;
+    return segment;
+  }
+
+
+  template <int dim>
+  double projected_area(const SurfaceFace<dim> &face)
+  {
+    return measure(outline(face, Plane<dim>(face)));
+  }
+
+
+  template Segment<2> intersect(const SurfaceFace<2> &, const SurfaceFace<2> &);
+  template Segment<3> intersect(const SurfaceFace<3> &, const SurfaceFace<3> &);
+  template double     projected_area(const SurfaceFace<2> &);
+  template double     projected_area(const SurfaceFace<3> &);
+} // namespace signorini

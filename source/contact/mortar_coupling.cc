@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/contact_frame.h>
+#include <signorini/contact/dual_basis.h>
+#include <signorini/contact/mortar_coupling.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    // A sliver this small has no well-conditioned dual basis, and a node with so little around it would extrapolate.
+    constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
+
+    /** Add factor times the shape functions of a face at a point to the nodes that move it. */
+    template <int dim, typename Target>
+    void for_each_node(const SurfaceFace<dim> &face, const Point<dim - 1> &xi, const Target &target)
+    {
+      const auto values = face.shape_values(xi);
+      for (unsigned int v = 0; v < face.n_vertices; ++v)
+        for (const auto &[node, weight] : face.nodes[v])
+          target(node, weight * values[v]);
+    }
+
+
+    /**
+     * A frame in which the supports hold tangential entries. The normal of a curved surface at a plane of symmetry is an
+     * average over one side only; its small part in a held direction means nothing.
+     * @return false if the support holds the normal direction
+     */
+    template <int dim>
+    bool fit_frame_to_supports(const typename Supports<dim>::Components &components, ContactNode<dim> &contact_node)
+    {
+      std::array<bool, dim> held;
+      Tensor<1, dim>        normal = contact_node.normal();
+      for (unsigned int c = 0; c < dim; ++c)
+        if ((held[c] = components[c] != Supports<dim>::none))
+          normal[c] = 0.;
+      return normal.norm_square() > 0.9
+             && contact_frame_with_supports<dim>(normal / normal.norm(), held, contact_node.frame);
+    }
+  } // namespace
+
+
+  template <int dim>
+  MortarCoupling<dim>::MortarCoupling(const Discretization<dim> &discretization,
+                                      const Supports<dim>       &supports,
+                                      const unsigned int         pair)
+    : discretization(discretization)
+    , pair(pair)
+  {
+    const auto surfaces = find_facing_surfaces(discretization, discretization.scene.pairs[pair]);
+    const auto faces    = integrate(surfaces);
+    const auto carries  = choose_multipliers(faces, supports);
+    assemble_rows(faces, carries);
+  }
+
+
+  template <int dim>
+  std::vector<typename MortarCoupling<dim>::CoveredFace>
+  MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
+  {
+    const QGauss<dim - 1>    face_quadrature(3);
+    std::vector<CoveredFace> result;
+    for (std::size_t f = 0; f < surfaces.slaves.size(); ++f)
+      {
+        const SurfaceFace<dim> &slave = surfaces.slaves[f];
+        CoveredFace             face;
+        for (const NodeWeights &nodes : slave.nodes)
+          for (const auto &[node, weight] : nodes)
+            if (std::find(face.nodes.begin(), face.nodes.end(), node) == face.nodes.end())
+              face.nodes.push_back(node);
+        const Eigen::Index n             = face.nodes.size();
+        const auto         node_values_at = [&](const Point<dim - 1> &xi) {
+          Eigen::VectorXd values = Eigen::VectorXd::Zero(n);
+          for_each_node<dim>(slave, xi, [&](const types::global_dof_index node, const double value) {
+            values[std::find(face.nodes.begin(), face.nodes.end(), node) - face.nodes.begin()] += value;
+          });
+          return values;
+        };
+
+        face.full = Eigen::VectorXd::Zero(n);
+        for (unsigned int q = 0; q < face_quadrature.size(); ++q)
+          face.full += face_quadrature.weight(q) * slave.area_vector(face_quadrature.point(q)).norm()
+                       * node_values_at(face_quadrature.point(q));
+        total_area += face.full.sum();
+
+        double covered = 0.;
+        for (const Segment<dim> &segment : surfaces.segments[f])
+          covered += segment.area;
+        if (covered < smallest_covered_face * projected_area(slave))
+          continue;
+
+        face.mass     = Eigen::MatrixXd::Zero(n, n);
+        face.normals  = Eigen::MatrixXd::Zero(n, dim);
+        face.distance = face.normals;
+        for (const Segment<dim> &segment : surfaces.segments[f])
+          for (const SegmentPoint<dim> &point : segment.points)
+            {
+              const SurfaceFace<dim> &master = surfaces.masters[segment.master];
+              const Eigen::VectorXd   values = node_values_at(point.slave);
+              const Tensor<1, dim>    area   = slave.area_vector(point.slave);
+              const Tensor<1, dim>    across = master.position(point.master) - slave.position(point.slave);
+              face.mass += point.weight * values * values.transpose();
+              for (unsigned int c = 0; c < dim; ++c)
+                {
+                  face.normals.col(c) += point.weight * area[c] / area.norm() * values;
+                  face.distance.col(c) += point.weight * across[c] * values;
+                }
+              for_each_node<dim>(master, point.master, [&](const types::global_dof_index node, const double value) {
+                face.mixed.emplace(node, Eigen::VectorXd::Zero(n)).first->second += point.weight * value * values;
+              });
+            }
+        total_covered_area += face.mass.sum();
+        result.push_back(std::move(face));
+      }
+    total_area         = Utilities::MPI::sum(total_area, discretization.communicator());
+    total_covered_area = Utilities::MPI::sum(total_covered_area, discretization.communicator());
+    return result;
+  }
+
+
+  template <int dim>
+  Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports)
+  {
+    Vector covered = discretization.make_vector(), full = covered, normals = covered, carries = covered;
+    for (const CoveredFace &face : faces)
+      {
+        const Eigen::VectorXd integrals = face.mass.rowwise().sum();
+        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+          {
+            covered(dim * face.nodes[i]) += integrals[i];
+            full(dim * face.nodes[i]) += face.full[i];
+            for (unsigned int c = 0; c < dim; ++c)
+              normals(dim * face.nodes[i] + c) += face.normals(i, c);
+          }
+      }
+    for (Vector *sum : {&covered, &full, &normals})
+      sum->compress(VectorOperation::add);
+
+    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+      {
+        const double weight = covered.local_element(dim * node);
+        if (!(weight > smallest_covered_node * full.local_element(dim * node)))
+          continue;
+        Tensor<1, dim> normal;
+        for (unsigned int c = 0; c < dim; ++c)
+          normal[c] = normals.local_element(dim * node + c);
+        normal /= normal.norm();
+        ContactNode<dim> contact_node{node, pair, discretization.node_positions[node], 0., weight, contact_frame(normal), {}};
+        if (const auto support = supports.nodes().find(node);
+            support != supports.nodes().end() && !fit_frame_to_supports<dim>(support->second, contact_node))
+          {
+            ++n_left_to_supports;
+            continue;
+          }
+        carries.local_element(dim * node) = 1.;
+        contact_nodes.push_back(contact_node);
+      }
+    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
+    carries.update_ghost_values();
+    return carries;
+  }
+
+
+  template <int dim>
+  void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace> &faces, const Vector &carries)
+  {
+    Rows   rows;
+    Vector integrals = discretization.make_vector(), distance = integrals;
+    for (const CoveredFace &face : faces)
+      {
+        std::vector<bool> face_carries;
+        for (const auto node : face.nodes)
+          face_carries.push_back(carries(dim * node) > 0.);
+        if (std::find(face_carries.begin(), face_carries.end(), true) == face_carries.end())
+          continue;
+        const Eigen::MatrixXd psi           = dual_basis(face.mass, face_carries);
+        const Eigen::MatrixXd slave_product = psi * face.mass, gap = psi * face.distance;
+        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+          if (face_carries[i])
+            {
+              auto &row = rows[face.nodes[i]];
+              for (const auto &[node, product] : face.mixed)
+                row[node] += psi.row(i) * product;
+              for (std::size_t k = 0; k < face.nodes.size(); ++k)
+                if (!face_carries[k])
+                  row[face.nodes[k]] -= slave_product(i, k);
+              integrals(dim * face.nodes[i]) += slave_product.row(i).sum();
+              for (unsigned int c = 0; c < dim; ++c)
+                distance(dim * face.nodes[i] + c) += gap(i, c);
+            }
+      }
+    integrals.compress(VectorOperation::add);
+    distance.compress(VectorOperation::add);
+    rows = send_to_owners(rows);
+
+    for (ContactNode<dim> &contact_node : contact_nodes)
+      {
+        const auto node = discretization.matrices.pattern.partitioner->local_to_global(dim * contact_node.node) / dim;
+        for (const auto &[partner, value] : rows[node])
+          if (std::abs(value) > 1e-14 * contact_node.weight)
+            contact_node.partners.emplace_back(partner, value / contact_node.weight);
+        contact_node.transmission = integrals.local_element(dim * contact_node.node) / contact_node.weight;
+        for (unsigned int c = 0; c < dim; ++c)
+          contact_node.gap +=
+            contact_node.frame[c] * distance.local_element(dim * contact_node.node + c) / contact_node.weight;
+      }
+  }
+
+
+  template <int dim>
+  typename MortarCoupling<dim>::Rows MortarCoupling<dim>::send_to_owners(const Rows &rows) const
+  {
+    const IndexSet &owned = discretization.locally_owned;
+    IndexSet        strangers(owned.size());
+    for (const auto &[node, row] : rows)
+      if (!owned.is_element(dim * node))
+        strangers.add_index(dim * node);
+    const auto owners = Utilities::MPI::compute_index_owner(owned, strangers, discretization.communicator());
+
+    Rows                                                                                  result;
+    std::map<unsigned int, std::vector<std::pair<types::global_dof_index, NodeWeights>>> outgoing;
+    for (const auto &[node, row] : rows)
+      if (owned.is_element(dim * node))
+        result[node] = row;
+      else
+        outgoing[owners[strangers.index_within_set(dim * node)]].emplace_back(node,
+                                                                              NodeWeights(row.begin(), row.end()));
+    for (const auto &[rank, parts] : Utilities::MPI::some_to_some(discretization.communicator(), outgoing))
+      for (const auto &[node, row] : parts)
+        for (const auto &[partner, value] : row)
+          result[node][partner] += value;
+    return result;
+  }
+
+
+  template class MortarCoupling<2>;
+  template class MortarCoupling<3>;
+} // namespace signorini

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/node_coupling.h>
+
+#include <set>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  NodeCoupling<dim>::NodeCoupling(const std::vector<ContactNode<dim>>                      &nodes,
+                                  const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
+    : n_owned_entries(partitioner->locally_owned_size())
+  {
+    IndexSet ghosts(partitioner->size());
+    for (const ContactNode<dim> &node : nodes)
+      for (const auto &[partner, weight] : node.partners)
+        if (!partitioner->in_local_range(dim * partner))
+          ghosts.add_range(dim * partner, dim * (partner + 1));
+    const MPI_Comm communicator = partitioner->get_mpi_communicator();
+    partners =
+      std::make_shared<Utilities::MPI::Partitioner>(partitioner->locally_owned_range(), ghosts, communicator);
+    ghost_values.resize(partners->n_ghost_indices());
+    import_storage.resize(partners->n_import_indices());
+
+    row_start.assign(1, 0);
+    for (const ContactNode<dim> &node : nodes)
+      {
+        normals.push_back(node.normal());
+        for (const auto &[partner, weight] : node.partners)
+          entries.emplace_back(partners->global_to_local(dim * partner), weight);
+        row_start.push_back(entries.size());
+      }
+    has_partners = Utilities::MPI::max(static_cast<unsigned int>(!entries.empty()), communicator) > 0;
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int> NodeCoupling<dim>::owned_partners() const
+  {
+    std::set<unsigned int> nodes;
+    for (const auto &[entry, weight] : entries)
+      if (entry < n_owned_entries)
+        nodes.insert(entry / dim);
+    for (const auto &[begin, end] : partners->import_indices())
+      for (unsigned int entry = begin; entry < end; ++entry)
+        nodes.insert(entry / dim);
+    return std::vector<unsigned int>(nodes.begin(), nodes.end());
+  }
+
+
+  template <int dim>
+  std::vector<double> NodeCoupling<dim>::partner_motion(const Vector &u) const
+  {
+    std::vector<double> result(normals.size(), 0.);
+    if (!has_partners)
+      return result;
+    std::vector<MPI_Request> requests;
+    partners->export_to_ghosted_array_start(0,
+                                            ArrayView<const double>(u.begin(), n_owned_entries),
+                                            make_array_view(import_storage),
+                                            make_array_view(ghost_values),
+                                            requests);
+    partners->export_to_ghosted_array_finish(make_array_view(ghost_values), requests);
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
+        {
+          const auto &[entry, weight] = entries[j];
+          const double *values =
+            entry < n_owned_entries ? u.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
+          for (unsigned int c = 0; c < dim; ++c)
+            result[k] += weight * normals[k][c] * values[c];
+        }
+    return result;
+  }
+
+
+  template <int dim>
+  void NodeCoupling<dim>::add_to_partners(const std::vector<double> &forces, Vector &f) const
+  {
+    scatter(forces, f, [](const double coefficient) { return coefficient; });
+  }
+
+
+  template <int dim>
+  void NodeCoupling<dim>::add_squares_to_partners(const std::vector<double> &values, Vector &d) const
+  {
+    scatter(values, d, [](const double coefficient) { return coefficient * coefficient; });
+  }
+
+
+  template <int dim>
+  template <typename Power>
+  void NodeCoupling<dim>::scatter(const std::vector<double> &values, Vector &target, const Power &power) const
+  {
+    if (!has_partners)
+      return;
+    std::fill(ghost_values.begin(), ghost_values.end(), 0.);
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
+        {
+          const auto &[entry, weight] = entries[j];
+          double *sum = entry < n_owned_entries ? target.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
+          for (unsigned int c = 0; c < dim; ++c)
+            sum[c] += power(weight * normals[k][c]) * values[k];
+        }
+    std::vector<MPI_Request> requests;
+    partners->import_from_ghosted_array_start(
+      VectorOperation::add, 0, make_array_view(ghost_values), make_array_view(import_storage), requests);
+    partners->import_from_ghosted_array_finish(VectorOperation::add,
+                                               ArrayView<const double>(import_storage.data(), import_storage.size()),
+                                               ArrayView<double>(target.begin(), n_owned_entries),
+                                               make_array_view(ghost_values),
+                                               requests);
+  }
+
+
+  template class NodeCoupling<2>;
+  template class NodeCoupling<3>;
+} // namespace signorini

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/contact/contact_frame.h>
+#include <signorini/contact/obstacle_contact.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  ObstacleContact<dim>::ObstacleContact(const Discretization<dim> &discretization, const Supports<dim> &supports)
+    : discretization(discretization)
+  {
+    const auto &scene = discretization.scene;
+    for (const auto &description : scene.obstacles)
+      obstacles.push_back(make_obstacle(description));
+
+    std::map<unsigned int, ContactNode<dim>> closest;
+    for (unsigned int p = 0; p < scene.pairs.size(); ++p)
+      if (!scene.pairs[p].of_two_bodies())
+        add_closest(p, closest);
+
+    for (auto &[node, contact_node] : closest)
+      {
+        if (const auto support = supports.nodes().find(node); support != supports.nodes().end())
+          {
+            std::array<bool, dim> held;
+            for (unsigned int c = 0; c < dim; ++c)
+              held[c] = support->second[c] != Supports<dim>::none;
+            if (!contact_frame_with_supports<dim>(contact_node.normal(), held, contact_node.frame))
+              {
+                ++n_left_to_supports;
+                continue;
+              }
+          }
+        contact_nodes.push_back(contact_node);
+      }
+    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
+  }
+
+
+  template <int dim>
+  void ObstacleContact<dim>::add_closest(const unsigned int                        pair,
+                                         std::map<unsigned int, ContactNode<dim>> &closest) const
+  {
+    const PairDescription &description = discretization.scene.pairs[pair];
+    Vector                 area = discretization.make_vector(), outward = area;
+    integrate(description, area, outward);
+    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+      {
+        const double weight = area.local_element(dim * node);
+        if (!(weight > 0.))
+          continue;
+        const Point<dim> &position   = discretization.node_positions[node];
+        const auto        projection = obstacles[description.obstacle]->project(position);
+        double            facing     = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          facing += outward.local_element(dim * node + c) * projection.normal[c];
+        const auto known = closest.find(node);
+        // Across the normal, where an equator or the side of a box is, round-off must not decide.
+        const bool faces = facing > 1e-8 * weight;
+        if (faces && (known == closest.end() || projection.gap < known->second.gap))
+          closest[node] = {node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
+      }
+  }
+
+
+  template <int dim>
+  void ObstacleContact<dim>::integrate(const PairDescription &pair, Vector &area, Vector &outward) const
+  {
+    const FE_Q<dim>                      scalar_fe(1);
+    FEFaceValues<dim>                    fe_values(discretization.mapping,
+                                scalar_fe,
+                                QGauss<dim - 1>(discretization.n_quadrature_points()),
+                                update_values | update_normal_vectors | update_JxW_values);
+    std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
+    dealii::Vector<double>               local_area(dofs.size()), local_normal(dofs.size());
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        if (is_surface_face<dim>(cell, f, pair.slave, pair.slave_boundary_ids))
+          {
+            fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell), f);
+            local_area   = 0.;
+            local_normal = 0.;
+            for (const unsigned int q : fe_values.quadrature_point_indices())
+              for (unsigned int v = 0; v < scalar_fe.n_dofs_per_cell(); ++v)
+                {
+                  const double measure = fe_values.shape_value(v, q) * fe_values.JxW(q);
+                  local_area[dim * v] += measure;
+                  for (unsigned int c = 0; c < dim; ++c)
+                    local_normal[dim * v + c] += measure * fe_values.normal_vector(q)[c];
+                }
+            cell->get_dof_indices(dofs);
+            // A hanging node hands its share to the nodes that it hangs between.
+            discretization.hanging_node_constraints.distribute_local_to_global(local_area, dofs, area);
+            discretization.hanging_node_constraints.distribute_local_to_global(local_normal, dofs, outward);
+          }
+    area.compress(VectorOperation::add);
+    outward.compress(VectorOperation::add);
+    // Shape functions that do not live on a face contribute round-off; what is tiny is not on the surface.
+    const double threshold = 1e-10 * area.linfty_norm();
+    for (unsigned int i = 0; i < area.locally_owned_size(); ++i)
+      if (area.local_element(i) < threshold)
+        area.local_element(i) = 0.;
+  }
+
+
+  template <int dim>
+  double ObstacleContact<dim>::geometric_penetration(const Vector &displacement) const
+  {
+    const auto &pairs   = discretization.scene.pairs;
+    double      deepest = 0.;
+    for (const ContactNode<dim> &contact_node : contact_nodes)
+      {
+        Point<dim> position = contact_node.position;
+        for (unsigned int c = 0; c < dim; ++c)
+          position[c] += displacement.local_element(dim * contact_node.node + c);
+        for (const PairDescription &pair : pairs)
+          if (!pair.of_two_bodies() && pair.slave == pairs[contact_node.pair].slave)
+            deepest = std::max(deepest, -obstacles[pair.obstacle]->project(position).gap);
+      }
+    return Utilities::MPI::max(deepest, discretization.communicator());
+  }
+
+
+  template <int dim>
+  void ObstacleContact<dim>::check_initial_gap(const Vector &initial_displacement) const
+  {
+    const auto  &scene     = discretization.scene;
+    const double tolerance = 1e-10 * discretization.body_size();
+    for (const PairDescription &pair : scene.pairs)
+      {
+        if (pair.of_two_bodies())
+          continue;
+        double     deepest = 0.;
+        Point<dim> place;
+        const auto look = [&](const Point<dim> &point) {
+          const double gap = obstacles[pair.obstacle]->project(point).gap;
+          if (gap < deepest)
+            {
+              deepest = gap;
+              place   = point;
+            }
+        };
+        Vector ghosted(discretization.locally_owned, discretization.locally_relevant, discretization.communicator());
+        ghosted.copy_locally_owned_data_from(initial_displacement);
+        ghosted.update_ghost_values();
+        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          for (const unsigned int f : cell->face_indices())
+            if (is_surface_face<dim>(cell, f, pair.slave, pair.slave_boundary_ids))
+              for (const unsigned int v : cell->face(f)->vertex_indices())
+                {
+                  Point<dim> point = cell->face(f)->vertex(v);
+                  look(point);
+                  for (unsigned int c = 0; c < dim; ++c)
+                    point[c] += ghosted(cell->face(f)->vertex_dof_index(v, c));
+                  look(point);
+                }
+        // The process with the deepest point tells the others, so that all report the same place.
+        const double minimum = Utilities::MPI::min(deepest, discretization.communicator());
+        if (minimum < -tolerance)
+          {
+            for (unsigned int c = 0; c < dim; ++c)
+              place[c] = Utilities::MPI::max(deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
+                                             discretization.communicator());
+            std::ostringstream message;
+            message << scene.file_name << ": Contact/Pairs = " << pair.name << ": the body '"
+                    << scene.bodies[pair.slave].name << "' penetrates the obstacle '"
+                    << scene.obstacles[pair.obstacle].name << "' at the start, by " << -minimum << " at (" << place
+                    << "). Move the body or the obstacle apart, or change the initial displacement.";
+            throw UserError(message.str());
+          }
+      }
+  }
+
+
+  template class ObstacleContact<2>;
+  template class ObstacleContact<3>;
+} // namespace signorini

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/surface_face.h>
+
+#include <algorithm>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::array<double, SurfaceFace<dim>::n_vertices> SurfaceFace<dim>::shape_values(const Point<dim - 1> &xi)
+  {
+    std::array<double, n_vertices> values;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      values[v] = GeometryInfo<dim - 1>::d_linear_shape_function(xi, v);
+    return values;
+  }
+
+
+  template <int dim>
+  Point<dim> SurfaceFace<dim>::position(const Point<dim - 1> &xi) const
+  {
+    const auto values = shape_values(xi);
+    Point<dim> result;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      result += values[v] * vertices[v];
+    return result;
+  }
+
+
+  template <int dim>
+  std::array<Tensor<1, dim>, dim - 1> SurfaceFace<dim>::tangents(const Point<dim - 1> &xi) const
+  {
+    std::array<Tensor<1, dim>, dim - 1> result;
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      {
+        const Tensor<1, dim - 1> gradient = GeometryInfo<dim - 1>::d_linear_shape_function_gradient(xi, v);
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          result[d] += gradient[d] * vertices[v];
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim> SurfaceFace<dim>::area_vector(const Point<dim - 1> &xi) const
+  {
+    const auto t = tangents(xi);
+    if constexpr (dim == 2)
+      return orientation * cross_product_2d(t[0]);
+    else
+      return orientation * cross_product_3d(t[0], t[1]);
+  }
+
+
+  template <int dim>
+  Point<dim> SurfaceFace<dim>::centre() const
+  {
+    Point<dim - 1> middle;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle[d] = 0.5;
+    return position(middle);
+  }
+
+
+  template <int dim>
+  double SurfaceFace<dim>::diameter() const
+  {
+    double result = 0.;
+    for (const Point<dim> &a : vertices)
+      for (const Point<dim> &b : vertices)
+        result = std::max(result, a.distance(b));
+    return result;
+  }
+
+
+  template <int dim>
+  BoundingBox<dim> SurfaceFace<dim>::bounding_box() const
+  {
+    return BoundingBox<dim>(std::vector<Point<dim>>(vertices.begin(), vertices.end()));
+  }
+
+
+  template <int dim>
+  bool is_surface_face(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                       const unsigned int                                    face,
+                       const unsigned int                                    body,
+                       const std::vector<types::boundary_id>                &ids)
+  {
+    return cell->is_locally_owned() && cell->material_id() == body && cell->face(face)->at_boundary()
+           && (ids.empty() || std::find(ids.begin(), ids.end(), cell->face(face)->boundary_id()) != ids.end());
+  }
+
+
+  template <int dim>
+  std::vector<SurfaceFace<dim>> owned_surface_faces(const Discretization<dim>             &discretization,
+                                                    const unsigned int                     body,
+                                                    const std::vector<types::boundary_id> &boundary_ids)
+  {
+    const auto                   &constraints = discretization.hanging_node_constraints;
+    std::vector<SurfaceFace<dim>> faces;
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const unsigned int f : cell->face_indices())
+        {
+          if (!is_surface_face<dim>(cell, f, body, boundary_ids))
+            continue;
+          const auto       face = cell->face(f);
+          SurfaceFace<dim> result;
+          for (unsigned int v = 0; v < result.n_vertices; ++v)
+            {
+              const auto dof     = face->vertex_dof_index(v, 0);
+              result.vertices[v] = face->vertex(v);
+              if (constraints.is_constrained(dof))
+                for (const auto &[parent, weight] : *constraints.get_constraint_entries(dof))
+                  result.nodes[v].emplace_back(parent / dim, weight);
+              else
+                result.nodes[v].emplace_back(dof / dim, 1.);
+            }
+          Point<dim - 1> middle;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            middle[d] = 0.5;
+          if (result.area_vector(middle) * (result.centre() - cell->center()) < 0.)
+            result.orientation = -1.;
+          faces.push_back(result);
+        }
+    return faces;
+  }
+
+
+  template struct SurfaceFace<2>;
+  template struct SurfaceFace<3>;
+  template bool is_surface_face<2>(const DoFHandler<2>::active_cell_iterator &,
+                                   unsigned int,
+                                   unsigned int,
+                                   const std::vector<types::boundary_id> &);
+  template bool is_surface_face<3>(const DoFHandler<3>::active_cell_iterator &,
+                                   unsigned int,
+                                   unsigned int,
+                                   const std::vector<types::boundary_id> &);
+  template std::vector<SurfaceFace<2>>
+  owned_surface_faces(const Discretization<2> &, unsigned int, const std::vector<types::boundary_id> &);
+  template std::vector<SurfaceFace<3>>
+  owned_surface_faces(const Discretization<3> &, unsigned int, const std::vector<types::boundary_id> &);
+} // namespace signorini
