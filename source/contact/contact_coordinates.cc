@@ -3,8 +3,6 @@
 
 #include <signorini/contact/contact_coordinates.h>
 
-#include <map>
-
 namespace signorini
 {
   using namespace dealii;
@@ -16,15 +14,15 @@ namespace signorini
     : supports(supports)
     , owned_contact_nodes(surface.nodes())
     , node_coupling(surface.coupling())
-    , mask_values(discretization.make_vector())
   {
     Frame identity{};
     for (unsigned int c = 0; c < dim; ++c)
       identity[dim * c + c] = 1.;
-    std::map<unsigned int, Frame> frames;
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         normals.push_back(dim * node.node);
+        if (!node.partners.empty())
+          relative.push_back(dim * node.node);
         frames[node.node] = node.frame;
       }
     for (const auto &[node, components] : supports.nodes())
@@ -39,34 +37,16 @@ namespace signorini
                   support_sources.emplace_back(components[c], discretization.node_positions[node], c);
                 }
       }
+  }
 
-    // Ghosts learn their frames row by row, and what they are from a flag: 1 supported, 2 contact.
-    Vector              flags = discretization.make_vector();
-    std::vector<Vector> rows(dim, flags);
-    for (const auto &[node, frame] : frames)
-      {
-        flags.local_element(dim * node) = 1.;
-        for (unsigned int row = 0; row < dim; ++row)
-          for (unsigned int c = 0; c < dim; ++c)
-            rows[row].local_element(dim * node + c) = frame[dim * row + c];
-      }
-    for (const unsigned int entry : normals)
-      flags.local_element(entry) = 2.;
-    flags.update_ghost_values();
-    for (Vector &row : rows)
-      row.update_ghost_values();
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_local; ++node)
-      if (const double flag = flags.local_element(dim * node); flag > 0.)
-        {
-          Frame frame;
-          for (unsigned int row = 0; row < dim; ++row)
-            for (unsigned int c = 0; c < dim; ++c)
-              frame[dim * row + c] = rows[row].local_element(dim * node + c);
-          special.push_back(node);
-          special_frames.push_back(frame);
-          if (flag == 2.)
-            contact.push_back(node);
-        }
+
+  template <int dim>
+  std::vector<unsigned int> ContactCoordinates<dim>::contact_nodes() const
+  {
+    std::vector<unsigned int> nodes;
+    for (const ContactNode<dim> &node : owned_contact_nodes)
+      nodes.push_back(node.node);
+    return nodes;
   }
 
 
@@ -165,34 +145,6 @@ namespace signorini
     for (const auto &[condition, point, component] : support_sources)
       values.push_back(supports.value(condition, point, component, time));
     return values;
-  }
-
-
-  template <int dim>
-  HeldNodes<dim> ContactCoordinates<dim>::held_nodes(const Mask &mask) const
-  {
-    mask_values.zero_out_ghost_values();
-    for (unsigned int i = 0; i < mask.size(); ++i)
-      mask_values.local_element(i) = mask[i];
-    // A relative entry is not a direction of its node alone.
-    for (std::size_t k = 0; k < normals.size(); ++k)
-      if (!owned_contact_nodes[k].partners.empty())
-        mask_values.local_element(normals[k]) = 0.;
-    mask_values.update_ghost_values();
-    HeldNodes<dim> result;
-    for (unsigned int k = 0; k < special.size(); ++k)
-      {
-        HeldNode<dim> node{special[k], special_frames[k], {}};
-        bool          any = false;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            node.held[c] = mask_values.local_element(dim * special[k] + c) > 0.;
-            any          = any || node.held[c];
-          }
-        if (any)
-          result.push_back(node);
-      }
-    return result;
   }
 
 

@@ -55,7 +55,7 @@ namespace signorini
                                               pattern.partitioner->get_mpi_communicator())
                   > 0)
     , work(4 * pattern.n_local, 0.f)
-    , ghosted_source(pattern.partitioner)
+    , ghosted(pattern.partitioner)
   {
     build_pattern(eliminate_last);
     // The partition of unity: one over the number of processes that know a node.
@@ -271,9 +271,9 @@ namespace signorini
     const double *input = source.begin();
     if (overlapping)
       {
-        ghosted_source = source;
-        ghosted_source.update_ghost_values();
-        input = ghosted_source.begin();
+        ghosted.copy_locally_owned_data_from(source);
+        ghosted.update_ghost_values();
+        input = ghosted.begin();
       }
     // The sweeps are linear, so each process may scale its part to keep single precision in range.
     double size = 0.;
@@ -286,13 +286,17 @@ namespace signorini
         work[4 * p + c] = weights[p] * static_cast<float>(scale * input[dim * order[p] + c]);
     sweep();
 
+    ghosted.zero_out_ghost_values();
     destination.zero_out_ghost_values();
-    double *output = destination.begin();
+    double *output = overlapping ? ghosted.begin() : destination.begin();
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       for (unsigned int c = 0; c < dim; ++c)
         output[dim * order[p] + c] = size * matrix_scale * static_cast<double>(weights[p] * work[4 * p + c]);
     if (overlapping)
-      destination.compress(dealii::VectorOperation::add);
+      {
+        ghosted.compress(dealii::VectorOperation::add);
+        destination.copy_locally_owned_data_from(ghosted);
+      }
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/relative_matrix.h>
 #include <signorini/system/multilevel.h>
 #include <signorini/system/preconditioners.h>
 
@@ -38,7 +39,11 @@ namespace signorini
     };
 
 
-    /** An incomplete factor, which lives in Cartesian components, seen from contact coordinates. */
+    /**
+     * An incomplete factor seen from contact coordinates. With two bodies in contact the factor of M + s A is that of the matrix in
+     * relative coordinates, without the rotations: there relative entries can be held within the sweeps. The mass is so well
+     * conditioned that the factor of the separate bodies does; relative entries are then held around it only.
+     */
     template <int dim, int block_size>
     class ContactIncompleteCholesky : public MaskedPreconditioner
     {
@@ -48,9 +53,20 @@ namespace signorini
                                 const double                   mass_factor,
                                 const double                   stiffness_factor)
         : coordinates(coordinates)
-        , factor(matrices, mass_factor, stiffness_factor, coordinates.contact_nodes())
-        , cartesian(matrices.pattern.partitioner)
+        , relative(block_size == dim && coordinates.coupling().any() ?
+                     relative_matrix(matrices, coordinates, mass_factor, stiffness_factor) :
+                     ElasticMatrices<dim>())
+        , is_relative(relative.pattern.partitioner != nullptr)
+        , frames(coordinates.node_frames(),
+                 coordinates.contact_nodes(),
+                 (is_relative ? relative : matrices).pattern.partitioner)
+        , factor(is_relative ? relative : matrices,
+                 is_relative ? 0. : mass_factor,
+                 is_relative ? 1. : stiffness_factor,
+                 frames.contact_nodes())
+        , turned(matrices.pattern.partitioner)
       {
+        relative.stiffness = {}; // only the pattern is needed from now on
       }
 
       void set_mask(const Mask &mask) override
@@ -59,23 +75,36 @@ namespace signorini
         for (unsigned int i = 0; i < mask.size(); ++i)
           if (mask[i])
             held_entries.push_back(i);
-        factor.set_held_nodes(coordinates.held_nodes(mask));
+        Mask mask_of_factor = mask;
+        if (!is_relative)
+          for (const unsigned int i : coordinates.relative_entries())
+            mask_of_factor[i] = 0;
+        factor.set_held_nodes(frames.held_nodes(mask_of_factor));
       }
 
       void vmult(Vector &destination, const Vector &source) const override
       {
-        cartesian.copy_locally_owned_data_from(source);
-        hold(cartesian);
-        coordinates.force_to_cartesian(cartesian);
-        factor.vmult(destination, cartesian);
-        coordinates.displacement_to_contact(destination);
+        turned.copy_locally_owned_data_from(source);
+        hold(turned);
+        if (is_relative)
+          coordinates.rotate_from_frames(turned);
+        else
+          coordinates.force_to_cartesian(turned);
+        factor.vmult(destination, turned);
+        if (is_relative)
+          coordinates.rotate_to_frames(destination);
+        else
+          coordinates.displacement_to_contact(destination);
         hold(destination);
       }
 
     private:
       const ContactCoordinates<dim>      &coordinates;
+      ElasticMatrices<dim>                relative;
+      const bool                          is_relative;
+      const NodeFrames<dim>               frames;
       IncompleteCholesky<dim, block_size> factor;
-      mutable Vector                      cartesian;
+      mutable Vector                      turned;
       std::vector<unsigned int>           held_entries;
 
       /** The factor holds rotated entries only to single precision; a multiplier must not leak through, so they become exact zeros. */

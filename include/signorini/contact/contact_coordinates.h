@@ -5,8 +5,7 @@
 #define signorini_contact_contact_coordinates_h
 
 #include <signorini/contact/contact_surface.h>
-#include <signorini/linear_algebra/masked_preconditioner.h>
-#include <signorini/linear_algebra/node_masks.h>
+#include <signorini/contact/node_frames.h>
 
 namespace signorini
 {
@@ -54,38 +53,34 @@ namespace signorini
     /** The normal entry of each contact node, in the order of the surface. */
     const std::vector<unsigned int> &normal_entries() const { return normals; }
 
+    /** Those of them that are relative to another body. */
+    const std::vector<unsigned int> &relative_entries() const { return relative; }
+
+    /** The owned contact nodes. */
+    std::vector<unsigned int> contact_nodes() const;
+
     /** Entries (in contact coordinates) that supports prescribe. */
     const std::vector<unsigned int> &supported_entries() const { return supported; }
 
-    /** The owned nodes of the contact surface. */
+    /** The owned nodes of the contact surface, with what is known about them. */
     const std::vector<ContactNode<dim>> &surface_nodes() const { return owned_contact_nodes; }
 
     /** Displacements prescribed at a time, in the order of supported_entries(). */
     std::vector<double> supported_values(double time) const;
 
-    /** Local nodes, ghosts included, that may ever be held: contact nodes and supported ones. Ascending. */
-    const std::vector<unsigned int> &special_nodes() const { return special; }
-
-    /** Local nodes, ghosts included, that carry a contact frame. Ascending. */
-    const std::vector<unsigned int> &contact_nodes() const { return contact; }
-
-    /**
-     * The directions of special nodes that a mask of owned entries holds in space; relative entries are not among them.
-     * Collective: asks the owners of ghosts.
-     */
-    HeldNodes<dim> held_nodes(const Mask &mask) const;
+    /** Frames of the owned contact nodes and supported nodes. */
+    const std::map<unsigned int, typename NodeFrames<dim>::Frame> &node_frames() const { return frames; }
 
   private:
-    using Frame = std::array<double, dim * dim>;
+    using Frame = typename NodeFrames<dim>::Frame;
 
     const Supports<dim>                 &supports;
     const std::vector<ContactNode<dim>> &owned_contact_nodes;
     const NodeCoupling<dim>             &node_coupling;
-    std::vector<unsigned int>            normals, supported, special, contact;
+    std::map<unsigned int, Frame>        frames;
+    std::vector<unsigned int>            normals, relative, supported;
     std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
-                       support_sources; ///< condition, point, component
-    std::vector<Frame> special_frames;  ///< in the order of `special`
-    mutable Vector     mask_values;
+      support_sources; ///< condition, point, component
 
     /** Normal entries += factor nu.(P u); the partners of contact nodes are in Cartesian components. */
     void add_partner_motion(Vector &vector, double factor) const;

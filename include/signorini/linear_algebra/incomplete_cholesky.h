@@ -31,7 +31,7 @@ namespace signorini
   {
   public:
     /**
-     * @param matrices         mass and stiffness
+     * @param matrices         mass and stiffness; only their pattern is needed later
      * @param mass_factor      a and
      * @param stiffness_factor b of a M + b A (b = 0 if block_size = 1)
      * @param eliminate_last   local nodes (owned and ghosts) that come last, ascending
@@ -66,7 +66,7 @@ namespace signorini
     bool                       overlapping;
     double                     matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
     mutable std::vector<float> work, scattered;   ///< four numbers per position
-    mutable Vector             ghosted_source;
+    mutable Vector             ghosted; ///< with the ghosts of the pattern, which may be more than those of the vectors
     mutable unsigned long      applications = 0;
 
     /** Where an entry of the lower triangle comes from: position in the upper triangle of the matrix, and whether it is turned. */
