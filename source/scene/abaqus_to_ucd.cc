@@ -52,13 +52,15 @@ namespace signorini
 
     private:
       void start(const std::string &line);
+      void finish() const;
       void data(const Words &words, const std::string &line);
       void element(const Words &words);
       void surface(const Words &words, const std::string &line);
       void face(const Element &element, unsigned int face_number, unsigned int id);
       long integer(const std::string &word) const;
 
-      Keyword                                      keyword; ///< that the data below belong to
+      Keyword                                      keyword;         ///< that the data below belong to
+      bool                                         has_data = true; ///< whether the keyword has data so far
       Words                                        unfinished_element;
       std::map<std::string, std::vector<long>>     sets;
       std::map<long, Words>                        nodes; ///< coordinates as written
@@ -109,19 +111,25 @@ namespace signorini
           else
             data(split(line, ','), line);
         }
-      if (!unfinished_element.empty())
-        throw MeshFileError("the file is broken: it ends in the midst of the element " + unfinished_element[0] + ". "
-                            + remedy);
+      finish();
       if (nodes.empty() || elements.empty())
         throw MeshFileError("it has no mesh: there is no `*NODE` or no `*ELEMENT` with data. " + remedy);
     }
 
-    void Translator::start(const std::string &line)
+    void Translator::finish() const
     {
       if (!unfinished_element.empty())
         throw MeshFileError("the file is broken: element " + unfinished_element[0] + " has too few vertices. "
                             + remedy);
-      keyword = parse_keyword(line);
+      if (keyword.name == "*SURFACE" && !has_data)
+        throw MeshFileError("the file is broken: the surface `" + keyword.value("NAME") + "` has no faces. " + remedy);
+    }
+
+    void Translator::start(const std::string &line)
+    {
+      finish();
+      has_data = false;
+      keyword  = parse_keyword(line);
       if (keyword.name == "*ELEMENT"
           && !std::regex_match(keyword.value("TYPE"), std::regex("C3D8[A-Z]*|(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*")))
         throw MeshFileError(
@@ -141,6 +149,7 @@ namespace signorini
 
     void Translator::data(const Words &words, const std::string &line)
     {
+      has_data = true;
       if (keyword.name == "*NODE")
         {
           Words coordinates(words.begin() + 1, words.end());
@@ -198,6 +207,12 @@ namespace signorini
       if (words.size() < 2 || !std::regex_match(words[1], std::regex("[SE][1-6]")))
         throw MeshFileError("the surface `" + name + "` has the line `" + line
                             + "`. Surfaces must consist of faces of elements: `element or element set, S1` to `S6`.");
+      const bool is_number = words[0].find_first_not_of("0123456789") == std::string::npos;
+      if (sets.count(words[0]) == 0 && !is_number)
+        throw MeshFileError("the file is broken: the surface `" + name + "` has the line `" + line
+                            + "`, but there is no "
+                              "element set `"
+                            + words[0] + "`. " + remedy);
       const std::vector<long> labels =
         sets.count(words[0]) > 0 ? sets.at(words[0]) : std::vector<long>{integer(words[0])};
       for (const long label : labels)

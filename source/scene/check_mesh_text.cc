@@ -38,11 +38,38 @@ namespace signorini
     }
   } // namespace
 
+  namespace
+  {
+    /** Section Nodes of version 2 to 4.1: as many as announced? deal.II relies on it. */
+    void check_gmsh_nodes(std::istream &in, const double version)
+    {
+      const std::string where    = "the section `$Nodes`";
+      const auto        n_blocks = (version < 4. ? 1u : next<unsigned int>(in, where));
+      const auto        n_nodes  = next<unsigned long>(in, where);
+      if (version > 4.)
+        skip_numbers(in, 2, where); // smallest and largest number of a node
+      unsigned long n_found = 0;
+      for (unsigned int block = 0; block < n_blocks; ++block)
+        {
+          if (version >= 4.)
+            skip_numbers(in, 3, where);
+          const auto n = (version < 4. ? n_nodes : next<unsigned long>(in, where));
+          skip_numbers(in, n, where);     // numbers of nodes
+          skip_numbers(in, 3 * n, where); // coordinates
+          n_found += n;
+        }
+      if (n_found != n_nodes)
+        throw MeshFileError("the file is broken: " + where + " announces " + std::to_string(n_nodes) + " nodes and has "
+                            + std::to_string(n_found) + ". " + remedy);
+    }
+  } // namespace
+
   void check_gmsh(const std::string &text)
   {
     std::istringstream    in(text);
     std::string           line, open;
     std::set<std::string> sections;
+    double                version = 1.;
     while (std::getline(in, line))
       {
         line = trim(line);
@@ -54,10 +81,12 @@ namespace signorini
                               + remedy);
         open = ends ? "" : line.substr(1);
         sections.insert(line.substr(1));
+        if (line == "$Nodes")
+          check_gmsh_nodes(in, version);
         if (line == "$MeshFormat" && std::getline(in, line))
           {
             std::istringstream numbers(line);
-            const auto         version = next<double>(numbers, "the section `$MeshFormat`");
+            version = next<double>(numbers, "the section `$MeshFormat`");
             if (next<int>(numbers, "the section `$MeshFormat`") != 0 || version < 2. || version > 4.1)
               throw MeshFileError("the version of the Gmsh file, `" + trim(line)
                                   + "`, is not known. Save it as text (ASCII) in version 2.2 or 4.1.");
@@ -85,6 +114,7 @@ namespace signorini
         vertices.insert(next<long>(in, "the list of vertices"));
         skip_numbers(in, 3, "the list of vertices");
       }
+    bool has_cells = false;
     for (unsigned int c = 0; c < n_cells; ++c)
       {
         const auto number = next<long>(in, "the list of cells");
@@ -94,6 +124,7 @@ namespace signorini
         if (found == n_vertices_of.end())
           throw MeshFileError("cell " + std::to_string(number) + " has the type `" + type + "`, which is not known. "
                               + remedy);
+        has_cells = has_cells || type == "quad" || type == "hex";
         if (type != "line" && type != "quad" && type != "hex")
           throw MeshFileError(
             "cell " + std::to_string(number) + " is of type `" + type
@@ -106,12 +137,59 @@ namespace signorini
                                   + std::to_string(vertex) + ", which does not exist. " + remedy);
           }
       }
+    if (!has_cells)
+      throw MeshFileError("it has no quadrilaterals and no hexahedra. " + remedy);
   }
+
+  namespace
+  {
+    /** Section CELLS: the vertices of each cell. @return how many each has */
+    std::vector<unsigned int> check_vtk_cells(std::istream &in, const long n_points)
+    {
+      std::vector<unsigned int> n_vertices;
+      const auto                n_cells = next<unsigned int>(in, "`CELLS`");
+      next<unsigned int>(in, "`CELLS`");
+      for (unsigned int c = 0; c < n_cells; ++c)
+        {
+          n_vertices.push_back(next<unsigned int>(in, "the list of cells"));
+          for (unsigned int v = 0; v < n_vertices.back(); ++v)
+            {
+              const auto point = next<long>(in, "the list of cells");
+              if (point < 0 || point >= n_points)
+                throw MeshFileError("the file is broken: cell " + std::to_string(c) + " (counted from 0) has the point "
+                                    + std::to_string(point) + ", which does not exist. " + remedy);
+            }
+        }
+      return n_vertices;
+    }
+
+    void check_vtk_types(std::istream &in, const std::vector<unsigned int> &n_vertices)
+    {
+      const std::map<unsigned int, unsigned int> n_vertices_of = {{3, 2}, {9, 4}, {12, 8}}; // line, quad, hexahedron
+      next<unsigned int>(in, "`CELL_TYPES`");
+      for (unsigned int c = 0; c < n_vertices.size(); ++c)
+        {
+          const auto type  = next<unsigned int>(in, "the list of cell types");
+          const auto found = n_vertices_of.find(type);
+          if (found == n_vertices_of.end())
+            throw MeshFileError(
+              "cell " + std::to_string(c) + " (counted from 0) has the VTK type " + std::to_string(type)
+              + ". Only quadrilaterals (2d, type 9) and hexahedra (3d, type 12) can be used; mesh the "
+                "body with these.");
+          if (found->second != n_vertices[c])
+            throw MeshFileError("the file is broken: cell " + std::to_string(c) + " (counted from 0) of VTK type "
+                                + std::to_string(type) + " has " + std::to_string(n_vertices[c]) + " vertices. "
+                                + remedy);
+        }
+    }
+  } // namespace
 
   void check_vtk(const std::string &text)
   {
-    std::istringstream in(text);
-    long               n_points = -1, n_cells = -1;
+    std::istringstream        in(text);
+    std::vector<unsigned int> n_vertices;
+    long                      n_points  = -1;
+    bool                      has_types = false;
     for (std::string word; in >> word;)
       if (word == "POINTS")
         {
@@ -120,23 +198,15 @@ namespace signorini
           skip_numbers(in, 3 * n_points, "the list of points");
         }
       else if (word == "CELLS")
-        {
-          n_cells = next<unsigned int>(in, "`CELLS`");
-          next<unsigned int>(in, "`CELLS`");
-          for (long c = 0; c < n_cells; ++c)
-            for (auto v = next<unsigned int>(in, "the list of cells"); v > 0; --v)
-              {
-                const auto point = next<long>(in, "the list of cells");
-                if (point < 0 || point >= n_points)
-                  throw MeshFileError("the file is broken: cell " + std::to_string(c)
-                                      + " (counted from 0) has the point " + std::to_string(point)
-                                      + ", which does not exist. " + remedy);
-              }
-        }
+        n_vertices = check_vtk_cells(in, n_points);
       else if (word == "CELL_TYPES")
-        skip_numbers(in, 1 + std::max(0L, n_cells), "the list of cell types");
-    if (n_points < 0 || n_cells < 0)
-      throw MeshFileError(
-        "it is not a VTK file (legacy format) with an unstructured grid: `POINTS` or `CELLS` is missing. " + remedy);
+        {
+          check_vtk_types(in, n_vertices);
+          has_types = true;
+        }
+    if (!has_types)
+      throw MeshFileError("it is not a VTK file (legacy format) with an unstructured grid: `POINTS`, `CELLS` or "
+                          "`CELL_TYPES` is missing. "
+                          + remedy);
   }
 } // namespace signorini

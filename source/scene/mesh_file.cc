@@ -20,27 +20,28 @@ namespace signorini
   {
     using dealii::Triangulation;
 
-    /** What a deal.II exception says, in one line. */
+    /** The first sentence of what a deal.II exception says. */
     std::string reason(const dealii::ExceptionBase &exception)
     {
       std::ostringstream info;
       exception.print_info(info);
       std::string text = trim(info.str());
+      text             = text.substr(0, text.find(". "));
       while (!text.empty() && text.back() == '.')
         text.pop_back();
       return text;
     }
 
     /** Let deal.II read the text. @return why it could not; empty if it could. */
-    template <int dim>
-    std::string try_to_read(const MeshText &mesh_text, Triangulation<dim> &mesh)
+    template <int dim, int spacedim>
+    std::string try_to_read(const MeshText &mesh_text, Triangulation<dim, spacedim> &mesh)
     {
-      dealii::GridIn<dim> reader;
+      dealii::GridIn<dim, spacedim> reader;
       reader.attach_triangulation(mesh);
       std::istringstream in(mesh_text.text);
       try
         {
-          reader.read(in, static_cast<typename dealii::GridIn<dim>::Format>(mesh_text.format));
+          reader.read(in, static_cast<typename dealii::GridIn<dim, spacedim>::Format>(mesh_text.format));
           return mesh.n_active_cells() > 0 ? "" : "it has no cells of this dimension";
         }
       catch (const dealii::ExceptionBase &exception)
@@ -68,6 +69,17 @@ namespace signorini
                           + std::to_string(dim) + "d cells, or change the dimension.");
     }
 
+    template <int dim, int spacedim>
+    [[noreturn]] void refuse_cell(const dealii::TriaIterator<dealii::CellAccessor<dim, spacedim>> &cell,
+                                  const unsigned int                                               vertex)
+    {
+      std::ostringstream message;
+      message << "cell " << cell->index() + 1 << " (counted from 1 among the " << cell_name<dim>()
+              << ") is inverted or degenerate at its vertex (" << cell->vertex(vertex)
+              << "). Correct the mesh there: no corner may be turned inside out or have no volume.";
+      throw MeshFileError(message.str());
+    }
+
     /** Elasticity needs a mapping that is invertible at every vertex; otherwise there is no stiffness matrix. */
     template <int dim>
     void check_jacobians(const Triangulation<dim> &mesh)
@@ -87,14 +99,29 @@ namespace signorini
                   jacobian[c][d] = edge[c];
               }
             if (!(determinant(jacobian) > 1e-10 * lengths))
-              {
-                std::ostringstream message;
-                message << "cell " << cell->index() + 1 << " (counted from 1 among the " << cell_name<dim>()
-                        << ") is inverted or degenerate at its vertex (" << cell->vertex(v)
-                        << "). Correct the mesh there: no corner may be turned inside out or have no volume.";
-                throw MeshFileError(message.str());
-              }
+              refuse_cell<dim, dim>(cell, v);
           }
+    }
+
+    /**
+     * deal.II's readers refuse plane meshes in which some cells run clockwise, without telling which. Read as a surface in
+     * space, such a mesh is accepted. A cell of the minority is at fault.
+     */
+    void find_inverted_cell(const MeshText &mesh_text)
+    {
+      Triangulation<2, 3> surface;
+      if (!try_to_read(mesh_text, surface).empty() || !surface.all_reference_cells_are_hyper_cube())
+        return;
+      const auto is_clockwise = [](const auto &cell) {
+        return cross_product_3d(cell->vertex(3) - cell->vertex(0), cell->vertex(2) - cell->vertex(1))[2] < 0.;
+      };
+      unsigned int n_clockwise = 0;
+      for (const auto &cell : surface.active_cell_iterators())
+        n_clockwise += is_clockwise(cell);
+      const bool most_are_clockwise = 2 * n_clockwise > surface.n_active_cells();
+      for (const auto &cell : surface.active_cell_iterators())
+        if (is_clockwise(cell) != most_are_clockwise)
+          refuse_cell<2, 3>(cell, 0);
     }
 
     template <int dim>
@@ -107,8 +134,10 @@ namespace signorini
           Triangulation<5 - dim> other;
           if (try_to_read(mesh_text, other).empty())
             refuse_dimension(dim);
+          if (dim == 2)
+            find_inverted_cell(mesh_text);
           throw MeshFileError("the mesh cannot be read: " + complaint + ". Write it again, as a mesh of "
-                              + cell_name<dim>() + " all of whose cells have the same orientation.");
+                              + cell_name<dim>() + " with straight edges, with groups of faces on its boundary only.");
         }
       if (!mesh.all_reference_cells_are_hyper_cube())
         throw MeshFileError(std::string("it has ")
