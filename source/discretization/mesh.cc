@@ -3,11 +3,10 @@
 
 #include <signorini/base/expressions.h>
 #include <signorini/base/user_error.h>
+#include <signorini/discretization/coarse_mesh.h>
 #include <signorini/discretization/mesh.h>
 
-#include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/manifold_lib.h>
 
 #include <cmath>
 #include <sstream>
@@ -18,43 +17,6 @@ namespace signorini
 
   namespace
   {
-    /** The coarse mesh of one body with the boundary ids of its shape; curved surfaces carry their manifold. */
-    template <int dim>
-    void make_coarse_mesh(const BodyDescription<dim> &body, Triangulation<dim> &mesh)
-    {
-      if (body.shape == "ball")
-        GridGenerator::hyper_ball(mesh, body.centre, body.radius);
-      else if (body.shape == "box")
-        GridGenerator::subdivided_hyper_rectangle(
-          mesh,
-          std::vector<unsigned int>(body.repetitions.begin(), body.repetitions.end()),
-          body.lower_corner,
-          body.upper_corner,
-          true);
-      else if (body.shape == "cylinder")
-        {
-          if constexpr (dim == 3)
-            {
-              GridGenerator::cylinder(mesh, body.radius, body.length / 2.);
-              // deal.II's cylinder lies along x; turn x into the wanted axis by a proper rotation.
-              GridTools::transform(
-                [&body](const Point<dim> &p) {
-                  const Point<dim> turned = body.axis == 0   ? p
-                                            : body.axis == 1 ? Point<dim>(-p[1], p[0], p[2])
-                                                             : Point<dim>(-p[2], p[1], p[0]);
-                  return turned + body.centre;
-                },
-                mesh);
-              Tensor<1, dim> direction;
-              direction[body.axis] = 1.;
-              mesh.set_manifold(0, CylindricalManifold<dim>(direction, body.centre));
-            }
-        }
-      else
-        throw UserError("The shape '" + body.shape + "' of body '" + body.name + "' is not known.");
-    }
-
-
     /** Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold ids by `offset`. */
     template <int dim>
     void append(const Triangulation<dim>   &mesh,
@@ -117,8 +79,11 @@ namespace signorini
           if (coarse_meshes[b].n_active_cells() > most_coarse)
             throw UserError(
               message.str()
-              + "/Repetitions gives more than 20000 coarse cells, which every process must keep. Use fewer "
-                "repetitions and more Refinements.");
+              + (body.shape == "file"
+                   ? "/File has more than 20000 cells, which every process must keep. Make a coarser mesh "
+                     "and use Refinements."
+                   : "/Repetitions gives more than 20000 coarse cells, which every process must keep. Use "
+                     "fewer repetitions and more Refinements."));
           message << "/Refinements = " << body.refinements << " gives " << cells << " cells, too many for "
                   << n_processes << " process(es). Use fewer refinements or more processes.";
           if (cells > most_per_process * n_processes)

@@ -46,7 +46,9 @@ namespace signorini
         valid.push_back(std::to_string(boundary_id));
       const auto position = std::find(valid.begin(), valid.end(), id);
       if (position == valid.end())
-        in.fail(key, "a " + body.shape + " has no boundary id `" + id + "`. Valid: " + join(valid) + ".");
+        in.fail(key,
+                (body.shape == "file" ? "the mesh " + body.mesh_file.path : "a " + body.shape) + " has no boundary id `"
+                  + id + "`. Valid: " + join(valid) + ".");
       return boundary_ids(body)[position - valid.begin()];
     }
 

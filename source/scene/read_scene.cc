@@ -8,6 +8,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <filesystem>
 #include <sstream>
 
 namespace signorini
@@ -35,6 +36,24 @@ namespace signorini
                 "or remove the probes.");
       for (const std::string &name : names)
         scene.probes.push_back(parse_probe<dim>(in.section(name), name));
+    }
+
+    /** All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on where it lies. */
+    template <int dim>
+    std::string print_all(dealii::ParameterHandler &prm, const std::vector<BodyDescription<dim>> &bodies)
+    {
+      prm.enter_subsection("Bodies");
+      for (const BodyDescription<dim> &body : bodies)
+        if (body.shape == "file")
+          {
+            prm.enter_subsection(body.name);
+            prm.set("File", std::filesystem::absolute(body.mesh_file.path).string());
+            prm.leave_subsection();
+          }
+      prm.leave_subsection();
+      std::ostringstream all;
+      prm.print_parameters(all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
+      return all.str();
     }
   } // namespace
 
@@ -76,10 +95,8 @@ namespace signorini
     scene.solver         = parse_solver(in.section("Solver"));
     scene.output         = parse_output(in.section("Output"));
 
-    scene.original_text = text.original;
-    std::ostringstream all;
-    prm.print_parameters(all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
-    scene.all_parameters = all.str();
+    scene.original_text  = text.original;
+    scene.all_parameters = print_all(prm, scene.bodies);
     return scene;
   }
 

@@ -9,6 +9,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace signorini
 {
@@ -38,35 +39,41 @@ namespace signorini
   SectionReader SectionReader::section(const std::string &name) const
   {
     SectionReader inner = *this;
-    inner.path.push_back(name);
+    inner.names.push_back(name);
     return inner;
   }
 
   bool SectionReader::given(const std::string &key) const
   {
-    return scene_text->find(path, key) != nullptr;
+    return scene_text->find(names, key) != nullptr;
   }
 
   bool SectionReader::given() const
   {
     return std::any_of(scene_text->statements.begin(), scene_text->statements.end(), [&](const Statement &statement) {
-      return statement.section == path;
+      return statement.section == names;
     });
   }
 
   std::string SectionReader::text(const std::string &key) const
   {
-    return prm->get(path, key);
+    return prm->get(names, key);
+  }
+
+  std::string SectionReader::path(const std::string &key) const
+  {
+    const auto folder = std::filesystem::path(scene_text->file_name).parent_path();
+    return (folder / text(key)).lexically_normal().string();
   }
 
   double SectionReader::number(const std::string &key) const
   {
-    return converted(*this, key, [&] { return prm->get_double(path, key); });
+    return converted(*this, key, [&] { return prm->get_double(names, key); });
   }
 
   bool SectionReader::flag(const std::string &key) const
   {
-    return prm->get_bool(path, key);
+    return prm->get_bool(names, key);
   }
 
   double SectionReader::positive_number(const std::string &key, const std::string &meaning) const
@@ -79,7 +86,7 @@ namespace signorini
 
   unsigned int SectionReader::integer(const std::string &key, const unsigned int min, const unsigned int max) const
   {
-    const long int value = converted(*this, key, [&] { return prm->get_integer(path, key); });
+    const long int value = converted(*this, key, [&] { return prm->get_integer(names, key); });
     if (value < static_cast<long int>(min) || value > static_cast<long int>(max))
       fail(key, "must be an integer between " + std::to_string(min) + " and " + std::to_string(max) + ".");
     return static_cast<unsigned int>(value);
@@ -98,12 +105,12 @@ namespace signorini
 
   void SectionReader::fail(const std::string &key, const std::string &message) const
   {
-    const Statement         *statement = scene_text->find(path, key);
+    const Statement         *statement = scene_text->find(names, key);
     const std::string        where     = (statement == nullptr ? scene_text->file_name : statement->origin);
-    std::vector<std::string> names     = path;
+    std::vector<std::string> all_names = names;
     if (!key.empty())
-      names.push_back(key);
-    std::string what = join(names, "/");
+      all_names.push_back(key);
+    std::string what = join(all_names, "/");
     if (!key.empty() && statement != nullptr)
       what += " = " + statement->value;
     else if (!key.empty())

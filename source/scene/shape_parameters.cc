@@ -2,8 +2,10 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
+#include <signorini/base/user_error.h>
 #include <signorini/scene/body_shape.h>
 #include <signorini/scene/check_expressions.h>
+#include <signorini/scene/mesh_file.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -74,6 +76,21 @@ namespace signorini
           body.repetitions[d] = static_cast<unsigned int>(repetitions[d]);
         }
     }
+
+    template <int dim>
+    void parse_file(const SectionReader &in, BodyDescription<dim> &body)
+    {
+      if (in.text("File").empty())
+        in.fail("File", "a body with `Shape = file` needs a mesh. Give the name of a mesh file.");
+      try
+        {
+          body.mesh_file = describe_mesh_file<dim>(in.path("File"));
+        }
+      catch (const UserError &error)
+        {
+          in.fail("File", error.what());
+        }
+    }
   } // namespace
 
   template <int dim>
@@ -83,10 +100,11 @@ namespace signorini
     const List point(Double(), dim, dim);
     prm.declare_entry("Shape",
                       "ball",
-                      Selection("ball|box|cylinder"),
+                      Selection("ball|box|cylinder|file"),
                       "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: "
                       "y-, y+; 4, 5: z-, z+), "
-                      "or cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top).");
+                      "cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top), or file (a mesh; boundary ids of the "
+                      "file).");
     prm.declare_entry("Centre", coordinates<dim>("0"), point, "Ball, cylinder: the centre (length).");
     prm.declare_entry("Radius", "1", Double(), "Ball, cylinder: the radius (length), > 0.");
     prm.declare_entry("Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
@@ -97,6 +115,15 @@ namespace signorini
                       coordinates<dim>("1"),
                       List(Integer(), dim, dim),
                       "Box: number of coarse cells in each direction. Cells should be nearly cubes.");
+    prm.declare_entry("File",
+                      "",
+                      Anything(),
+                      "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative to the folder of the "
+                      "scene. Gmsh (.msh, text of version 2.2 or 4.1; boundary ids: numbers of the physical groups), "
+                      "Abaqus (.inp; boundary ids: numbers in the names of the surfaces, such as SS3 or Surf-3), UCD "
+                      "(.inp, .ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary id 0.");
+    declare_cap<dim>(prm);
+    declare_placement<dim>(prm);
     declare_refinement(prm);
   }
 
@@ -105,10 +132,17 @@ namespace signorini
   {
     body.shape = in.text("Shape");
     body.repetitions.fill(1);
-    if (body.shape == "box")
+    if (body.shape != "file" && !in.text("File").empty())
+      in.fail("File",
+              "this body has `Shape = " + body.shape + "` and needs no mesh. Set `Shape = file`, or remove this key.");
+    if (body.shape == "file")
+      parse_file(in, body);
+    else if (body.shape == "box")
       parse_box(in, body);
     else
       parse_ball_or_cylinder(in, body);
+    parse_cap(in, body);
+    body.placement = parse_placement(in, body);
 
     body.refinements       = in.integer("Refinements", 0, max_refinements);
     body.local_refinements = in.integer("Local refinements", 0, max_refinements);

@@ -20,13 +20,6 @@ namespace
     std::vector<std::string> words;
   };
 
-  void expect_words(const std::string &message, const std::vector<std::string> &words)
-  {
-    for (const std::string &word : words)
-      EXPECT_NE(message.find(word), std::string::npos) << "`" << word << "` is not in: " << message;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  }
-
   void expect_refusals(const std::vector<Mistake> &mistakes)
   {
     for (const Mistake &mistake : mistakes)
@@ -65,7 +58,7 @@ TEST(Mistakes, TopLevelAndTime)
 TEST(Mistakes, ShapesAndMaterial)
 {
   expect_refusals({{"Bodies/ball/Shape", "bal", {"Did you mean `ball`?", "Valid: ball, box, cylinder"}},
-                   {"Bodies/ball/Shape", "file", {"not available in this version"}},
+                   {"Bodies/ball/File", "ball.msh", {"`Shape = ball`", "Set `Shape = file`"}},
                    {"Bodies/ball/Radius", "0", {"must be positive"}},
                    {"Bodies/ball/Radius", "-1", {"must be positive"}},
                    {"Bodies/ball/Centre", "0, 1", {"must be 3 numbers", "commas"}},
@@ -77,6 +70,13 @@ TEST(Mistakes, ShapesAndMaterial)
                    {"Bodies/ball/Local refinements", "2", {"`Refine where`"}},
                    {"Bodies/ball/Refine where", "0.2 - q", {"cannot be understood", "x,y,z"}},
                    {"Bodies/box/Upper corner", "3, 0, 1.5", {"y coordinate", "Exchange"}},
+                   {"Bodies/box/Rotation", "90", {"must be 3 numbers", "commas"}},
+                   {"Bodies/box/Rotation centre", "1, 2", {"must be 3 numbers", "centre of the shape"}},
+                   {"Bodies/box/Rotation centre", "here", {"must be 3 numbers"}},
+                   {"Bodies/box/Translation", "0; 0; 1", {"must be 3 numbers", "commas"}},
+                   {"Bodies/box/Cap radius", "-2", {"must not be negative", "0 for a flat face"}},
+                   {"Bodies/ball/Cap radius", "2", {"only a face of a box", "`Shape = ball`"}},
+                   {"Bodies/ball/Cap boundary", "0", {"only a face of a box", "Remove"}},
                    {"Bodies/box/Repetitions", "1, 0, 1", {"at least one cell in y"}},
                    {"Bodies/box/Repetitions", "1, -2, 1", {"at least one cell in y"}},
                    {"Bodies/ball/Young's modulus", "0", {"must be positive"}},
@@ -166,7 +166,7 @@ TEST(Mistakes, UnknownKeysAndSections)
                    {"Bodies/ball/Center", "0, 0, 1", {"Did you mean `Centre`?"}},
                    {"Bodies/ball/Youngs modulus", "1", {"Did you mean `Young's modulus`?", "Density"}},
                    {"Step size", "1e-3", {"belongs to section `Time`", "end"}},
-                   {"Bodies/ball/File", "x.msh", {"not available in this version"}}});
+                   {"Bodies/ball/Files", "x.msh", {"Did you mean `File`?"}}});
   const auto expect = [](const std::string &path, const std::vector<std::string> &words) {
     const TemporaryFile file(correct_scene() + assignment(path, "1"));
     expect_words(refusal(file.name), {file.name + ", line "});
@@ -192,6 +192,15 @@ TEST(Mistakes, SeveralValuesTogether)
   expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});
   expect({{"Probes/Names", "south, north"}}, {"Probes/north/Point (not given)", "Add"});
   expect({{"Bodies/ball/Shape", "cylinder"}, {"Bodies/ball/Length", "-1"}}, {"Length = -1", "positive"});
+  expect({{"Bodies/ball/Shape", "file"}}, {"Bodies/ball/File (not given)", "needs a mesh"});
+  expect({{"Bodies/box/Cap radius", "2"}}, {"Cap boundary (not given)", "0, 1, 2, 3, 4, 5"});
+  expect({{"Bodies/box/Cap radius", "2"}, {"Bodies/box/Cap boundary", "6"}}, {"Cap boundary = 6", "0, 1, 2, 3, 4, 5"});
+  // The face has edges of length 1, the opposite face is at distance 1: half of the diagonal counts.
+  expect({{"Bodies/box/Cap radius", "0.7071"}, {"Bodies/box/Cap boundary", "4"}},
+         {"Cap radius = 0.7071", "does not fit", "larger than 0.707107"});
+  // At distance 0.5 only, it would reach the opposite face: (0.5 + 0.25) / (2 * 0.5).
+  expect({{"Bodies/box/Cap radius", "0.74"}, {"Bodies/box/Cap boundary", "4"}, {"Bodies/box/Upper corner", "3, 1, 1"}},
+         {"Cap radius = 0.74", "larger than 0.75", "opposite face"});
   expect({{"Obstacles/floor/Shape", "function"}}, {"Obstacles/floor/Signed distance (not given)", "Give one"});
   expect({{"Exact solution/Displacement", "0; 0; 1"}}, {"Exact solution/Velocity (not given)", "both"});
   expect({{"Exact solution/Velocity", "0; 0; 1"}}, {"Exact solution/Displacement (not given)", "both"});

@@ -8,6 +8,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/scene/read_scene.h>
 
+#include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -21,10 +22,10 @@ namespace signorini::tests
   class TemporaryFile
   {
   public:
-    explicit TemporaryFile(const std::string &text)
+    explicit TemporaryFile(const std::string &text, const std::string &extension = ".prm")
     {
       static int counter = 0;
-      name = testing::TempDir() + "scene_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + ".prm";
+      name = testing::TempDir() + "scene_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + extension;
       std::ofstream(name) << text;
     }
     TemporaryFile(const TemporaryFile &) = delete;
@@ -106,6 +107,13 @@ end
     for (std::size_t i = 0; i < names.size(); ++i)
       text += "end\n";
     return text;
+  }
+
+  inline void expect_words(const std::string &message, const std::vector<std::string> &words)
+  {
+    for (const std::string &word : words)
+      EXPECT_NE(message.find(word), std::string::npos) << "`" << word << "` is not in: " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
 
   /** The message of the UserError with which a file is refused; empty if it is read. */

@@ -4,10 +4,13 @@
 #ifndef signorini_scene_body_description_h
 #define signorini_scene_body_description_h
 
+#include <signorini/scene/placement.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
 #include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -41,22 +44,39 @@ namespace signorini
     std::array<std::string, dim> expressions;
   };
 
+  /**
+   * What the scene needs to know of a mesh from a file: the name of the file, and the vertices on each of its boundaries, as
+   * they stand in the file.
+   */
+  template <int dim>
+  struct MeshFile
+  {
+    std::string        path;   ///< absolute, or relative to the current folder
+    dealii::Point<dim> centre; ///< of the smallest box that holds all vertices
+    std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>> boundary_vertices;
+  };
+
   /** Section `Bodies/<name>`: shape, mesh, material, initial state, loads and supports of one body. */
   template <int dim>
   struct BodyDescription
   {
     std::string name;
-    std::string shape = "ball"; ///< ball | box | cylinder
+    std::string shape = "ball"; ///< ball | box | cylinder | file
 
+    // The shape before it is placed.
     dealii::Point<dim>            centre; ///< ball, cylinder
     double                        radius = 1.;
     double                        length = 2.;                ///< cylinder: full length, centred at `centre`
     unsigned int                  axis   = dim - 1;           ///< cylinder: direction of the axis, 0, 1, 2
     dealii::Point<dim>            lower_corner, upper_corner; ///< box
     std::array<unsigned int, dim> repetitions;                ///< box: coarse cells per direction
-    unsigned int                  refinements       = 0;      ///< uniform refinements
-    unsigned int                  local_refinements = 0;      ///< further refinements of the cells selected below
-    std::string                   refine_where;               ///< expression in x, y, z of the cell centre; > 0 selects
+    double                        cap_radius   = 0.;     ///< box: radius of the bulging face; 0: all faces are flat
+    dealii::types::boundary_id    cap_boundary = 0;      ///< box: the face that bulges
+    MeshFile<dim>                 mesh_file;             ///< file
+    Placement<dim>                placement;             ///< from the shape as described to its place in space
+    unsigned int                  refinements       = 0; ///< uniform refinements
+    unsigned int                  local_refinements = 0; ///< further refinements of the cells selected below
+    std::string                   refine_where;          ///< expression in x, y, z of the cell centre; > 0 selects
 
     Material                     material;
     std::array<std::string, dim> initial_displacement; ///< expressions in x, y, z

@@ -36,6 +36,8 @@ namespace signorini
     bool given() const;
 
     std::string text(const std::string &key) const;
+    /** A path: an absolute one as it is, a relative one from the folder of the scene. */
+    std::string path(const std::string &key) const;
     double      number(const std::string &key) const;
     bool        flag(const std::string &key) const;
     /** A number > 0; @p meaning completes the message: "an elastic body resists deformation". */
@@ -52,7 +54,7 @@ namespace signorini
   private:
     const dealii::ParameterHandler *prm;
     const SceneText                *scene_text;
-    std::vector<std::string>        path;
+    std::vector<std::string>        names; ///< of the sections, outermost first
   };
 } // namespace signorini
 

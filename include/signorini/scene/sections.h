@@ -31,9 +31,18 @@ namespace signorini
   template <int dim>
   void declare_shape(dealii::ParameterHandler &prm);
   template <int dim>
-  void     parse_shape(const SectionReader &in, BodyDescription<dim> &body);
-  void     declare_material(dealii::ParameterHandler &prm);
-  Material parse_material(const SectionReader &in);
+  void parse_shape(const SectionReader &in, BodyDescription<dim> &body);
+  template <int dim>
+  void declare_cap(dealii::ParameterHandler &prm);
+  template <int dim>
+  void parse_cap(const SectionReader &in, BodyDescription<dim> &body);
+  template <int dim>
+  void declare_placement(dealii::ParameterHandler &prm);
+  /** Needs the shape of the body. */
+  template <int dim>
+  Placement<dim> parse_placement(const SectionReader &in, const BodyDescription<dim> &body);
+  void           declare_material(dealii::ParameterHandler &prm);
+  Material       parse_material(const SectionReader &in);
   template <int dim>
   void declare_conditions(dealii::ParameterHandler &prm);
   template <int dim>
