@@ -13,6 +13,16 @@ SCENES = {
     "disc_2d": ["Bodies/disc/Refinements=4"],
     "box_on_sphere": ["Bodies/box/Refinements=2"],
     "bar_2d": [],
+    "two_bars": [],
+    "striking_bar": [],
+    "short_and_long_bar": [],
+    "two_balls_head_on": ["Bodies/upper/Refinements=2", "Bodies/lower/Refinements=2"],
+    "two_balls_off_centre": ["Bodies/upper/Refinements=2", "Bodies/lower/Refinements=2"],
+    "geometry_b_flat": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
+    "geometry_b_curved": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
+    "geometry_b_tilted": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
+    "stack_of_boxes": ["Time/End time=0.08"],
+    "hammer_and_anvil": [],
 }
 
 

@@ -8,6 +8,7 @@ Expensive scenes are shortened.
 """
 
 import check_history
+import test_two_bodies
 
 DOWN_2D = (0., 1., 0.)
 DOWN_3D = (0., 0., 1.)
@@ -20,6 +21,11 @@ SCENES = {
     "disc_2d": (["Bodies/disc/Refinements=4"], 2., DOWN_2D, (0., 0., 0.)),
     "geometry_a": (["Bodies/ball/Refinements=2"], 2., DOWN_3D, (0., 0., 0.)),
     "quick_start": (["Bodies/ball/Refinements=2"], 2., DOWN_3D, (0., 0., 0.)),
+}
+#: Free scenes of two bodies have a test of their own; in these the outside is the floor or a support.
+TWO_BODIES = {
+    "stack_of_boxes": (["Time/End time=0.08"], 1.2),
+    "hammer_and_anvil": (["Time/End time=1"], 1.),
 }
 
 
@@ -39,9 +45,25 @@ class ShippedScenes(check_history.SceneTest):
                 self.expect_balance_of_momentum(run, scheme, lambda start, end: load)
 
     def test_no_scene_is_forgotten(self):
-        self.assertEqual(sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")), sorted(SCENES))
+        self.assertEqual(sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")),
+                         sorted([*SCENES, *TWO_BODIES, *test_two_bodies.FREE_SCENES]))
+
+    def check_two_bodies(self, name):
+        overrides, size = TWO_BODIES[name]
+        for scheme in check_history.SCHEMES:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(check_history.PARAMETERS / f"{name}.prm", f"shipped-{name}-{scheme}",
+                                        overrides + [f"Time/Scheme={scheme}"])
+                self.expect_contact(run)
+                self.expect_ledger_closes(run, driven=True)
+                if scheme in check_history.DISSIPATIVE:
+                    self.expect_no_gain_of_energy(run, driven=True)
+                self.expect_no_penetration(run, size)
+                self.expect_pressure(run)
 
 
+for scene in TWO_BODIES:
+    setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check_two_bodies(name))
 for scene in SCENES:
     setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check(name))
 
