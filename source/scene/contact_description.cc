@@ -40,8 +40,8 @@ namespace signorini
       for (const unsigned int id : ids)
         if (std::find(existing.begin(), existing.end(), id) == existing.end())
           in.fail("Pairs",
-                  "the pair `" + pair.text() + "`: the body `" + body.name + "` is a " + body.shape
-                    + " and has no boundary id " + std::to_string(id) + ". Valid: " + join(valid) + ".");
+                  "the pair `" + pair.text() + "`: the body `" + body.name + "` (shape " + body.shape
+                    + ") has no boundary id " + std::to_string(id) + ". Valid: " + join(valid) + ".");
     }
 
     double parse_friction(const SectionReader &in)

@@ -107,7 +107,7 @@ namespace signorini
      * deal.II's readers refuse plane meshes in which some cells run clockwise, without telling which. Read as a surface in
      * space, such a mesh is accepted. A cell of the minority is at fault.
      */
-    void find_inverted_cell(const MeshText &mesh_text)
+    void refuse_inverted_quadrilateral(const MeshText &mesh_text)
     {
       Triangulation<2, 3> surface;
       if (!try_to_read(mesh_text, surface).empty() || !surface.all_reference_cells_are_hyper_cube())
@@ -125,6 +125,19 @@ namespace signorini
     }
 
     template <int dim>
+    void refuse_inverted_cell(const MeshText &mesh_text)
+    {
+      if (dim == 2)
+        refuse_inverted_quadrilateral(mesh_text);
+      const std::string cell =
+        dim == 3 && mesh_text.format == dealii::GridIn<3>::ucd ? find_inverted_hexahedron(mesh_text.text) : "";
+      if (!cell.empty())
+        throw MeshFileError(cell
+                            + " is inverted: it lists its vertices in the other direction of rotation than most cells. "
+                              "Correct the order of its vertices.");
+    }
+
+    template <int dim>
     void read(const std::string &path, Triangulation<dim> &mesh)
     {
       const MeshText    mesh_text = read_mesh_text(path);
@@ -134,8 +147,7 @@ namespace signorini
           Triangulation<5 - dim> other;
           if (try_to_read(mesh_text, other).empty())
             refuse_dimension(dim);
-          if (dim == 2)
-            find_inverted_cell(mesh_text);
+          refuse_inverted_cell<dim>(mesh_text);
           throw MeshFileError("the mesh cannot be read: " + complaint + ". Write it again, as a mesh of "
                               + cell_name<dim>() + " with straight edges, with groups of faces on its boundary only.");
         }

@@ -85,7 +85,15 @@ namespace
 TEST(MistakesInMeshes, CorrectMeshesAreRead)
 {
   const std::vector<std::pair<std::string, std::string>> meshes = {
-    {ucd, ".ucd"}, {ucd, ".inp"}, {vtk, ".vtk"}, {msh, ".msh"}, {msh_4, ".msh"}, {inp, ".inp"}, {inp, ".INP"}};
+    {ucd, ".ucd"},
+    {ucd, ".inp"},
+    {vtk, ".vtk"},
+    {msh, ".msh"},
+    {msh_4, ".msh"},
+    {inp, ".inp"},
+    {inp, ".INP"},
+    // In Gmsh files, deal.II turns cells around that only list their vertices in the wrong direction.
+    {replaced(msh, "2 5 6 3", "3 6 5 2"), ".msh"}};
   for (const auto &[mesh, extension] : meshes)
     {
       const TemporaryFile file(mesh, extension);
@@ -148,10 +156,15 @@ TEST(MistakesInMeshes, InvertedCells)
   const std::vector<std::string> second = {"cell 2 (counted from 1 among the quadrilaterals)",
                                            "inverted or degenerate"};
   expect_refusals({{replaced(ucd, "2 5 6 3", "3 6 5 2"), ".ucd", 2, second},
-                   {replaced(msh, "2 5 6 3", "3 6 5 2"), ".msh", 2, second},
                    {replaced(ucd, "6 2 1 0", "6 1.4 0.4 0"), ".ucd", 2, {second[0], second[1], "(1.4 0.4)"}},
                    {replaced(ucd, "6 2 1 0", "6 1.5 0.5 0"), ".ucd", 2, {second[0], second[1], "(1.5 0.5)"}},
                    {replaced(ucd, "2 5 6 3", "2 5 6 6"), ".ucd", 2, {second[0], second[1], "(2 1)"}},
+                   {replaced(read_file("hammer.inp"),
+                             "\n186, 225, 240, 241, 220, 266, 281, 282, 261\n",
+                             "\n186, 266, 281, 282, 261, 225, 240, 241, 220\n"),
+                    ".inp",
+                    3,
+                    {"cell 186 with the centre (1.375 ", "is inverted", "Correct the order"}},
                    {replaced(read_file("anvil.msh"), "101 -0.346666667", "101 5"),
                     ".msh",
                     3,
@@ -179,9 +192,9 @@ TEST(MistakesInMeshes, References)
 
 TEST(MistakesInMeshes, WhereverAFileIsCutItIsRefused)
 {
-  // The last line and its end may be missing; the file is complete without them.
+  // The end of the last line may be missing. Abaqus files have no end: a cut between two elements goes unnoticed.
   const std::vector<std::pair<std::string, std::string>> meshes = {
-    {ucd, ".ucd"}, {vtk, ".vtk"}, {msh, ".msh"}, {msh_4, ".msh"}, {inp.substr(0, inp.find("11, S1")), ".inp"}};
+    {ucd, ".ucd"}, {vtk, ".vtk"}, {msh, ".msh"}, {msh_4, ".msh"}, {inp.substr(0, inp.find("\n12")), ".inp"}};
   for (const auto &[mesh, extension] : meshes)
     for (std::size_t length = 0; length + 2 < mesh.size(); length += 5)
       EXPECT_NE(message_about(mesh.substr(0, length), extension, 2), "") << mesh.substr(0, length);

@@ -71,6 +71,19 @@ class CommandLine(unittest.TestCase):
                                  ("Output directory=/dev/null/x", "/dev/null")):
             self.expect_mistake([QUICK_START, "--validate", "--set", assignment], word)
 
+    def test_mistakes_of_a_mesh_file(self):
+        anvil = (pathlib.Path(QUICK_START).parent / "meshes" / "anvil.msh").read_text(encoding="utf-8")
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text, word in (("cut.msh", anvil[:len(anvil) // 2], "broken"),
+                                     ("reference.msh", anvil.replace("$Nodes\n252\n1 ", "$Nodes\n252\n999 "), "index 1 "),
+                                     ("inverted.msh", anvil.replace("\n101 -0.3", "\n101 5.3"), "inverted")):
+                self.assertNotEqual(text, anvil)
+                file = pathlib.Path(folder) / name
+                file.write_text(text, encoding="utf-8")
+                arguments = [QUICK_START, "--set", "Bodies/ball/Shape=file", "--set", f"Bodies/ball/File={file}"]
+                self.expect_mistake(arguments, word, name)
+                self.expect_mistake(arguments, word, name, processes=2)
+
     def test_two_processes(self):
         self.expect_mistake(["missing.prm"], "missing.prm", processes=2)
         self.expect_mistake([QUICK_START, "--set", "Time/Step size=0"], "positive", processes=2)

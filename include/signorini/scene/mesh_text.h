@@ -39,7 +39,12 @@ namespace signorini
 
   /** Refuse a text in UCD format with missing lines, or with cells and faces of vertices that do not exist. */
   void check_ucd(const std::string &text);
-  /** The same for a legacy VTK file. */
+  /**
+   * Number and place, in words, of a hexahedron that lists its vertices in the other direction of rotation than most in a
+   * text in UCD format; empty if there is none. deal.II refuses such meshes without telling which cell it is.
+   */
+  std::string find_inverted_hexahedron(const std::string &ucd);
+  /** The same as check_ucd() for a legacy VTK file. */
   void check_vtk(const std::string &text);
   /** Refuse a Gmsh file that is not ASCII, or that has sections without end. */
   void check_gmsh(const std::string &text);

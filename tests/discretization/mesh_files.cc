@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The shipped meshes have the volume and the areas that tools/make_meshes.py intends, before and after refinement and in
+// any place.
+
+#include "shapes.h"
+
+#include <signorini/scene/mesh_file.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace signorini;
+using namespace signorini::tests;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  BodyDescription<3> body_of(const std::string &file)
+  {
+    BodyDescription<3> body;
+    body.name      = "body";
+    body.shape     = "file";
+    body.mesh_file = describe_mesh_file<3>(SIGNORINI_SOURCE_DIR "/parameters/meshes/" + file);
+    return body;
+  }
+
+  void expect_areas(const std::map<unsigned int, double> &areas, const std::map<unsigned int, double> &expected)
+  {
+    ASSERT_EQ(areas.size(), expected.size());
+    for (const auto &[id, area] : expected)
+      {
+        ASSERT_EQ(areas.count(id), 1u) << "boundary id " << id;
+        EXPECT_NEAR(areas.at(id), area, 1e-7) << "boundary id " << id;
+      }
+  }
+
+  /** Lateral area of the frustum of a regular pyramid with n sides. */
+  double frustum_area(const unsigned int n, const double r, const double R, const double height)
+  {
+    const double pi = dealii::numbers::PI;
+    return n * std::sin(pi / n) * (r + R) * std::hypot(height, (R - r) * std::cos(pi / n));
+  }
+
+  double frustum_volume(const unsigned int n, const double r, const double R, const double height)
+  {
+    return polygon_area(n) * (r * r + r * R + R * R) * height / 3.;
+  }
+} // namespace
+
+TEST(MeshFiles, AnvilIsAFrustum)
+{
+  for (const unsigned int refinements : {0, 1})
+    {
+      BodyDescription<3> body = body_of("anvil.msh");
+      body.refinements        = refinements;
+      body.placement          = Placement<3>({{20., 0., 50.}}, body.mesh_file.centre, Tensor<1, 3>({1., 2., 3.}));
+      const Meshed<3> meshed(body);
+      EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 150u << (3 * refinements));
+      EXPECT_NEAR(volume(meshed.triangulation), 0.48 * 19. / 3., 1e-7);
+      // 1 bottom, 2 top, 3 sides: two with mean width 1.5 and two with 2.
+      expect_areas(boundary_areas(meshed.triangulation),
+                   {{1, 4. * 1.2 * 0.9},
+                    {2, 4. * 0.8 * 0.6},
+                    {3, 2. * 1.5 * std::hypot(1., 0.4) + 2. * 2. * std::hypot(1., 0.3)}});
+    }
+}
+
+TEST(MeshFiles, HammerIsABarWithANose)
+{
+  for (const unsigned int refinements : {0, 1})
+    {
+      BodyDescription<3> body = body_of("hammer.inp");
+      body.refinements        = refinements;
+      const Meshed<3> meshed(body);
+      const auto      areas = boundary_areas(meshed.triangulation);
+      const double    disc = polygon_area(16), r = 0.3, R = 0.6;
+      EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 192u << (3 * refinements));
+      ASSERT_EQ(areas.size(), 4u);
+      EXPECT_NEAR(areas.at(3), frustum_area(16, R, R, 1.), 1e-7);
+      EXPECT_NEAR(areas.at(4), disc * R * R, 1e-7);
+      // The rim of the domed face lies back by this.
+      const double back = 1. - std::sqrt(1. - r * r), middle = 0.45;
+      EXPECT_NEAR(areas.at(2), frustum_area(16, r, middle, 0.25 - back) + frustum_area(16, middle, R, 0.25), 1e-7);
+      EXPECT_NEAR(areas.at(1), disc * r * r * (1. + r * r / 4.), 1e-3) << "the dome is larger than its shadow";
+      const double nose = frustum_volume(16, r, middle, 0.25 - back) + frustum_volume(16, middle, R, 0.25);
+      const double dome = disc * r * r * back / 2.;
+      EXPECT_NEAR(volume(meshed.triangulation), disc * R * R + nose + dome, 5e-4);
+    }
+}
+
+TEST(MeshFiles, HammerFaceTouchesTheOriginAndItsSurfacesAreWhereTheyShouldBe)
+{
+  const MeshFile<3> hammer = body_of("hammer.inp").mesh_file;
+  double            tip    = 1.;
+  for (const Point<3> &vertex : hammer.boundary_vertices.at(1))
+    {
+      const Point<3> centre(1., 0., 0.);
+      EXPECT_NEAR(vertex.distance(centre), 1., 1e-8) << "the dome is part of a sphere";
+      tip = std::min(tip, vertex.norm());
+    }
+  EXPECT_EQ(tip, 0.);
+  for (const Point<3> &vertex : hammer.boundary_vertices.at(4))
+    EXPECT_EQ(vertex[0], 1.5);
+  EXPECT_NEAR(hammer.centre[0], 0.75, 1e-14);
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// A rotated and translated body is the body somewhere else: same volume, same boundary ids, and refinement puts new vertices
+// on its round surfaces where they are now.
+
+#include "shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace signorini;
+using namespace signorini::tests;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /** About a point that is not the centre of any body here. */
+  template <int dim>
+  Placement<dim> somewhere()
+  {
+    Point<dim>     centre;
+    Tensor<1, dim> translation;
+    centre[0]      = 0.7;
+    centre[1]      = -0.3;
+    translation[1] = 5.;
+    std::array<double, Placement<dim>::n_angles> degrees;
+    degrees.fill(25.);
+    return Placement<dim>(degrees, centre, translation);
+  }
+
+  template <int dim>
+  std::vector<Point<dim>> vertices_of(const BodyDescription<dim> &body)
+  {
+    return Meshed<dim>(body).triangulation.get_vertices();
+  }
+
+  BodyDescription<3> cylinder(const unsigned int axis)
+  {
+    BodyDescription<3> body;
+    body.name        = "cylinder";
+    body.shape       = "cylinder";
+    body.centre      = Point<3>(1., 2., 3.);
+    body.radius      = 0.5;
+    body.length      = 3.;
+    body.axis        = axis;
+    body.refinements = 2;
+    return body;
+  }
+} // namespace
+
+TEST(Placement, ZeroRotationLeavesEveryDigit)
+{
+  BodyDescription<3> brick = box<3>(0.7);
+  brick.lower_corner       = Point<3>(-0.1, 0.3, 1. / 3.);
+  for (BodyDescription<3> body : {brick, ball<3>(2), cylinder(1)})
+    {
+      body.refinements                    = 2;
+      const std::vector<Point<3>> without = vertices_of(body);
+      body.placement                      = Placement<3>({{0., 360., 0.}}, Point<3>(0.3, 0.9, -1.1), Tensor<1, 3>());
+      const std::vector<Point<3>> with_placing = vertices_of(body);
+      EXPECT_EQ(without, with_placing) << body.name;
+      EXPECT_GT(without.size(), 0u);
+    }
+}
+
+TEST(Placement, AQuarterTurnOfABoxIsExact)
+{
+  // Stands on x, lies afterwards along -z: faces stay exactly in planes, and keep their ids.
+  BodyDescription<3> body = box<3>(0.7);
+  body.refinements        = 2;
+  body.placement          = Placement<3>({{0., 90., 0.}}, Point<3>(), Tensor<1, 3>({0., 0., 4.}));
+  const Meshed<3> meshed(body);
+  unsigned int    n_faces = 0;
+  for_boundary_vertices(meshed.triangulation, [&](const Point<3> &vertex, const unsigned int id) {
+    const double expected[6][2] = {{2, 4.}, {2, 4. - 0.7}, {1, 0.}, {1, 0.7}, {0, 0.}, {0, 0.7}};
+    EXPECT_EQ(vertex[static_cast<unsigned int>(expected[id][0])], expected[id][1]) << "boundary id " << id;
+    ++n_faces;
+  });
+  EXPECT_EQ(dealii::Utilities::MPI::sum(n_faces, MPI_COMM_WORLD), 4u * 6u * 64u);
+  EXPECT_NEAR(volume(meshed.triangulation), 0.7 * 0.7 * 0.7, 1e-14);
+}
+
+template <int dim>
+void check_ball()
+{
+  BodyDescription<dim> body     = ball<dim>(3);
+  const double         expected = volume(Meshed<dim>(body).triangulation);
+  body.placement                = somewhere<dim>();
+  const Point<dim>  centre      = body.placement.place(body.centre);
+  const Meshed<dim> meshed(body);
+  EXPECT_NEAR(volume(meshed.triangulation), expected, 1e-12);
+  EXPECT_GT(centre.distance(body.centre), 4.);
+  for_boundary_vertices(meshed.triangulation, [&](const Point<dim> &vertex, const unsigned int) {
+    EXPECT_NEAR(vertex.distance(centre), 1., 1e-14);
+  });
+}
+
+TEST(Placement, ARefinedBallIsRoundAboutItsNewCentre)
+{
+  check_ball<2>();
+  check_ball<3>();
+}
+
+TEST(Placement, ARefinedCylinderIsRoundAboutItsNewAxis)
+{
+  for (const unsigned int axis : {0, 1, 2})
+    {
+      BodyDescription<3> body     = cylinder(axis);
+      const double       expected = volume(Meshed<3>(body).triangulation);
+      body.placement              = somewhere<3>();
+      const Point<3> centre       = body.placement.place(body.centre);
+      Tensor<1, 3>   direction;
+      direction[axis] = 1.;
+      direction       = body.placement.turn(direction);
+      EXPECT_LT(std::abs(direction[axis]), 0.95) << "it is turned";
+      const Meshed<3> meshed(body);
+      EXPECT_NEAR(volume(meshed.triangulation), expected, 1e-12);
+      for_boundary_vertices(meshed.triangulation, [&](const Point<3> &vertex, const unsigned int id) {
+        const double along = (vertex - centre) * direction;
+        if (id == 0)
+          {
+            EXPECT_NEAR((vertex - centre - along * direction).norm(), 0.5, 1e-13);
+          }
+        else
+          {
+            EXPECT_NEAR(along, id == 1 ? -1.5 : 1.5, 1e-13);
+          }
+      });
+    }
+}
+
+TEST(Placement, LocalRefinementLooksWhereTheBodyIs)
+{
+  BodyDescription<2> body = box<2>();
+  body.placement          = Placement<2>({{90.}}, Point<2>(), Tensor<1, 2>());
+  body.local_refinements  = 1;
+  body.refine_where       = "-0.5 - x"; // the box fills -1 < x < 0 now
+  EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 2u + 2u * 4u);
+  body.refine_where = "x - 0.5";
+  EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 4u);
+}
