@@ -4,35 +4,45 @@
 
 """What a step costs: bench.py EXECUTABLE [REFINEMENT ...]
 
-Runs Geometry A (parameters/geometry_a.prm) at each refinement (default: 3 and 4) on one and on two processes, without fields,
-and prints, from columns of history.csv: the time of a step with contact and of a step after release (the body vibrates,
-no contact) in the same run, their ratio, iterations, and matrix-vector products per step by matrix. Last, the products
-of a step in undeformed flight. Times are those of this machine at this moment; ratios and counts travel.
+Runs Geometry A (one body) and Geometry B (two bodies, curved face; both in parameters/) at each refinement (default: 3 and 4) on
+one and on two processes, 100 steps without fields, and prints, from columns of history.csv: the time of a step with contact and
+of a step after release (the bodies vibrate, no contact) in the same run, their ratio, iterations, and matrix-vector
+products per step by matrix; then the part that the set-up of contact (search, segments, coupling) and of the preconditioner has in
+the run. Last, the products of a step in undeformed flight. Times are those of this machine at this moment; ratios and
+counts travel.
 """
 
 import csv
 import os
 import pathlib
+import re
 import statistics
 import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+#: Scene: its bodies and its 100 steps.
+SCENES = {"geometry_a": (["ball"], []), "geometry_b_curved": (["upper", "lower"], ["Time/End time=0.05"])}
+#: Sections of the timer table that are done once per mesh because of contact.
+SET_UP = ("contact surface and system", "step: preconditioner set-up")
 MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
 
 
-def run(executable, processes, *settings):
-    """The rows of history.csv of one run, numbers instead of texts."""
+def run(executable, scene, processes, *settings):
+    """The rows of history.csv of one run, numbers instead of texts, and the seconds of the set-up of contact."""
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     with tempfile.TemporaryDirectory() as folder:
         command = [] if processes == 1 else ["mpirun", "--oversubscribe", "-np", str(processes)]
-        command += [executable, str(ROOT / "parameters" / "geometry_a.prm"), "--quiet"]
+        command += [executable, str(ROOT / "parameters" / f"{scene}.prm"), "--quiet"]
         for setting in (f"Output directory={folder}", "Output/VTU=false", *settings):
             command += ["--set", setting]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
         with open(pathlib.Path(folder) / "history.csv", encoding="utf-8") as file:
-            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+        log = (pathlib.Path(folder) / "log.txt").read_text(encoding="utf-8")
+        return rows, sum(float(re.search(re.escape(name) + r"\s*\|\s*\d+\s*\|.*?([\d.e-]+)s\s+\d+\s*\|\s*$", log,
+                                         re.MULTILINE)[1]) for name in SET_UP)
 
 
 def phases(history):
@@ -64,19 +74,22 @@ def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
     executable = sys.argv[1]
-    for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
-        elapsed = {}
-        for processes in (1, 2):
-            history = run(executable, processes, f"Bodies/ball/Refinements={refinement}")
-            contact, released = phases(history)
-            elapsed[processes] = history[-1]["wall_time"]
-            print(f"Geometry A, refinement {refinement}, {history[0]['dofs']:.0f} dofs, contact-stabilized, {processes} process(es): "
-                  f"{history[-1]['step']:.0f} steps in {elapsed[processes]:.2f} s")
-            report("contact", history, contact)
-            report("after release", history, released)
-            print(f"  contact / after release: {milliseconds(history, contact) / milliseconds(history, released):.2f}")
-        print(f"  two processes are {elapsed[1] / elapsed[2]:.2f} times as fast as one\n")
-    flight = run(executable, 1, "Bodies/ball/Refinements=3", "Bodies/ball/Centre=0, 0, 5", "Time/End time=0.1")
+    for scene, (bodies, settings) in SCENES.items():
+        for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
+            elapsed = {}
+            for processes in (1, 2):
+                history, set_up = run(executable, scene, processes, *settings,
+                                      *(f"Bodies/{body}/Refinements={refinement}" for body in bodies))
+                contact, released = phases(history)
+                elapsed[processes] = history[-1]["wall_time"]
+                print(f"{scene}, refinement {refinement}, {history[0]['dofs']:.0f} dofs, contact-stabilized, {processes} process(es): "
+                      f"{history[-1]['step']:.0f} steps in {elapsed[processes]:.2f} s")
+                report("contact", history, contact)
+                report("after release", history, released)
+                print(f"  contact / after release: {milliseconds(history, contact) / milliseconds(history, released):.2f};  "
+                      f"set-up of contact and preconditioner: {100 * set_up / elapsed[processes]:.1f} % of the steps")
+            print(f"  two processes are {elapsed[1] / elapsed[2]:.2f} times as fast as one\n")
+    flight, _ = run(executable, "geometry_a", 1, "Bodies/ball/Refinements=3", "Bodies/ball/Centre=0, 0, 5", "Time/End time=0.1")
     print("Undeformed flight, refinement 3:")
     report("flight", flight, flight[2:])
 

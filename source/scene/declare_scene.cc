@@ -60,9 +60,10 @@ namespace signorini
       prm.declare_entry("Pairs",
                         "",
                         dealii::Patterns::Anything(),
-                        "Which body may touch which obstacle: `body : obstacle`, or `body[0,2] : obstacle` for the "
-                        "given "
-                        "boundary ids of the body only; separated by commas. Each may have a subsection of this name.");
+                        "What may touch: `body : obstacle`, or `slave : master` for two bodies; with boundary ids, "
+                        "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The nodes "
+                        "of the slave may not enter the master: take the finer or the curved surface as slave. Each "
+                        "pair may have a subsection of its name.");
       for (const PairName &pair : pairs)
         section(prm, pair.text(), declare_pair);
     }

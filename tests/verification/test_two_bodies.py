@@ -89,7 +89,7 @@ class TwoBodies(check_history.SceneTest):
         last = max(time for time, nodes in zip(run["time"], run["active_nodes"]) if nodes > 0)
         self.expect_close(last, 2 / 3, 0.01, "end of contact")
         self.expect_close(run.impulse(), 2 * 10 * 1., 0.01, "impulse")  # mass 1, from 10 to -10
-        self.expect_close(run["kinetic_energy"][-1], run["kinetic_energy"][0], 0.01, "kinetic energy")
+        self.expect_close(run["kinetic_energy"][-1], run["kinetic_energy"][0], 0.02, "kinetic energy: hardly any vibration")
 
     def test_equal_bars_lose_what_one_bar_loses_at_a_wall(self):
         for scheme in check_history.SCHEMES:
@@ -143,19 +143,18 @@ class TwoBodies(check_history.SceneTest):
             run = self.run_scene("geometry_b_curved", scheme, label="-full")
             changes[scheme] = 100 * run.energy_change()
             force = run["contact_force"]
-            variation = sum(abs(b - a) for a, b in zip(force, force[1:]))
-            humps[scheme] = variation / (2 * max(force))
+            humps[scheme] = sum(a < b > c for a, b, c in zip(force, force[1:], force[2:]))
             if scheme == "newmark":
                 self.assertGreater(changes[scheme], 0.5)
                 self.assertLess(changes[scheme], 9.)
             else:
                 self.assertLess(changes[scheme], -0.1)
                 self.assertGreater(changes[scheme], -0.8)
-        self.assertLess(humps["contact-stabilized"], 1.02, "one hump: up and down once")
-        self.assertGreater(humps["newmark"], 2., "oscillation")
+        self.assertEqual(humps["contact-stabilized"], 1)
+        self.assertGreater(humps["newmark"], 2)
 
     def test_swapping_slave_and_master_changes_little(self):
-        """The difference of the force curves is below the discretisation error, estimated by the next finer mesh, and decreases."""
+        """The force curves differ by less than the discretisation errors of both, estimated by the next finer mesh, and ever less."""
         curves = {}
         for refinement in (2, 3, 4):
             for pair in ("upper[4] : lower[5]", "lower[5] : upper[4]"):
@@ -168,7 +167,7 @@ class TwoBodies(check_history.SceneTest):
             return sum(abs(a - b) for a, b in zip(first, second)) / sum(first)
 
         swap = {r: distance(curves[r, "u"], curves[r, "l"]) for r in (2, 3, 4)}
-        error = {r: distance(curves[r, "u"], curves[r + 1, "u"]) for r in (2, 3)}
+        error = {r: sum(distance(curves[r, slave], curves[r + 1, slave]) for slave in "ul") for r in (2, 3)}
         for refinement in (2, 3):
             self.assertLess(swap[refinement], error[refinement], f"{swap}, {error}")
         self.assertLess(swap[4], swap[3], f"{swap}")
