@@ -15,7 +15,7 @@ namespace signorini
   {
     /** The owner of each of the nodes, which other processes own. Collective. */
     template <int dim>
-    std::map<types::global_dof_index, unsigned int> owners_of(const Utilities::MPI::Partitioner            &partitioner,
+    std::map<types::global_dof_index, unsigned int> owners_of(const Utilities::MPI::Partitioner       &partitioner,
                                                               const std::set<types::global_dof_index> &nodes)
     {
       IndexSet entries(partitioner.size());

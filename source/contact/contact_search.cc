@@ -89,9 +89,8 @@ namespace signorini
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return owned;
       // A few boxes that contain all: the top of the tree.
-      const Boxes<dim> summary =
-        search_boxes.empty() ? Boxes<dim>() : extract_rtree_level(pack_rtree(search_boxes), 0);
-      const auto summaries = Utilities::MPI::all_gather(communicator, summary);
+      const Boxes<dim> summary = search_boxes.empty() ? Boxes<dim>() : extract_rtree_level(pack_rtree(search_boxes), 0);
+      const auto       summaries = Utilities::MPI::all_gather(communicator, summary);
       std::map<unsigned int, std::vector<SurfaceFace<dim>>> outgoing;
       for (const SurfaceFace<dim> &face : owned)
         {
@@ -116,12 +115,11 @@ namespace signorini
       double closest = std::numeric_limits<double>::max();
       for (const Segment<dim> &segment : segments)
         closest = std::min(closest, std::abs(segment.gap));
-      segments.erase(std::remove_if(segments.begin(),
-                                    segments.end(),
-                                    [&](const Segment<dim> &segment) {
-                                      return std::abs(segment.gap) > closest + face_size;
-                                    }),
-                     segments.end());
+      segments.erase(
+        std::remove_if(segments.begin(),
+                       segments.end(),
+                       [&](const Segment<dim> &segment) { return std::abs(segment.gap) > closest + face_size; }),
+        segments.end());
     }
   } // namespace
 
@@ -146,7 +144,7 @@ namespace signorini
     result.segments.resize(result.slaves.size());
     for (std::size_t f = 0; f < result.slaves.size(); ++f)
       {
-        const SurfaceFace<dim> &slave = result.slaves[f];
+        const SurfaceFace<dim>  &slave = result.slaves[f];
         std::vector<std::size_t> candidates;
         tree.query(boost::geometry::index::intersects(search_boxes[f]), std::back_inserter(candidates));
         std::sort(candidates.begin(), candidates.end()); // the order of sums must not depend on the tree

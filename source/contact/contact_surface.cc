@@ -44,8 +44,7 @@ namespace signorini
     std::stable_sort(contact_nodes.begin(),
                      contact_nodes.end(),
                      [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
-    node_coupling =
-      std::make_unique<NodeCoupling<dim>>(contact_nodes, discretization.matrices.pattern.partitioner);
+    node_coupling = std::make_unique<NodeCoupling<dim>>(contact_nodes, discretization.matrices.pattern.partitioner);
     check_that_pairs_are_disjoint();
     n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
   }
@@ -68,8 +67,9 @@ namespace signorini
 
     const MortarCoupling<dim> mortar(discretization, supports, pair);
     if (!(mortar.covered_area() > 0.))
-      throw UserError(head + "no face of the slave looks at a face of the master along its normal, so that they can never "
-                             "touch. Check the boundary ids and the positions of the bodies.");
+      throw UserError(head
+                      + "no face of the slave looks at a face of the master along its normal, so that they can never "
+                        "touch. Check the boundary ids and the positions of the bodies.");
     auto nodes = mortar.nodes();
     close_small_overlaps(pair, nodes);
     contact_nodes.insert(contact_nodes.end(), nodes.begin(), nodes.end());
@@ -107,9 +107,8 @@ namespace signorini
     if (deepest > 0.)
       {
         std::ostringstream note;
-        note << std::setprecision(3) << discretization.scene.pairs[pair].name
-             << ": the surfaces overlap by up to " << deepest
-             << ", a small part of a face, as facets of curved surfaces may; taken to touch without stress";
+        note << std::setprecision(3) << discretization.scene.pairs[pair].name << ": the surfaces overlap by up to "
+             << deepest << ", a small part of a face, as facets of curved surfaces may; taken to touch without stress";
         assumptions.push_back(note.str());
       }
   }
@@ -123,8 +122,9 @@ namespace signorini
       std::ostringstream message;
       message << scene.file_name << ": Contact/Pairs: `" << scene.pairs[node.pair].name << "` and " << other
               << " share the node at (" << node.position
-              << "). A node can have one partner. Choose boundary ids for the pairs, as in `body[2] : other[3]`, so that their "
-                 "surfaces do not meet.";
+              << "). A node can have one partner. Choose boundary ids for the pairs, as in `body[2] : other[3]`, so "
+                  "that their "
+                  "surfaces do not meet.";
       return message.str();
     };
     std::string text;

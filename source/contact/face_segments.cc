@@ -97,8 +97,14 @@ namespace signorini
     }
 
 
-    double measure(const std::vector<Point<1>> &interval) { return interval.empty() ? 0. : interval[1][0] - interval[0][0]; }
-    double measure(const Polygon &polygon) { return area(polygon); }
+    double measure(const std::vector<Point<1>> &interval)
+    {
+      return interval.empty() ? 0. : interval[1][0] - interval[0][0];
+    }
+    double measure(const Polygon &polygon)
+    {
+      return area(polygon);
+    }
 
     std::vector<Point<1>> overlap(const std::vector<Point<1>> &a, const std::vector<Point<1>> &b)
     {
@@ -110,7 +116,7 @@ namespace signorini
     {
       for (unsigned int d = 0; d < 2; ++d)
         {
-          const auto less    = [d](const Point<2> &p, const Point<2> &q) { return p[d] < q[d]; };
+          const auto less     = [d](const Point<2> &p, const Point<2> &q) { return p[d] < q[d]; };
           const auto [a0, a1] = std::minmax_element(a.begin(), a.end(), less);
           const auto [b0, b1] = std::minmax_element(b.begin(), b.end(), less);
           if ((*a1)[d] <= (*b0)[d] || (*b1)[d] <= (*a0)[d])
@@ -174,7 +180,7 @@ namespace signorini
     double moment = 0.;
     for (const auto &[point, weight] : quadrature(common))
       {
-        const Point<dim - 1>       xi = map_back(slave, plane, point), eta = map_back(master, plane, point);
+        const Point<dim - 1> xi = map_back(slave, plane, point), eta = map_back(master, plane, point);
         const Tensor<1, dim> surface = slave.area_vector(xi);
         segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
         moment += weight * (plane.normal * (master.position(eta) - slave.position(xi)));

@@ -77,7 +77,7 @@ namespace signorini
           for (const auto &[node, weight] : nodes)
             if (std::find(face.nodes.begin(), face.nodes.end(), node) == face.nodes.end())
               face.nodes.push_back(node);
-        const Eigen::Index n             = face.nodes.size();
+        const Eigen::Index n              = face.nodes.size();
         const auto         node_values_at = [&](const Point<dim - 1> &xi) {
           Eigen::VectorXd values = Eigen::VectorXd::Zero(n);
           for_each_node<dim>(slave, xi, [&](const types::global_dof_index node, const double value) {
@@ -154,7 +154,8 @@ namespace signorini
         for (unsigned int c = 0; c < dim; ++c)
           normal[c] = normals.local_element(dim * node + c);
         normal /= normal.norm();
-        ContactNode<dim> contact_node{node, pair, discretization.node_positions[node], 0., weight, contact_frame(normal), {}};
+        ContactNode<dim> contact_node{
+          node, pair, discretization.node_positions[node], 0., weight, contact_frame(normal), {}};
         if (const auto support = supports.nodes().find(node);
             support != supports.nodes().end() && !fit_frame_to_supports<dim>(support->second, contact_node))
           {
@@ -226,7 +227,7 @@ namespace signorini
         strangers.add_index(dim * node);
     const auto owners = Utilities::MPI::compute_index_owner(owned, strangers, discretization.communicator());
 
-    Rows                                                                                  result;
+    Rows                                                                                 result;
     std::map<unsigned int, std::vector<std::pair<types::global_dof_index, NodeWeights>>> outgoing;
     for (const auto &[node, row] : rows)
       if (owned.is_element(dim * node))

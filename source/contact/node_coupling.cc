@@ -20,8 +20,7 @@ namespace signorini
         if (!partitioner->in_local_range(dim * partner))
           ghosts.add_range(dim * partner, dim * (partner + 1));
     const MPI_Comm communicator = partitioner->get_mpi_communicator();
-    partners =
-      std::make_shared<Utilities::MPI::Partitioner>(partitioner->locally_owned_range(), ghosts, communicator);
+    partners = std::make_shared<Utilities::MPI::Partitioner>(partitioner->locally_owned_range(), ghosts, communicator);
     ghost_values.resize(partners->n_ghost_indices());
     import_storage.resize(partners->n_import_indices());
 
@@ -102,7 +101,8 @@ namespace signorini
       for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
         {
           const auto &[entry, weight] = entries[j];
-          double *sum = entry < n_owned_entries ? target.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
+          double *sum =
+            entry < n_owned_entries ? target.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
           for (unsigned int c = 0; c < dim; ++c)
             sum[c] += power(weight * normals[k][c]) * values[k];
         }

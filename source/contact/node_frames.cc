@@ -26,7 +26,8 @@ namespace signorini
     flags.update_ghost_values();
     for (Vector &row : rows)
       row.update_ghost_values();
-    for (unsigned int node = 0; node < (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim; ++node)
+    for (unsigned int node = 0; node < (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
+         ++node)
       if (const double flag = flags.local_element(dim * node); flag > 0.)
         {
           Frame frame;

@@ -51,8 +51,9 @@ namespace signorini
 
 
     template <int dim>
-    std::optional<Point<dim>>
-    point_inside(const std::vector<CoarseCell<dim>> &cells, const BoundingBox<dim> &other_box, const std::vector<CoarseCell<dim>> &others)
+    std::optional<Point<dim>> point_inside(const std::vector<CoarseCell<dim>> &cells,
+                                           const BoundingBox<dim>             &other_box,
+                                           const std::vector<CoarseCell<dim>> &others)
     {
       for (const CoarseCell<dim> &cell : cells)
         {
@@ -72,9 +73,8 @@ namespace signorini
 
 
   template <int dim>
-  std::optional<Point<dim>> find_deep_overlap(const Discretization<dim> &discretization,
-                                              const unsigned int         body,
-                                              const unsigned int         other_body)
+  std::optional<Point<dim>>
+  find_deep_overlap(const Discretization<dim> &discretization, const unsigned int body, const unsigned int other_body)
   {
     const auto cells = coarse_cells(discretization, body), others = coarse_cells(discretization, other_body);
     if (const auto point = point_inside<dim>(cells, discretization.bounding_box(other_body), others))

@@ -25,7 +25,8 @@ namespace signorini
     using SparseBlocks = std::map<unsigned int, std::map<unsigned int, SmallMatrix<dim>>>;
 
     template <int dim>
-    void add(SparseBlocks<dim> &blocks, const unsigned int row, const unsigned int column, const SmallMatrix<dim> &block)
+    void
+    add(SparseBlocks<dim> &blocks, const unsigned int row, const unsigned int column, const SmallMatrix<dim> &block)
     {
       const auto [entry, is_new] = blocks[row].emplace(column, block);
       if (!is_new)
@@ -75,18 +76,18 @@ namespace signorini
     class InterfaceBlocks
     {
     public:
-      InterfaceBlocks(const ElasticMatrices<dim>                       &matrices,
-                      const double                                      mass_factor,
-                      const double                                      stiffness_factor,
-                      const std::vector<unsigned int>                  &new_node,
-                      const Utilities::MPI::Partitioner                &partitioner,
-                      const std::map<unsigned int, LocalRow<dim>>      &contact_rows,
-                      const std::vector<types::global_dof_index>       &new_ghosts)
+      InterfaceBlocks(const ElasticMatrices<dim>                  &matrices,
+                      const double                                 mass_factor,
+                      const double                                 stiffness_factor,
+                      const std::vector<unsigned int>             &new_node,
+                      const Utilities::MPI::Partitioner           &partitioner,
+                      const std::map<unsigned int, LocalRow<dim>> &contact_rows,
+                      const std::vector<types::global_dof_index>  &new_ghosts)
       {
         const NodePattern &pattern = matrices.pattern;
         const auto         block   = [&](const unsigned int k) {
-          return SmallMatrix<dim>(Eigen::Map<const SmallMatrix<dim>>(
-            matrices.combined_block(k, mass_factor, stiffness_factor).data()));
+          return SmallMatrix<dim>(
+            Eigen::Map<const SmallMatrix<dim>>(matrices.combined_block(k, mass_factor, stiffness_factor).data()));
         };
         for (unsigned int node = 0; node < pattern.n_local; ++node)
           for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
@@ -104,8 +105,8 @@ namespace signorini
             for (const auto &[column, entries] : row)
               if (partitioner.in_local_range(dim * column) || partitioner.is_ghost_entry(dim * column))
                 {
-                  const unsigned int     j     = partitioner.global_to_local(dim * column) / dim;
-                  const SmallMatrix<dim> value = Eigen::Map<const SmallMatrix<dim>>(entries.data());
+                  const unsigned int     j               = partitioner.global_to_local(dim * column) / dim;
+                  const SmallMatrix<dim> value           = Eigen::Map<const SmallMatrix<dim>>(entries.data());
                   beyond[std::min(i, j)][std::max(i, j)] = i < j ? value : SmallMatrix<dim>(value.transpose());
                   if (contact_rows.count(i) > 0)
                     of_contact_nodes[i][j] = value;
@@ -163,7 +164,9 @@ namespace signorini
     const NodePattern &old         = matrices.pattern;
     const auto         rows        = gather_contact_rows<dim>(old, coordinates);
     const auto         partitioner = extended_partitioner<dim>(*old.partitioner, rows);
-    const auto local_node = [&](const types::global_dof_index node) { return partitioner->global_to_local(dim * node) / dim; };
+    const auto         local_node  = [&](const types::global_dof_index node) {
+      return partitioner->global_to_local(dim * node) / dim;
+    };
 
     // Ghosts are in ascending order before and after, so that rows stay sorted.
     std::vector<unsigned int> new_node(old.n_local);
@@ -203,8 +206,8 @@ namespace signorini
         std::map<unsigned int, SmallMatrix<dim>> row;
         if (const auto addition = additions.find(node); addition != additions.end())
           row = std::move(addition->second);
-        auto       next     = row.begin();
-        const auto push     = [&](const unsigned int column, const SmallMatrix<dim> &block) {
+        auto       next = row.begin();
+        const auto push = [&](const unsigned int column, const SmallMatrix<dim> &block) {
           pattern.columns.push_back(column);
           result.stiffness.emplace_back();
           Eigen::Map<SmallMatrix<dim>>(result.stiffness.back().data()) = block;

@@ -49,8 +49,11 @@ namespace signorini
       {
         const ContactNode<dim> &contact_node = surface.nodes()[node];
         const double            force        = -normal_force(contact_node, state.contact_force);
-        values = {
-          {contact_node.gap - displacement[node], displacement[node], velocity[node], force / contact_node.weight, force}};
+        values                               = {{contact_node.gap - displacement[node],
+                                                 displacement[node],
+                                                 velocity[node],
+                                                 force / contact_node.weight,
+                                                 force}};
         for (double &value : values)
           value += 0.; // no negative zero in tables
       }

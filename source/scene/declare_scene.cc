@@ -57,13 +57,14 @@ namespace signorini
 
     void declare_contact(dealii::ParameterHandler &prm, const std::vector<PairName> &pairs)
     {
-      prm.declare_entry("Pairs",
-                        "",
-                        dealii::Patterns::Anything(),
-                        "What may touch: `body : obstacle`, or `slave : master` for two bodies; with boundary ids, "
-                        "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The nodes "
-                        "of the slave may not enter the master: take the finer or the curved surface as slave. Each "
-                        "pair may have a subsection of its name.");
+      prm.declare_entry(
+        "Pairs",
+        "",
+        dealii::Patterns::Anything(),
+        "What may touch: `body : obstacle`, or `slave : master` for two bodies; with boundary ids, "
+        "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The nodes "
+        "of the slave may not enter the master: take the finer or the curved surface as slave. Each "
+        "pair may have a subsection of its name.");
       for (const PairName &pair : pairs)
         section(prm, pair.text(), declare_pair);
     }

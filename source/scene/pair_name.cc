@@ -91,8 +91,8 @@ namespace signorini
               partners.push_back(body);
           in.fail("Pairs",
                   head + "there is no obstacle or body `" + pair.partner + "`"
-                    + (partners.empty() ? "; the scene has no other. Add it to `Obstacles/Names` or `Bodies/Names`." :
-                                          ". " + suggestion(pair.partner, partners)));
+                    + (partners.empty() ? "; the scene has no other. Add it to `Obstacles/Names` or `Bodies/Names`."
+                                        : ". " + suggestion(pair.partner, partners)));
         }
     }
 

@@ -53,9 +53,9 @@ namespace signorini
                                 const double                   mass_factor,
                                 const double                   stiffness_factor)
         : coordinates(coordinates)
-        , relative(block_size == dim && coordinates.coupling().any() ?
-                     relative_matrix(matrices, coordinates, mass_factor, stiffness_factor) :
-                     ElasticMatrices<dim>())
+        , relative(block_size == dim && coordinates.coupling().any()
+                     ? relative_matrix(matrices, coordinates, mass_factor, stiffness_factor)
+                     : ElasticMatrices<dim>())
         , is_relative(relative.pattern.partitioner != nullptr)
         , frames(coordinates.node_frames(),
                  coordinates.contact_nodes(),

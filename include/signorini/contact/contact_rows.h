@@ -16,10 +16,11 @@ namespace signorini
   template <int dim>
   struct ContactRow
   {
-    dealii::types::global_dof_index              node; ///< global node
-    std::array<double, dim>                      normal;
-    NodeWeights                                  partners;
-    std::vector<dealii::types::global_dof_index> neighbours; ///< nodes that the stiffness couples with it, itself included
+    dealii::types::global_dof_index node; ///< global node
+    std::array<double, dim>         normal;
+    NodeWeights                     partners;
+    std::vector<dealii::types::global_dof_index>
+      neighbours; ///< nodes that the stiffness couples with it, itself included
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)

@@ -22,7 +22,7 @@ namespace signorini
   {
     unsigned int                   master = 0;  ///< index of the master face
     double                         area   = 0.; ///< of the overlap, in the plane of the slave face's centre
-    double                         gap    = 0.; ///< mean distance along the slave normal, negative behind the slave face
+    double                         gap = 0.; ///< mean distance along the slave normal, negative behind the slave face
     std::vector<SegmentPoint<dim>> points;
   };
 

@@ -36,12 +36,12 @@ namespace signorini
     void add_squares_to_partners(const std::vector<double> &values, Vector &d) const;
 
   private:
-    bool                                                 has_partners;
-    unsigned int                                         n_owned_entries;
-    std::vector<dealii::Tensor<1, dim>>                  normals;
-    std::vector<unsigned int>                            row_start; ///< by contact node
-    std::vector<std::pair<unsigned int, double>>         entries;   ///< first entry of the partner (owned, then ghosts); weight
-    std::shared_ptr<dealii::Utilities::MPI::Partitioner> partners;  ///< ghosts: partners on other processes
+    bool                                         has_partners;
+    unsigned int                                 n_owned_entries;
+    std::vector<dealii::Tensor<1, dim>>          normals;
+    std::vector<unsigned int>                    row_start; ///< by contact node
+    std::vector<std::pair<unsigned int, double>> entries;   ///< first entry of the partner (owned, then ghosts); weight
+    std::shared_ptr<dealii::Utilities::MPI::Partitioner> partners; ///< ghosts: partners on other processes
     mutable std::vector<double>                          ghost_values, import_storage;
 
     /** target_l += sum_k power(P_kl nu_k) values_k, component by component. */

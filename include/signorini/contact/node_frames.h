@@ -28,8 +28,8 @@ namespace signorini
      * @param frames        of owned nodes, row by row
      * @param contact_nodes those of them that are contact nodes
      */
-    NodeFrames(const std::map<unsigned int, Frame>                                       &frames,
-               const std::vector<unsigned int>                                           &contact_nodes,
+    NodeFrames(const std::map<unsigned int, Frame>                              &frames,
+               const std::vector<unsigned int>                                  &contact_nodes,
                const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner);
 
     /** Local nodes, ghosts included, that may ever be held. Ascending. */

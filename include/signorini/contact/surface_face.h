@@ -26,8 +26,8 @@ namespace signorini
   {
     static constexpr unsigned int n_vertices = 1u << (dim - 1);
 
-    std::array<dealii::Point<dim>, n_vertices> vertices;        ///< in the reference configuration
-    std::array<NodeWeights, n_vertices>        nodes;           ///< one node of weight 1, or the parents of a hanging vertex
+    std::array<dealii::Point<dim>, n_vertices> vertices; ///< in the reference configuration
+    std::array<NodeWeights, n_vertices>        nodes;    ///< one node of weight 1, or the parents of a hanging vertex
     double                                     orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
 
     /** Values of the (bi)linear shape functions. */
@@ -41,9 +41,9 @@ namespace signorini
     /** Outward normal times the surface element. */
     dealii::Tensor<1, dim> area_vector(const dealii::Point<dim - 1> &xi) const;
 
-    dealii::Point<dim>        centre() const;
-    double                    diameter() const;
-    dealii::BoundingBox<dim>  bounding_box() const;
+    dealii::Point<dim>       centre() const;
+    double                   diameter() const;
+    dealii::BoundingBox<dim> bounding_box() const;
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
