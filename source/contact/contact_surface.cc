@@ -176,6 +176,32 @@ namespace signorini
 
 
   template <int dim>
+  double ContactSurface<dim>::largest_sliding(const Vector &displacement, const Vector &contact_force) const
+  {
+    if (!node_coupling->any())
+      return 0.;
+    const auto opposite = node_coupling->partner_displacement(displacement);
+    double     largest  = 0.;
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      {
+        const ContactNode<dim> &node = contact_nodes[k];
+        Tensor<1, dim>          relative;
+        double                  force = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            relative[c] = displacement.local_element(dim * node.node + c) - opposite[k][c];
+            force += node.frame[c] * contact_force.local_element(dim * node.node + c);
+          }
+        if (!node.partners.empty() && force < 0.)
+          largest = std::max(largest,
+                             (relative - (relative * node.normal()) * node.normal()).norm()
+                               / std::pow(node.weight, 1. / (dim - 1)));
+      }
+    return Utilities::MPI::max(largest, discretization.communicator());
+  }
+
+
+  template <int dim>
   void ContactSurface<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
     obstacle_contact.check_initial_gap(initial_displacement);

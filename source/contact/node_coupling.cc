@@ -51,9 +51,9 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<double> NodeCoupling<dim>::partner_motion(const Vector &u) const
+  std::vector<Tensor<1, dim>> NodeCoupling<dim>::partner_displacement(const Vector &u) const
   {
-    std::vector<double> result(normals.size(), 0.);
+    std::vector<Tensor<1, dim>> result(normals.size());
     if (!has_partners)
       return result;
     std::vector<MPI_Request> requests;
@@ -70,8 +70,20 @@ namespace signorini
           const double *values =
             entry < n_owned_entries ? u.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
           for (unsigned int c = 0; c < dim; ++c)
-            result[k] += weight * normals[k][c] * values[c];
+            result[k][c] += weight * values[c];
         }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<double> NodeCoupling<dim>::partner_motion(const Vector &u) const
+  {
+    const std::vector<Tensor<1, dim>> displacement = partner_displacement(u);
+    std::vector<double>               result;
+    result.reserve(normals.size());
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      result.push_back(normals[k] * displacement[k]);
     return result;
   }
 

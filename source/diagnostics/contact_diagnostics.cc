@@ -40,6 +40,7 @@ namespace signorini
     summary.max_tension           = dealii::Utilities::MPI::max(summary.max_tension, communicator);
     summary.max_penetration       = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
     summary.geometric_penetration = surface.geometric_penetration(state.displacement);
+    summary.sliding               = surface.largest_sliding(state.displacement, state.contact_force);
     for (double &component : summary.resultant)
       component = dealii::Utilities::MPI::sum(component, communicator);
     return summary;

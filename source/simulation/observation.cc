@@ -68,6 +68,7 @@ namespace signorini
     impulse += step_size * contact_now.normal_force;
     largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
     deepest             = std::max(deepest, contact_now.geometric_penetration);
+    farthest_sliding    = std::max(farthest_sliding, contact_now.sliding);
     largest_change      = std::max(largest_change, ledger.current().total() - ledger.initial().total());
     force_variation.add(contact_now.normal_force);
     if (contact_now.n_active > 0)
@@ -169,6 +170,11 @@ namespace signorini
            << " deep in an obstacle. Contact is linearised about the\n"
            << "           initial configuration, with one obstacle per node: do not trust motion along a curved "
               "obstacle or in a corner.\n";
+    if (farthest_sliding > 1.)
+      text << "  warning: bodies in contact slid along each other by " << farthest_sliding
+           << " times the size of a face. The faces that meet are\n"
+           << "           chosen once, in the initial configuration: do not trust the places where forces act after "
+              "that.\n";
     for (unsigned int p = 0; p < probes.size(); ++p)
       text << "  probe " << probes[p].name() << " at (" << probes[p].position()
            << "): zigzag of the normal velocity in contact " << velocity_zigzags[p].amplitude() << "\n";

@@ -55,6 +55,12 @@ namespace signorini
     }
 
     /**
+     * Largest tangential displacement of a node relative to the other body while it carries a contact force, in units of the size of its
+     * surroundings, on all processes. Above 1 the node presses on faces that are no longer opposite. Collective.
+     */
+    double largest_sliding(const Vector &displacement, const Vector &contact_force) const;
+
+    /**
      * Check that nothing overlaps at the start.
      * @throws UserError naming pair, depth and place
      */

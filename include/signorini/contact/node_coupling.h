@@ -9,8 +9,8 @@
 namespace signorini
 {
   /**
-   * The block P of the mortar coupling as an operator, normal components only: between the contact nodes that this process owns
-   * and their partners, wherever those are. Values of partners on other processes travel in one message per neighbour.
+   * The block P of the mortar coupling as an operator between the contact nodes that this process owns and their partners,
+   * wherever those are. Values of partners on other processes travel in one message per neighbour.
    */
   template <int dim>
   class NodeCoupling
@@ -25,6 +25,9 @@ namespace signorini
 
     /** The owned nodes that are partners of contact nodes on any process, ascending. */
     std::vector<unsigned int> owned_partners() const;
+
+    /** Per contact node k: sum_l P_kl u_l. Collective if any(). */
+    std::vector<dealii::Tensor<1, dim>> partner_displacement(const Vector &u) const;
 
     /** Per contact node k: nu_k . sum_l P_kl u_l. Collective if any(). */
     std::vector<double> partner_motion(const Vector &u) const;

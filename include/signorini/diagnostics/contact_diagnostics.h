@@ -17,7 +17,8 @@ namespace signorini
     unsigned int          n_active              = 0;  ///< nodes that carry a contact force
     double                max_penetration       = 0.; ///< largest violation of u.nu <= g, 0 if there is none
     double                geometric_penetration = 0.; ///< the same by the true geometry, with all obstacles
-    double                max_tension           = 0.; ///< largest nodal force of the wrong sign
+    double                sliding     = 0.; ///< of bodies on each other, see ContactSurface::largest_sliding()
+    double                max_tension = 0.; ///< largest nodal force of the wrong sign
   };
 
   template <int dim>

@@ -56,7 +56,7 @@ namespace signorini
     ProductCount               products_before; ///< at the end of the last observation, whose own products do not count
 
     double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
-           impulse           = 0.;
+           farthest_sliding = 0., impulse = 0.;
     double     first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 
