@@ -47,13 +47,13 @@ TEST(ContactCoordinates, CanBeUndoneAndKeepProducts)
   const CoordinatesProblem<3> problem(ball_in_hollow_sphere());
   const Vector x = irregular_field(problem.discretization, 3.), y = irregular_field(problem.discretization, 7.);
   Vector       w = x, z = y;
-  problem.coordinates.to_contact(w);
-  problem.coordinates.to_contact(z);
+  problem.coordinates.displacement_to_contact(w);
+  problem.coordinates.displacement_to_contact(z);
   EXPECT_NEAR(w * z, x * y, 1e-13 * x.l2_norm() * y.l2_norm());
   Vector difference = w;
   difference -= x;
   EXPECT_GT(difference.linfty_norm(), 0.1) << "the coordinates are different ones";
-  problem.coordinates.to_cartesian(w);
+  problem.coordinates.displacement_to_cartesian(w);
   w -= x;
   EXPECT_LT(w.linfty_norm(), 1e-14);
 }
@@ -64,7 +64,7 @@ TEST(ContactCoordinates, NormalDisplacementIsOneEntry)
   const Vector                u   = irregular_field(problem.discretization, 3.);
   const auto                  gap = problem.surface.normal_gap(u);
   Vector                      w   = u;
-  problem.coordinates.to_contact(w);
+  problem.coordinates.displacement_to_contact(w);
   const auto &nodes   = problem.surface.nodes();
   const auto &entries = problem.coordinates.normal_entries();
   ASSERT_EQ(entries.size(), nodes.size());
@@ -85,7 +85,7 @@ TEST(ContactCoordinates, SupportsAreSingleEntriesWithTheirValues)
 
   // A displacement with the prescribed values has them in these entries, up to the sign of the direction.
   Vector w = field<3>(problem.discretization, {{"0.25 + y", "0.5", "0.5"}});
-  problem.coordinates.to_contact(w);
+  problem.coordinates.displacement_to_contact(w);
   for (unsigned int k = 0; k < entries.size(); ++k)
     EXPECT_NEAR(w.local_element(entries[k]), values[k], 1e-14);
 }
