@@ -230,15 +230,11 @@ namespace signorini
   template <int dim>
   Vector ElasticContactSystem<dim>::support_part(const Vector &forces) const
   {
-    Vector part = discretization.make_vector();
-    if (!coordinates.supported_entries().empty())
-      {
-        Vector local = forces;
-        coordinates.force_to_contact(local);
-        for (const unsigned int i : coordinates.supported_entries())
-          part.local_element(i) = local.local_element(i);
-        coordinates.rotate_from_frames(part); // supported entries are not relative
-      }
+    Vector part = discretization.make_vector(), local = forces;
+    coordinates.force_to_contact(local); // collective: also where this process owns no supported node
+    for (const unsigned int i : coordinates.supported_entries())
+      part.local_element(i) = local.local_element(i);
+    coordinates.rotate_from_frames(part); // supported entries are not relative
     return part;
   }
 
