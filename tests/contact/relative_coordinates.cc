@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// With two bodies in contact the change of coordinates T is not orthogonal, but it is invertible, forces transform by its transpose, the
+// normal entry is the relative displacement, and a contact force alone is equal and opposite on the two bodies.
+
+#include "two_bodies.h"
+
+#include <signorini/system/step_operator.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace signorini;
+using namespace signorini::tests;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /** Blocks off-centre with hanging nodes on both sides and nodes without multiplier; the master also stands on a floor. */
+  Scene<3> scene_3d()
+  {
+    auto slave              = block<3>("slave", {0., 0., 0.}, {1., 1., 1.}, {{2, 3, 1}});
+    auto master             = block<3>("master", {0.45, -0.3, -1.}, {1.7, 0.8, -0.05}, {{3, 2, 2}});
+    slave.local_refinements = master.local_refinements = 1;
+    slave.refine_where = master.refine_where = "x - 0.4 + y";
+    slave.dirichlet                          = {{2, {{"-", "-", "0"}}}, {1, {{"-", "0", "-"}}}};
+    Scene<3>               scene             = stacked<3>(slave, master);
+    ObstacleDescription<3> floor;
+    floor.name   = "floor";
+    floor.shape  = "plane";
+    floor.point  = Point<3>(0., 0., -1.1);
+    floor.normal = Tensor<1, 3>({0., 0., 1.});
+    scene.obstacles.push_back(floor);
+    PairDescription pair;
+    pair.name               = "master : floor";
+    pair.slave              = 1;
+    pair.slave_boundary_ids = {4};
+    pair.obstacle           = 0;
+    scene.pairs.push_back(pair);
+    return scene;
+  }
+
+  Scene<2> scene_2d()
+  {
+    return stacked<2>(block<2>("slave", {0., 0.}, {1., 1.}, {{4, 3}}),
+                      block<2>("master", {0.3, -1.}, {std::sqrt(2.), -0.1}, {{7, 2}}));
+  }
+
+  template <int dim>
+  void expect_inverse_and_transpose(const TwoBodies<dim> &bodies)
+  {
+    const auto  &coordinates = bodies.coordinates;
+    const Vector u = irregular_field(bodies.discretization, 3.), f = irregular_field(bodies.discretization, 7.);
+
+    Vector w = u;
+    coordinates.displacement_to_contact(w);
+    Vector back = w;
+    coordinates.displacement_to_cartesian(back);
+    back -= u;
+    EXPECT_LT(back.linfty_norm(), 1e-13 * u.linfty_norm());
+    back = u;
+    coordinates.displacement_to_cartesian(back);
+    coordinates.displacement_to_contact(back);
+    back -= u;
+    EXPECT_LT(back.linfty_norm(), 1e-13 * u.linfty_norm());
+
+    Vector force = f;
+    coordinates.force_to_contact(force);
+    EXPECT_NEAR(force * w, f * u, 1e-13 * f.l2_norm() * u.l2_norm()) << "work does not depend on the coordinates";
+    EXPECT_GT(std::abs(f * w - f * u), 1e-3) << "but the entries do";
+    coordinates.force_to_cartesian(force);
+    force -= f;
+    EXPECT_LT(force.linfty_norm(), 1e-13 * f.linfty_norm());
+  }
+
+  template <int dim>
+  void expect_relative_entries(const TwoBodies<dim> &bodies)
+  {
+    Vector     w        = irregular_field(bodies.discretization, 3.);
+    const auto relative = bodies.surface.relative_normal(w);
+    const auto gap      = bodies.surface.normal_gap(w);
+    bodies.coordinates.displacement_to_contact(w);
+    const auto &entries = bodies.coordinates.normal_entries();
+    ASSERT_EQ(entries.size(), relative.size());
+    for (unsigned int k = 0; k < entries.size(); ++k)
+      {
+        EXPECT_NEAR(w.local_element(entries[k]), relative[k], 1e-14);
+        EXPECT_NEAR(bodies.surface.nodes()[k].gap - relative[k], gap[k], 1e-14);
+      }
+  }
+
+  template <int dim>
+  void expect_equal_and_opposite_forces(const TwoBodies<dim> &bodies)
+  {
+    Vector         force = bodies.discretization.make_vector();
+    Tensor<1, dim> on_slave;
+    double         scale = 0.;
+    for (const ContactNode<dim> &node : bodies.surface.nodes())
+      if (node.pair == 0)
+        {
+          const double value                   = -1. - std::sin(20. * node.position[0] + 7. * node.position[dim - 1]);
+          force.local_element(dim * node.node) = value;
+          on_slave += node.transmission * value * node.normal();
+          scale += std::abs(value);
+        }
+    on_slave = dealii::Utilities::MPI::sum(on_slave, MPI_COMM_WORLD);
+    scale    = dealii::Utilities::MPI::sum(scale, MPI_COMM_WORLD);
+    bodies.coordinates.force_to_cartesian(force);
+    EXPECT_LT((bodies.resultant_on(0, force) - on_slave).norm(), 1e-13 * scale) << "the transmission says so";
+    EXPECT_LT((bodies.resultant_on(1, force) + on_slave).norm(), 1e-13 * scale);
+    EXPECT_GT(on_slave.norm(), 0.5 * scale);
+  }
+
+  /** T'(M + s A)T is symmetric, and gives the energy of the Cartesian displacement. */
+  template <int dim>
+  void expect_energy(const TwoBodies<dim> &bodies)
+  {
+    const auto             &discretization = bodies.discretization;
+    const StepOperator<dim> matrix(discretization.matrices, bodies.coordinates, 2., 0.3);
+    const Vector            u = irregular_field(discretization, 3.), v = irregular_field(discretization, 7.);
+    Vector                  w = u, z = v, product = u;
+    bodies.coordinates.displacement_to_contact(w);
+    bodies.coordinates.displacement_to_contact(z);
+    matrix.vmult(product, w);
+    const double expected = v * mass_times(discretization, u) * 2. + v * stiffness_times(discretization, u) * 0.3;
+    const double scale    = product.l2_norm() * z.l2_norm();
+    EXPECT_NEAR(z * product, expected, 1e-13 * scale);
+    matrix.vmult(product, z);
+    EXPECT_NEAR(w * product, expected, 1e-13 * scale);
+  }
+
+  template <int dim>
+  void expect_all(const Scene<dim> &scene, const double angle)
+  {
+    const TwoBodies<dim> bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
+    expect_inverse_and_transpose(bodies);
+    expect_relative_entries(bodies);
+    expect_equal_and_opposite_forces(bodies);
+    expect_energy(bodies);
+  }
+} // namespace
+
+TEST(RelativeCoordinates, In2d)
+{
+  for (const double angle : {0., 0.7})
+    expect_all(scene_2d(), angle);
+}
+
+TEST(RelativeCoordinates, In3d)
+{
+  expect_all(scene_3d(), 0.);
+}
+
+// Without supports the same in a general position.
+TEST(RelativeCoordinates, In3dTurned)
+{
+  Scene<3> scene            = scene_3d();
+  scene.bodies[0].dirichlet = {};
+  scene.pairs.resize(1);
+  expect_all(scene, 0.7);
+}
+
+// Normals that differ from node to node, and a curved master.
+TEST(RelativeCoordinates, OfTwoBalls)
+{
+  auto upper = ball<3>(1), lower = ball<3>(2);
+  upper.name            = "upper";
+  lower.name            = "lower";
+  lower.centre          = Point<3>(0.2, -0.1, -1.2);
+  Scene<3>        scene = scene_of<3>({upper, lower});
+  PairDescription pair;
+  pair.name   = "upper : lower";
+  pair.slave  = 0;
+  pair.master = 1;
+  scene.pairs.push_back(pair);
+  expect_all(scene, 0.);
+}

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The patch test of contact: two stacked blocks of different materials under a uniform pressure have a linear displacement each and the
+// same pressure everywhere on their common face. The mortar method transmits a uniform pressure exactly across any flat
+// non-matching interface, so that the discrete solution is the exact one, and every scheme stays in this state of rest.
+
+#include "../contact/two_bodies.h"
+
+#include <signorini/system/elastic_contact_system.h>
+#include <signorini/time/time_scheme.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace signorini;
+using namespace signorini::tests;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  constexpr double pressure = 5., lower_height = 0.7, height = 1.6;
+
+  /** Two blocks of the same footprint. */
+  template <int dim>
+  struct Stack
+  {
+    BodyDescription<dim> lower, upper;
+    bool                 lower_is_slave = false;
+    double               side           = 1.; ///< of the footprint
+    bool                 is_distorted   = false;
+    /**
+     * Shape functions on quadrilaterals that are no parallelograms are no polynomials in space, so that the integrals of the coupling
+     * have an error of quadrature; everything else is exact.
+     */
+    double quadrature_error = 0.;
+
+    /** Cells of many shapes; the outside of the blocks and their common face stay what they are. */
+    Map<dim> map() const
+    {
+      if (!is_distorted)
+        return {};
+      return [side = side](const Point<dim> &p) {
+        const double pi   = dealii::numbers::PI;
+        double       bump = 0.02;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          bump *= 1. + std::sin(2.3 * p[d] + d);
+        Point<dim> result = p;
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          result[d] += bump * (1. + p[dim - 1]) * std::sin(pi * p[d] / side);
+        result[dim - 1] += bump * std::sin(pi * p[dim - 1] / lower_height) * (height - p[dim - 1]);
+        return result;
+      };
+    }
+
+    /** Rollers at the bottom; at rest also rollers in the planes where all lateral displacements are zero. */
+    Scene<dim> scene(const bool at_rest) const
+    {
+      BodyDescription<dim>         low = lower, high = upper;
+      std::array<std::string, dim> vertical, load;
+      vertical.fill("-");
+      load.fill("0");
+      vertical[dim - 1] = "0";
+      load[dim - 1]     = std::to_string(-pressure);
+      low.dirichlet.push_back({bottom_id<dim>, vertical});
+      high.traction.push_back({top_id<dim>, load});
+      for (unsigned int d = 0; at_rest && d < dim - 1; ++d)
+        {
+          std::array<std::string, dim> lateral;
+          lateral.fill("-");
+          lateral[d] = "0";
+          low.dirichlet.push_back({2 * d, lateral});
+          high.dirichlet.push_back({2 * d, lateral});
+        }
+      if (!lower_is_slave)
+        return stacked<dim>(high, low);
+      Scene<dim> scene                   = stacked<dim>(low, high);
+      scene.pairs[0].slave_boundary_ids  = {top_id<dim>};
+      scene.pairs[0].master_boundary_ids = {bottom_id<dim>};
+      return scene;
+    }
+
+    /** The exact displacement; the lower block ends at lower_height. */
+    Vector exact(const TwoBodies<dim> &bodies) const
+    {
+      const auto is_low = bodies.nodes_of_body(lower_is_slave ? 0 : 1);
+      Vector     u      = bodies.discretization.make_vector();
+      for (unsigned int node = 0; node < bodies.discretization.matrices.pattern.n_owned; ++node)
+        {
+          if (bodies.discretization.matrices.pattern.is_empty(node))
+            continue;
+          const Material   &material = (is_low[node] ? lower : upper).material;
+          const double      nu       = material.poissons_ratio;
+          const Point<dim> &p        = bodies.discretization.node_positions[node];
+          const double      lateral  = (dim == 3 ? nu : nu * (1. + nu)) * pressure / material.youngs_modulus;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            u.local_element(dim * node + d) = lateral * p[d];
+          u.local_element(dim * node + dim - 1) =
+            is_low[node] ? -strain(lower) * p[dim - 1]
+                         : -strain(lower) * lower_height - strain(upper) * (p[dim - 1] - lower_height);
+        }
+      return u;
+    }
+
+    static double strain(const BodyDescription<dim> &body)
+    {
+      const double nu = body.material.poissons_ratio;
+      return (dim == 3 ? 1. : 1. - nu * nu) * pressure / body.material.youngs_modulus;
+    }
+  };
+
+  template <int dim>
+  Stack<dim>
+  stack(const std::array<unsigned int, dim> &lower, const std::array<unsigned int, dim> &upper, const double side)
+  {
+    Point<dim> origin, middle_low, middle_high, top;
+    for (unsigned int d = 0; d < dim - 1; ++d)
+      middle_high[d] = top[d] = side;
+    middle_low[dim - 1] = middle_high[dim - 1] = lower_height;
+    top[dim - 1]                               = height;
+    Stack<dim> result{block<dim>("lower", origin, middle_high, lower), block<dim>("upper", middle_low, top, upper)};
+    result.side           = side;
+    result.lower.material = {800., 0.2, 3.};
+    return result;
+  }
+
+  /** The vector of contact forces of the pressure p everywhere. */
+  template <int dim>
+  Vector uniform_contact_force(const TwoBodies<dim> &bodies)
+  {
+    Vector force = bodies.discretization.make_vector();
+    for (unsigned int k = 0; k < bodies.surface.nodes().size(); ++k)
+      force.local_element(bodies.coordinates.normal_entries()[k]) = -pressure * bodies.surface.nodes()[k].weight;
+    bodies.coordinates.force_to_cartesian(force);
+    return force;
+  }
+
+  /** The forces of the exact solution balance at all nodes, but for the reactions of the rollers. */
+  template <int dim>
+  void expect_balance(const Stack<dim> &stack, const TwoBodies<dim> &bodies)
+  {
+    Vector       balance = stiffness_times(bodies.discretization, stack.exact(bodies));
+    const double scale   = balance.linfty_norm();
+    balance -= Loads<dim>(bodies.discretization).at(0.);
+    balance -= uniform_contact_force(bodies);
+    bodies.coordinates.force_to_contact(balance);
+    for (const unsigned int i : bodies.coordinates.supported_entries())
+      balance.local_element(i) = 0.;
+    EXPECT_LT(balance.linfty_norm(), (1e-13 + stack.quadrature_error) * scale);
+  }
+
+  template <int dim>
+  void expect_static_solution(const Stack<dim> &stack, const std::string &preconditioner_name, const bool guess)
+  {
+    const TwoBodies<dim> bodies(stack.scene(true), stack.map());
+    const auto          &coordinates = bodies.coordinates;
+    const auto          &matrices    = bodies.discretization.matrices;
+    const unsigned int   n           = bodies.surface.nodes().size();
+    expect_balance(stack, bodies);
+
+    const StepOperator<dim> matrix(matrices, coordinates, 0., 1.);
+    const auto              preconditioner = make_preconditioner(preconditioner_name, matrices, coordinates, 0., 1.);
+    const Vector            exact          = stack.exact(bodies);
+    Vector       load = Loads<dim>(bodies.discretization).at(0.), u = bodies.discretization.make_vector(), residual = u;
+    const double energy = std::abs(load * exact);
+    coordinates.force_to_contact(load);
+    ActiveSet active(n, 1);
+    for (unsigned int k = 0; k < n; ++k) // some of them, so that the upper block does not float
+      active[k] = guess || bodies.surface.nodes()[k].position[0] < 0.6 * stack.side;
+    PrimalDualActiveSet solver({50, 10000});
+    const auto          report = solver.solve({matrix,
+                                               *preconditioner,
+                                               load,
+                                               coordinates.normal_entries(),
+                                               bodies.surface.normal_gap(u),
+                                               coordinates.supported_entries(),
+                                               coordinates.supported_values(0.),
+                                               1e-12 * std::sqrt(energy),
+                                               1e-13},
+                                     active,
+                                     u,
+                                     residual);
+    EXPECT_FALSE(report.fallback);
+    EXPECT_EQ(report.n_active, bodies.surface.n_global_nodes());
+    for (unsigned int k = 0; k < n; ++k)
+      EXPECT_NEAR(residual.local_element(coordinates.normal_entries()[k]) / bodies.surface.nodes()[k].weight,
+                  pressure,
+                  (1e-10 + stack.quadrature_error) * pressure)
+        << bodies.surface.nodes()[k].position;
+    coordinates.displacement_to_cartesian(u);
+    u -= exact;
+    EXPECT_LT(u.linfty_norm(), (1e-10 + stack.quadrature_error) * exact.linfty_norm());
+  }
+
+  /** Rest, or uniform motion along the interface, over 20 steps. */
+  template <int dim>
+  void expect_rest(const Stack<dim> &stack, const std::string &scheme, const double speed)
+  {
+    const TwoBodies<dim>      bodies(stack.scene(false), stack.map());
+    const auto               &discretization = bodies.discretization;
+    Loads<dim>                loads(discretization);
+    dealii::TimerOutput       timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    ElasticContactSystem<dim> system(discretization, bodies.surface, bodies.coordinates, loads, timer);
+
+    const Vector initial  = stack.exact(bodies);
+    const Vector velocity = bodies.nodal([&](const Point<dim> &) {
+      Tensor<1, dim> v;
+      for (unsigned int d = 0; d < dim - 1; ++d)
+        v[d] = speed / (1. + d);
+      return v;
+    });
+    State        state;
+    state.displacement   = initial;
+    state.velocity       = velocity;
+    state.contact_force  = uniform_contact_force(bodies);
+    state.momentum       = mass_times(discretization, velocity);
+    state.internal_force = stiffness_times(discretization, initial);
+    const double elastic = 0.5 * (initial * state.internal_force), mass = total_mass(discretization);
+    const double energy = elastic + 0.5 * (velocity * state.momentum);
+    system.set_energy(energy);
+    const Vector force = state.contact_force;
+
+    const double tau    = 0.01;
+    const auto   method = make_time_scheme(scheme);
+    for (unsigned int step = 0; step < 20; ++step)
+      {
+        const StepReport report = method->advance(system, state, tau);
+        EXPECT_FALSE(report.corrector.fallback);
+        ASSERT_EQ(report.corrector.n_active, bodies.surface.n_global_nodes()) << scheme << " " << step;
+        EXPECT_EQ(report.predictor.n_active, 0u) << scheme << " " << step;
+      }
+    Vector error = state.displacement;
+    error -= initial;
+    error.add(-20. * tau, velocity);
+    EXPECT_LT(error.linfty_norm(), (1e-9 + stack.quadrature_error) * initial.linfty_norm()) << scheme;
+    error = state.velocity;
+    error -= velocity;
+    EXPECT_LT(error.linfty_norm(), (1e-9 + stack.quadrature_error) * std::sqrt(2. * energy / mass)) << scheme;
+    error = state.contact_force;
+    error -= force;
+    EXPECT_LT(error.linfty_norm(), (1e-8 + stack.quadrature_error) * force.linfty_norm()) << scheme;
+  }
+
+  std::vector<std::pair<std::string, Stack<2>>> stacks_2d()
+  {
+    auto reversed           = stack<2>({{5, 2}}, {{3, 4}}, std::sqrt(2.));
+    reversed.lower_is_slave = true;
+    auto distorted          = stack<2>({{7, 3}}, {{3, 4}}, 1.);
+    distorted.is_distorted  = true;
+    return {{"1 to 3", stack<2>({{6, 3}}, {{2, 2}}, 1.)},
+            {"3 to 1", stack<2>({{2, 3}}, {{6, 2}}, 1.)},
+            {"irrational", stack<2>({{7, 2}}, {{4, 3}}, std::sqrt(2.))},
+            {"slave below", reversed},
+            {"distorted", distorted}};
+  }
+
+  std::vector<std::pair<std::string, Stack<3>>> stacks_3d()
+  {
+    auto hanging_slave = stack<3>({{3, 3, 2}}, {{2, 2, 2}}, 1.), hanging_master = hanging_slave, both = hanging_slave;
+    for (auto *body : {&hanging_slave.upper, &hanging_master.lower, &both.upper, &both.lower})
+      {
+        body->local_refinements = 1;
+        body->refine_where      = "0.7 - x - 0.5*y";
+      }
+    both.lower_is_slave        = true;
+    auto distorted             = stack<3>({{3, 4, 2}}, {{2, 2, 3}}, 1.);
+    distorted.is_distorted     = true;
+    distorted.quadrature_error = 1e-8;
+    return {{"1 to 3", stack<3>({{6, 3, 2}}, {{2, 1, 2}}, 1.)},
+            {"irrational", stack<3>({{5, 3, 2}}, {{3, 4, 1}}, std::sqrt(2.))},
+            {"hanging nodes on the slave", hanging_slave},
+            {"hanging nodes on the master", hanging_master},
+            {"hanging nodes on both, slave below", both},
+            {"distorted", distorted}};
+  }
+} // namespace
+
+TEST(PatchTest, StaticIn2d)
+{
+  for (const auto &[name, stack] : stacks_2d())
+    for (const bool guess : {true, false})
+      {
+        SCOPED_TRACE(name);
+        expect_static_solution(stack, "jacobi", guess);
+      }
+}
+
+TEST(PatchTest, StaticIn3d)
+{
+  for (const auto &[name, stack] : stacks_3d())
+    for (const bool guess : {true, false})
+      {
+        SCOPED_TRACE(name);
+        expect_static_solution(stack, "jacobi", guess);
+      }
+}
+
+TEST(PatchTest, StaysAtRestIn2d)
+{
+  for (const auto &[name, stack] : stacks_2d())
+    for (const char *scheme : {"newmark", "contact-implicit", "contact-stabilized"})
+      for (const double speed : {0., 0.3})
+        {
+          SCOPED_TRACE(name);
+          expect_rest(stack, scheme, speed);
+        }
+}
+
+TEST(PatchTest, StaysAtRestIn3d)
+{
+  for (const auto &[name, stack] : stacks_3d())
+    for (const char *scheme : {"newmark", "contact-implicit", "contact-stabilized"})
+      for (const double speed : {0., 0.3})
+        {
+          SCOPED_TRACE(name);
+          expect_rest(stack, scheme, speed);
+        }
+}
