@@ -267,7 +267,7 @@ namespace
     both.lower_is_slave        = true;
     auto distorted             = stack<3>({{3, 4, 2}}, {{2, 2, 3}}, 1.);
     distorted.is_distorted     = true;
-    distorted.quadrature_error = 1e-8;
+    distorted.quadrature_error = 1e-7;
     return {{"1 to 3", stack<3>({{6, 3, 2}}, {{2, 1, 2}}, 1.)},
             {"irrational", stack<3>({{5, 3, 2}}, {{3, 4, 1}}, std::sqrt(2.))},
             {"hanging nodes on the slave", hanging_slave},
