@@ -34,7 +34,7 @@ namespace signorini
 
       BoundingBox<dim> operator()(const SurfaceFace<dim> &face) const
       {
-        const Tensor<1, dim> normal = unit_normal(face);
+        const Tensor<1, dim> normal = face.unit_normal();
         double               ahead  = 0.; // to the far side of the master
         for (unsigned int corner = 0; corner < GeometryInfo<dim>::vertices_per_cell; ++corner)
           ahead = std::max(ahead, normal * (master_body.vertex(corner) - face.centre()));
@@ -50,7 +50,7 @@ namespace signorini
       /** How deep in the slave body the master still counts. */
       double behind(const SurfaceFace<dim> &face) const
       {
-        const Tensor<1, dim> normal = unit_normal(face);
+        const Tensor<1, dim> normal = face.unit_normal();
         double               depth  = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           depth += 0.25 * std::abs(normal[c]) * (slave_body.side_length(c) + master_body.side_length(c));
@@ -59,15 +59,6 @@ namespace signorini
 
     private:
       const BoundingBox<dim> slave_body, master_body;
-
-      static Tensor<1, dim> unit_normal(const SurfaceFace<dim> &face)
-      {
-        Point<dim - 1> middle;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          middle[d] = 0.5;
-        const Tensor<1, dim> normal = face.area_vector(middle);
-        return normal / normal.norm();
-      }
     };
 
 

@@ -71,7 +71,7 @@ namespace signorini
                       + "no face of the slave looks at a face of the master along its normal, so that they can never "
                         "touch. Check the boundary ids and the positions of the bodies.");
     auto nodes = mortar.nodes();
-    close_small_overlaps(pair, nodes);
+    settle_gaps(pair, nodes);
     contact_nodes.insert(contact_nodes.end(), nodes.begin(), nodes.end());
     n_left_to_supports += mortar.n_supported();
 
@@ -87,21 +87,25 @@ namespace signorini
 
 
   template <int dim>
-  void ContactSurface<dim>::close_small_overlaps(const unsigned int pair, std::vector<ContactNode<dim>> &nodes)
+  void ContactSurface<dim>::settle_gaps(const unsigned int pair, std::vector<ContactNode<dim>> &nodes)
   {
     const double size    = discretization.body_size();
     double       deepest = 0.;
     for (ContactNode<dim> &node : nodes)
       {
         const double face_size = std::pow(node.weight, 1. / (dim - 1));
-        const double depth     = -node.gap;
-        if (std::abs(depth) < 1e-12 * size)
+        const double depth     = -node.clearance;
+        if (std::abs(node.gap) < 1e-12 * size)
           node.gap = 0.;
-        else if (depth > 0. && depth < facet_overlap * face_size)
+        if (depth < 1e-12 * size) // apart: dual functions are partly negative, and so may be their mean of a curved gap
+          node.gap = node.gap < 0. ? std::max(0., node.clearance) * node.transmission : node.gap;
+        else if (depth < facet_overlap * face_size)
           {
             deepest  = std::max(deepest, depth);
-            node.gap = 0.;
+            node.gap = std::max(node.gap, 0.);
           }
+        else
+          node.gap = std::min(node.gap, -depth * node.transmission);
       }
     deepest = Utilities::MPI::max(deepest, discretization.communicator());
     if (deepest > 0.)
@@ -176,6 +180,16 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<double> ContactSurface<dim>::distance(const Vector &displacement) const
+  {
+    std::vector<double> result = normal_gap(displacement);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      result[k] /= contact_nodes[k].transmission;
+    return result;
+  }
+
+
+  template <int dim>
   double ContactSurface<dim>::largest_sliding(const Vector &displacement, const Vector &contact_force) const
   {
     if (!node_coupling->any())
@@ -206,7 +220,7 @@ namespace signorini
   {
     obstacle_contact.check_initial_gap(initial_displacement);
     const auto               &scene   = discretization.scene;
-    const std::vector<double> gap     = normal_gap(initial_displacement);
+    const std::vector<double> gap     = distance(initial_displacement);
     double                    deepest = 1e-10 * discretization.body_size();
     std::string               text;
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)

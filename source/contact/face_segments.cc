@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -26,12 +27,8 @@ namespace signorini
 
       explicit Plane(const SurfaceFace<dim> &face)
         : origin(face.centre())
+        , normal(face.unit_normal())
       {
-        Point<dim - 1> middle;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          middle[d] = 0.5;
-        normal           = face.area_vector(middle);
-        normal           = normal / normal.norm();
         const auto frame = contact_frame<dim>(normal);
         for (unsigned int d = 0; d < dim - 1; ++d)
           for (unsigned int c = 0; c < dim; ++c)
@@ -52,9 +49,7 @@ namespace signorini
     template <int dim>
     Point<dim - 1> map_back(const SurfaceFace<dim> &face, const Plane<dim> &plane, const Point<dim - 1> &target)
     {
-      Point<dim - 1> xi;
-      for (unsigned int d = 0; d < dim - 1; ++d)
-        xi[d] = 0.5;
+      Point<dim - 1> xi = face.middle();
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
           const Tensor<1, dim - 1> defect = target - plane.project(face.position(xi) - plane.origin);
@@ -138,10 +133,13 @@ namespace signorini
     }
 
 
-    /** Points and weights on a polygon, seven on each triangle of a fan around its centre: exact for degree 5. */
+    /**
+     * Points and weights on a polygon, on each triangle of a fan around its centre. Degree 4 is enough for parallelograms; the higher
+     * degree serves other quadrilaterals, whose shape functions are no polynomials in space.
+     */
     std::vector<std::pair<Point<2>, double>> quadrature(const Polygon &polygon)
     {
-      static const QGaussSimplex<2>            rule(3);
+      static const QWitherdenVincentSimplex<2> rule(5);
       std::vector<std::pair<Point<2>, double>> result;
       Point<2>                                 centre;
       for (const Point<2> &p : polygon)
@@ -163,12 +161,8 @@ namespace signorini
   {
     Segment<dim>     segment;
     const Plane<dim> plane(slave);
-    Point<dim - 1>   middle;
-    for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
-    const Tensor<1, dim> master_normal = master.area_vector(middle);
     // Beyond 84 degrees faces do not look at each other; a projection would be distorted without bound.
-    if (master_normal * plane.normal > -0.1 * master_normal.norm())
+    if (master.unit_normal() * plane.normal > -0.1)
       return segment;
 
     const auto slave_outline = outline(slave, plane);
@@ -177,15 +171,20 @@ namespace signorini
     if (!(segment.area > 1e-12 * measure(slave_outline)))
       return segment;
 
-    double moment = 0.;
+    const auto distance = [&](const Point<dim - 1> &xi, const Point<dim - 1> &eta) {
+      return plane.normal * (master.position(eta) - slave.position(xi));
+    };
+    segment.smallest_gap = std::numeric_limits<double>::max();
+    for (const Point<dim - 1> &corner : common)
+      segment.smallest_gap =
+        std::min(segment.smallest_gap, distance(map_back(slave, plane, corner), map_back(master, plane, corner)));
     for (const auto &[point, weight] : quadrature(common))
       {
         const Point<dim - 1> xi = map_back(slave, plane, point), eta = map_back(master, plane, point);
         const Tensor<1, dim> surface = slave.area_vector(xi);
         segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
-        moment += weight * (plane.normal * (master.position(eta) - slave.position(xi)));
+        segment.gap += weight / segment.area * distance(xi, eta);
       }
-    segment.gap = moment / segment.area;
     return segment;
   }
 

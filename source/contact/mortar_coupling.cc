@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -16,7 +17,8 @@ namespace signorini
 
   namespace
   {
-    // A sliver this small has no well-conditioned dual basis, and a node with so little around it would extrapolate.
+    // A sliver this small has no well-conditioned dual basis, and a node of which so little is covered (on the faces that are covered at
+    // all) would extrapolate.
     constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
 
     /** Add factor times the shape functions of a face at a point to the nodes that move it. */
@@ -98,9 +100,12 @@ namespace signorini
         if (covered < smallest_covered_face * projected_area(slave))
           continue;
 
-        face.mass     = Eigen::MatrixXd::Zero(n, n);
-        face.normals  = Eigen::MatrixXd::Zero(n, dim);
-        face.distance = face.normals;
+        face.mass      = Eigen::MatrixXd::Zero(n, n);
+        face.normals   = Eigen::MatrixXd::Zero(n, dim);
+        face.distance  = face.normals;
+        face.clearance = std::numeric_limits<double>::max();
+        for (const Segment<dim> &segment : surfaces.segments[f])
+          face.clearance = std::min(face.clearance, segment.smallest_gap);
         for (const Segment<dim> &segment : surfaces.segments[f])
           for (const SegmentPoint<dim> &point : segment.points)
             {
@@ -130,7 +135,10 @@ namespace signorini
   template <int dim>
   Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports)
   {
-    Vector covered = discretization.make_vector(), full = covered, normals = covered, carries = covered;
+    Vector covered = discretization.make_vector(), full = covered, normals = covered, carries = covered,
+           clearance = covered;
+    for (unsigned int i = 0; i < dim * discretization.matrices.pattern.n_local; ++i)
+      clearance.local_element(i) = std::numeric_limits<double>::max();
     for (const CoveredFace &face : faces)
       {
         const Eigen::VectorXd integrals = face.mass.rowwise().sum();
@@ -138,12 +146,14 @@ namespace signorini
           {
             covered(dim * face.nodes[i]) += integrals[i];
             full(dim * face.nodes[i]) += face.full[i];
+            clearance(dim * face.nodes[i]) = std::min(clearance(dim * face.nodes[i]), face.clearance);
             for (unsigned int c = 0; c < dim; ++c)
               normals(dim * face.nodes[i] + c) += face.normals(i, c);
           }
       }
     for (Vector *sum : {&covered, &full, &normals})
       sum->compress(VectorOperation::add);
+    clearance.compress(VectorOperation::min);
 
     for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
       {
@@ -162,6 +172,7 @@ namespace signorini
             ++n_left_to_supports;
             continue;
           }
+        contact_node.clearance            = clearance.local_element(dim * node);
         carries.local_element(dim * node) = 1.;
         contact_nodes.push_back(contact_node);
       }

@@ -56,12 +56,20 @@ namespace signorini
 
 
   template <int dim>
-  Point<dim> SurfaceFace<dim>::centre() const
+  Point<dim - 1> SurfaceFace<dim>::middle()
   {
-    Point<dim - 1> middle;
+    Point<dim - 1> result;
     for (unsigned int d = 0; d < dim - 1; ++d)
-      middle[d] = 0.5;
-    return position(middle);
+      result[d] = 0.5;
+    return result;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim> SurfaceFace<dim>::unit_normal() const
+  {
+    const Tensor<1, dim> normal = area_vector(middle());
+    return normal / normal.norm();
   }
 
 
@@ -118,10 +126,7 @@ namespace signorini
               else
                 result.nodes[v].emplace_back(dof / dim, 1.);
             }
-          Point<dim - 1> middle;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            middle[d] = 0.5;
-          if (result.area_vector(middle) * (result.centre() - cell->center()) < 0.)
+          if (result.unit_normal() * (result.centre() - cell->center()) < 0.)
             result.orientation = -1.;
           faces.push_back(result);
         }

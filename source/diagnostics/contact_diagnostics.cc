@@ -22,7 +22,7 @@ namespace signorini
   contact_summary(const ContactSurface<dim> &surface, const Discretization<dim> &discretization, const State &state)
   {
     const MPI_Comm            communicator = discretization.communicator();
-    const std::vector<double> gap          = surface.normal_gap(state.displacement);
+    const std::vector<double> gap          = surface.distance(state.displacement);
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {

@@ -49,9 +49,10 @@ namespace signorini
       {
         const ContactNode<dim> &contact_node = surface.nodes()[node];
         const double            force        = -normal_force(contact_node, state.contact_force);
-        values                               = {{contact_node.gap - displacement[node],
-                                                 displacement[node],
-                                                 velocity[node],
+        const double            scale        = 1. / contact_node.transmission;
+        values                               = {{scale * (contact_node.gap - displacement[node]),
+                                                 scale * displacement[node],
+                                                 scale * velocity[node],
                                                  force / contact_node.weight,
                                                  force}};
         for (double &value : values)

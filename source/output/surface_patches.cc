@@ -36,7 +36,7 @@ namespace signorini
   template <int dim>
   Vector SurfacePatches<dim>::contact_values(const State &state) const
   {
-    const std::vector<double> gaps    = surface.normal_gap(state.displacement);
+    const std::vector<double> gaps    = surface.distance(state.displacement);
     const double              largest = Utilities::MPI::max(
       gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())), discretization.communicator());
 

@@ -42,8 +42,11 @@ namespace signorini
     /** [u].nu per node, of displacements or velocities. Collective. */
     std::vector<double> relative_normal(const Vector &motion) const;
 
-    /** gamma = g - [u].nu. Collective. */
+    /** gamma = g - [u].nu, the bound that is left for increments. Collective. */
     std::vector<double> normal_gap(const Vector &displacement) const;
+
+    /** Distance to the other side, gamma / transmission, to be shown to people. Collective. */
+    std::vector<double> distance(const Vector &displacement) const;
 
     /**
      * Largest depth of a displaced contact node in *any* obstacle of its body, by the true geometry, on all processes; 0 if there is none.
@@ -75,8 +78,8 @@ namespace signorini
     std::vector<std::string>           assumptions;
 
     void add_pair_of_bodies(unsigned int pair, const Supports<dim> &supports);
-    /** Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones are an error. */
-    void close_small_overlaps(unsigned int pair, std::vector<ContactNode<dim>> &nodes);
+    /** Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones stay, to be reported. */
+    void settle_gaps(unsigned int pair, std::vector<ContactNode<dim>> &nodes);
     /** Each node belongs to one pair, and is not itself the opposite side of another. */
     void check_that_pairs_are_disjoint() const;
   };

@@ -23,14 +23,15 @@ namespace signorini
     unsigned int                   master = 0;  ///< index of the master face
     double                         area   = 0.; ///< of the overlap, in the plane of the slave face's centre
     double                         gap = 0.; ///< mean distance along the slave normal, negative behind the slave face
+    double                         smallest_gap = 0.; ///< at the corners of the overlap
     std::vector<SegmentPoint<dim>> points;
   };
 
   /**
    * The segment of two faces by projection along the normal n of the slave face's centre: both are projected on the plane
    * there, the polygons are clipped by each other, the overlap is split into triangles, and the points of their quadrature
-   * rule are mapped back to both faces (Puso and Laursen 2004). The integrand is smooth on a segment, so that integrals over
-   * flat faces are exact.
+   * rule are mapped back to both faces (Puso and Laursen 2004). The integrand is smooth on a segment: a polynomial on flat
+   * parallelograms, which is integrated exactly, and close to one on other quadrilaterals.
    * @return a segment without points if the faces do not look at each other (angle of the normals) or do not overlap
    */
   template <int dim>

@@ -55,6 +55,7 @@ namespace signorini
       Eigen::MatrixXd                                            normals;  ///< int N_i n, dim columns
       Eigen::MatrixXd                                            distance; ///< int N_i (X(chi) - X), dim columns
       Eigen::VectorXd                                            full;     ///< int N_i over the whole face
+      double                                                     clearance = 0.; ///< smallest distance to the master
     };
     using Rows = std::map<dealii::types::global_dof_index, std::map<dealii::types::global_dof_index, double>>;
 

@@ -41,7 +41,11 @@ namespace signorini
     /** Outward normal times the surface element. */
     dealii::Tensor<1, dim> area_vector(const dealii::Point<dim - 1> &xi) const;
 
-    dealii::Point<dim>       centre() const;
+    /** Reference coordinates of the centre. */
+    static dealii::Point<dim - 1> middle();
+
+    dealii::Point<dim>       centre() const { return position(middle()); }
+    dealii::Tensor<1, dim>   unit_normal() const; ///< outward, at the centre
     double                   diameter() const;
     dealii::BoundingBox<dim> bounding_box() const;
 
