@@ -21,12 +21,20 @@ namespace signorini
     // What facets of curved surfaces that fit together may overlap, relative to the size of a face.
     constexpr double facet_overlap = 0.05;
 
-    /** If any process has something to complain about, all throw the first complaint. Collective. */
-    void throw_if_any(const std::string &complaint, const MPI_Comm communicator)
+    /** Something wrong, and how bad it is. */
+    using Complaint = std::pair<double, std::string>;
+
+    /** The worst complaint of all processes; among equal ones the first in the alphabet, whoever has it. */
+    void throw_worst(const std::vector<Complaint> &complaints, const MPI_Comm communicator)
     {
-      for (const std::string &text : Utilities::MPI::all_gather(communicator, complaint))
-        if (!text.empty())
-          throw UserError(text);
+      Complaint worst;
+      for (const auto &of_process : Utilities::MPI::all_gather(communicator, complaints))
+        for (const Complaint &complaint : of_process)
+          if (worst.second.empty() || complaint.first > worst.first
+              || (complaint.first == worst.first && complaint.second < worst.second))
+            worst = complaint;
+      if (!worst.second.empty())
+        throw UserError(worst.second);
     }
   } // namespace
 
@@ -66,10 +74,25 @@ namespace signorini
       }
 
     const MortarCoupling<dim> mortar(discretization, supports, pair);
-    if (!(mortar.covered_area() > 0.))
+    if (!mortar.faces_look_at_each_other())
       throw UserError(head
                       + "no face of the slave looks at a face of the master along its normal, so that they can never "
                         "touch. Check the boundary ids and the positions of the bodies.");
+    if (mortar.n_nodes() == 0 && mortar.n_supported() == 0)
+      throw UserError(
+        head
+        + "the master covers so little of the faces of the slave that no node of the slave can see it. Refine the "
+          "slave, or exchange slave and master.");
+    if (mortar.largest_turn() > 0.)
+      {
+        std::ostringstream note;
+        note
+          << std::setprecision(3) << description.name
+          << ": supports hold directions in which normals of the slave have a part; these normals are turned by up to "
+          << mortar.largest_turn()
+          << " degrees. Right at a plane of symmetry, otherwise forces along the support are missing";
+        assumptions.push_back(note.str());
+      }
     auto nodes = mortar.nodes();
     settle_gaps(pair, nodes);
     contact_nodes.insert(contact_nodes.end(), nodes.begin(), nodes.end());
@@ -121,25 +144,25 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::check_that_pairs_are_disjoint() const
   {
-    const auto &scene     = discretization.scene;
-    const auto  complaint = [&](const ContactNode<dim> &node, const std::string &other) {
+    const auto            &scene = discretization.scene;
+    std::vector<Complaint> complaints;
+    const auto             complain = [&](const ContactNode<dim> &node, const std::string &other) {
       std::ostringstream message;
       message << scene.file_name << ": Contact/Pairs: `" << scene.pairs[node.pair].name << "` and " << other
               << " share the node at (" << node.position
-              << "). A node can have one partner. Choose boundary ids for the pairs, as in `body[2] : other[3]`, so "
-                  "that their "
-                  "surfaces do not meet.";
-      return message.str();
+              << "). A node can have one partner only, and neighbouring faces of a body share the nodes of their edge. "
+                             "Choose "
+                             "surfaces that do not meet, or make the other body the slave of one of the pairs.";
+      complaints.emplace_back(0., message.str());
     };
-    std::string text;
-    for (std::size_t k = 1; k < contact_nodes.size(); ++k)
+    for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
       if (contact_nodes[k].node == contact_nodes[k - 1].node)
-        text = complaint(contact_nodes[k], "`" + scene.pairs[contact_nodes[k - 1].pair].name + "`");
+        complain(contact_nodes[k], "`" + scene.pairs[contact_nodes[k - 1].pair].name + "`");
     const std::vector<unsigned int> partners = node_coupling->owned_partners();
     for (const ContactNode<dim> &node : contact_nodes)
-      if (std::binary_search(partners.begin(), partners.end(), node.node))
-        text = complaint(node, "another pair of its body");
-    throw_if_any(text, discretization.communicator());
+      if (complaints.empty() && std::binary_search(partners.begin(), partners.end(), node.node))
+        complain(node, "a pair with `" + scene.bodies[scene.pairs[node.pair].slave].name + "` as master");
+    throw_worst(complaints, discretization.communicator());
   }
 
 
@@ -219,21 +242,20 @@ namespace signorini
   void ContactSurface<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
     obstacle_contact.check_initial_gap(initial_displacement);
-    const auto               &scene   = discretization.scene;
-    const std::vector<double> gap     = distance(initial_displacement);
-    double                    deepest = 1e-10 * discretization.body_size();
-    std::string               text;
+    const auto               &scene = discretization.scene;
+    const std::vector<double> gap   = distance(initial_displacement);
+    std::vector<Complaint>    complaints;
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      if (scene.pairs[contact_nodes[k].pair].of_two_bodies() && gap[k] < -deepest)
+      if (scene.pairs[contact_nodes[k].pair].of_two_bodies() && gap[k] < -1e-10 * discretization.body_size())
         {
-          deepest = -gap[k];
           std::ostringstream message;
           message << scene.file_name << ": Contact/Pairs = " << scene.pairs[contact_nodes[k].pair].name
-                  << ": the bodies overlap at the start, by " << deepest << " at (" << contact_nodes[k].position
+                  << ": the bodies overlap at the start, by " << -gap[k] << " at (" << contact_nodes[k].position
                   << "). Move one of them, or change the initial displacement.";
-          text = message.str();
+          if (complaints.empty() || -gap[k] > complaints[0].first)
+            complaints = {{-gap[k], message.str()}};
         }
-    throw_if_any(text, discretization.communicator());
+    throw_worst(complaints, discretization.communicator());
   }
 
 

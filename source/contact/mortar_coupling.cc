@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/dual_basis.h>
 #include <signorini/contact/mortar_coupling.h>
@@ -10,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 namespace signorini
 {
@@ -20,6 +22,9 @@ namespace signorini
     // A sliver this small has no well-conditioned dual basis, and a node of which so little is covered (on the faces that are covered at
     // all) would extrapolate.
     constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
+    // Part of a normal in the directions that supports leave free: below the first, about 18 degrees, supports hold the normal; above the
+    // second they are tangential.
+    constexpr double held_normal = 0.3, free_normal = 0.95;
 
     /** Add factor times the shape functions of a face at a point to the nodes that move it. */
     template <int dim, typename Target>
@@ -33,20 +38,22 @@ namespace signorini
 
 
     /**
-     * A frame in which the supports hold tangential entries. The normal of a curved surface at a plane of symmetry is an
-     * average over one side only; its small part in a held direction means nothing.
-     * @return false if the support holds the normal direction
+     * Give a node with supports a frame in which they hold tangential entries. The normal of a curved surface at a plane of symmetry is
+     * an average over one side only; its small part in the held direction means nothing and is dropped.
+     * @return the part of the normal in free directions: its square is 1 if the supports are tangential, 0 if they hold the normal
      */
     template <int dim>
-    bool fit_frame_to_supports(const typename Supports<dim>::Components &components, ContactNode<dim> &contact_node)
+    double fit_frame_to_supports(const typename Supports<dim>::Components &components, ContactNode<dim> &contact_node)
     {
       std::array<bool, dim> held;
       Tensor<1, dim>        normal = contact_node.normal();
       for (unsigned int c = 0; c < dim; ++c)
         if ((held[c] = components[c] != Supports<dim>::none))
           normal[c] = 0.;
-      return normal.norm_square() > 0.9
-             && contact_frame_with_supports<dim>(normal / normal.norm(), held, contact_node.frame);
+      const double free_part = normal.norm();
+      if (free_part > 0.)
+        contact_frame_with_supports<dim>(normal / free_part, held, contact_node.frame);
+      return free_part;
     }
   } // namespace
 
@@ -97,6 +104,7 @@ namespace signorini
         double covered = 0.;
         for (const Segment<dim> &segment : surfaces.segments[f])
           covered += segment.area;
+        any_segment = any_segment || covered > 0.;
         if (covered < smallest_covered_face * projected_area(slave))
           continue;
 
@@ -126,6 +134,7 @@ namespace signorini
         total_covered_area += face.mass.sum();
         result.push_back(std::move(face));
       }
+    any_segment        = Utilities::MPI::max(static_cast<unsigned int>(any_segment), discretization.communicator()) > 0;
     total_area         = Utilities::MPI::sum(total_area, discretization.communicator());
     total_covered_area = Utilities::MPI::sum(total_covered_area, discretization.communicator());
     return result;
@@ -155,6 +164,7 @@ namespace signorini
       sum->compress(VectorOperation::add);
     clearance.compress(VectorOperation::min);
 
+    std::string oblique_support;
     for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
       {
         const double weight = covered.local_element(dim * node);
@@ -163,20 +173,43 @@ namespace signorini
         Tensor<1, dim> normal;
         for (unsigned int c = 0; c < dim; ++c)
           normal[c] = normals.local_element(dim * node + c);
+        if (!(normal.norm() > 1e-3 * weight)) // faces that look in opposite directions
+          continue;
         normal /= normal.norm();
         ContactNode<dim> contact_node{
           node, pair, discretization.node_positions[node], 0., weight, contact_frame(normal), {}};
-        if (const auto support = supports.nodes().find(node);
-            support != supports.nodes().end() && !fit_frame_to_supports<dim>(support->second, contact_node))
+        if (const auto support = supports.nodes().find(node); support != supports.nodes().end())
           {
-            ++n_left_to_supports;
-            continue;
+            const double free_part = fit_frame_to_supports<dim>(support->second, contact_node);
+            if (free_part < held_normal)
+              {
+                ++n_left_to_supports;
+                continue;
+              }
+            if (free_part < free_normal)
+              {
+                std::ostringstream message;
+                message << discretization.scene.file_name
+                        << ": Contact/Pairs = " << discretization.scene.pairs[pair].name << ": at ("
+                        << contact_node.position << ") a support holds a direction that is neither normal nor "
+                        << "tangential to the contact surface (normal " << normal
+                        << "). Hold all components there or none, or turn the scene so that the surface is parallel to "
+                           "an axis.";
+                oblique_support = std::min(oblique_support.empty() ? message.str() : oblique_support, message.str());
+              }
+            if (free_part < 1. - 1e-12)
+              turn = std::max(turn, 180. / numbers::PI * std::acos(free_part));
           }
         contact_node.clearance            = clearance.local_element(dim * node);
         carries.local_element(dim * node) = 1.;
         contact_nodes.push_back(contact_node);
       }
+    for (const std::string &message : Utilities::MPI::all_gather(discretization.communicator(), oblique_support))
+      if (!message.empty())
+        throw UserError(message);
     n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
+    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
+    turn     = Utilities::MPI::max(turn, discretization.communicator());
     carries.update_ghost_values();
     return carries;
   }

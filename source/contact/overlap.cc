@@ -29,7 +29,7 @@ namespace signorini
     }
 
 
-    /** Whether a point is inside a cell, and not just at its boundary. */
+    /** Whether a point is inside a cell, not just at its boundary; what lies nearer to that, the gap between the surfaces shows. */
     template <int dim>
     bool is_well_inside(const CoarseCell<dim> &cell, const Point<dim> &point)
     {
@@ -39,7 +39,7 @@ namespace signorini
         {
           const Point<dim> xi = MappingQ1<dim>().transform_real_to_unit_cell(cell, point);
           for (unsigned int d = 0; d < dim; ++d)
-            if (xi[d] < 1e-3 || xi[d] > 1. - 1e-3)
+            if (xi[d] < 0.05 || xi[d] > 0.95)
               return false;
           return true;
         }

@@ -47,7 +47,8 @@ namespace signorini
     prm.declare_entry("Maximum linear iterations",
                       std::to_string(defaults.maximum_linear_iterations),
                       Integer(),
-                      "Conjugate gradient iterations of one linear solve before the run is given up.");
+                      "Conjugate gradient iterations of one linear solve before the active set method gives way to the "
+                      "slower method of proportioning.");
   }
 
   SolverParameters parse_solver(const SectionReader &in)

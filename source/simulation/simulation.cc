@@ -137,7 +137,7 @@ namespace signorini
          << discretization.courant_number(scene.time.step_size) << "\n  processes         "
          << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
     if (!scene.pairs.empty() && surface->n_global_nodes() == 0)
-      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces the obstacle, or "
+      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces its obstacle, or "
               "supports hold them all\n";
     if (surface->n_supported() > 0)
       text

@@ -134,10 +134,10 @@ TEST(Mistakes, ObstaclesAndProbes)
 TEST(Mistakes, Pairs)
 {
   expect_refusals({{"Contact/Pairs", "bal : floor", {"no body `bal`", "Did you mean `ball`?", "Valid: ball, box"}},
-                   {"Contact/Pairs", "ball : flor", {"no obstacle `flor`", "Did you mean `floor`?", "pillar"}},
+                   {"Contact/Pairs", "ball : flor", {"no obstacle or body `flor`", "Did you mean `floor`?", "pillar"}},
                    {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
                    {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
-                   {"Contact/Pairs", "ball : ball", {"with itself", "Name an obstacle"}},
+                   {"Contact/Pairs", "ball : ball", {"with itself", "Name another body"}},
                    {"Contact/Pairs", "ball : box", {"body against body is not available in this version"}},
                    {"Contact/Pairs", "floor : ball", {"The body comes first"}},
                    {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},

@@ -32,7 +32,10 @@ namespace signorini
   class MortarCoupling
   {
   public:
-    /** Collective. @param pair index of a pair of two bodies in the scene */
+    /**
+     * Collective. @param pair index of a pair of two bodies in the scene
+     * @throws UserError if a support holds a direction that is neither normal nor tangential to the contact surface
+     */
     MortarCoupling(const Discretization<dim> &discretization, const Supports<dim> &supports, unsigned int pair);
 
     /** The owned nodes that carry a multiplier, ascending. */
@@ -41,6 +44,15 @@ namespace signorini
     /** Areas (lengths in 2d) on all processes: of the slave surface, and of its covered part. */
     double slave_area() const { return total_area; }
     double covered_area() const { return total_covered_area; }
+
+    /** Whether any slave face sees a master face, however little of it. */
+    bool faces_look_at_each_other() const { return any_segment; }
+
+    /** Number of nodes with multiplier on all processes. */
+    unsigned int n_nodes() const { return n_global; }
+
+    /** Largest angle in degrees by which supports turned a normal. */
+    double largest_turn() const { return turn; }
 
     /** Number of nodes on all processes that lost their multiplier to a support. */
     unsigned int n_supported() const { return n_left_to_supports; }
@@ -63,7 +75,9 @@ namespace signorini
     const unsigned int            pair;
     std::vector<ContactNode<dim>> contact_nodes;
     double                        total_area = 0., total_covered_area = 0.;
-    unsigned int                  n_left_to_supports = 0;
+    unsigned int                  n_left_to_supports = 0, n_global = 0;
+    bool                          any_segment = false;
+    double                        turn        = 0.;
 
     std::vector<CoveredFace> integrate(const FacingSurfaces<dim> &surfaces);
     /** Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with ghosts */
