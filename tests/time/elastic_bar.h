@@ -56,6 +56,27 @@ namespace signorini
 
     NormalGap normal_gap(const Vector &u) const override { return {distance[0] + u(0), distance[1] - u(u.size() - 1)}; }
 
+    NormalGap relative_normal(const Vector &motion) const override { return {-motion(0), motion(motion.size() - 1)}; }
+
+    double length() const override { return 1.; }
+
+    Vector solve_mass(const Vector &force) override
+    {
+      Vector          result = make_vector();
+      Eigen::MatrixXd M      = mass;
+      Eigen::VectorXd b      = view(force);
+      if (motion)
+        {
+          const unsigned int middle = mass.rows() / 2;
+          M.row(middle).setZero();
+          M.col(middle).setZero();
+          M(middle, middle) = 1.;
+          b[middle]         = 0.;
+        }
+      view(result) = M.ldlt().solve(b);
+      return result;
+    }
+
     void solve(const IncrementProblem &problem, IncrementSolution &solution) override
     {
       const Eigen::MatrixXd K      = mass + problem.stiffness_factor * stiffness;
