@@ -130,16 +130,25 @@ TEST_P(Conservation, ProjectedVelocityLosesEnergyAndStopsNodesInContact)
   EXPECT_GT(n_held, 0u);
 }
 
-TEST_P(Conservation, MoreauAndJeanLoseEnergy)
+// But for nodes that are pushed while they recede: they have penetrated before.
+TEST_P(Conservation, MoreauAndJeanLoseEnergyWhileBodiesApproach)
 {
   const auto scheme = make_time_scheme("moreau-jean");
   double     lost   = 0.;
   for (unsigned int step = 0; step < 100; ++step)
     {
-      StepReport   report;
-      const double change = advance(*scheme, report);
+      const NormalGap approach = system.relative_normal(state.velocity);
+      StepReport      report;
+      const double    change = advance(*scheme, report);
       ASSERT_NEAR(change, report.work_contact, round_off);
-      ASSERT_LE(change, round_off);
+      const NormalGap force   = system.relative_normal(state.contact_force);
+      bool            recedes = false;
+      for (unsigned int k = 0; k < force.size(); ++k)
+        recedes = recedes || (force[k] < 0. && approach[k] < 0.);
+      if (!recedes)
+        {
+          ASSERT_LE(change, round_off);
+        }
       lost -= change;
     }
   EXPECT_GT(lost, 1e-3);

@@ -86,8 +86,11 @@ namespace signorini
       const auto   b     = view(problem.right_hand_side);
       view(solution.increment)       = minimise(K, b, problem.bounds, motion ? &moved : nullptr);
       const Eigen::VectorXd reaction = K * view(solution.increment) - b;
-      for (const unsigned int end : {0u, last()})
-        solution.contact_reaction(end) = reaction[end];
+      // Exactly zero where there is no contact, as in the real system.
+      if (-solution.increment(0) > problem.bounds[0] - 1e-13)
+        solution.contact_reaction(0) = reaction[0];
+      if (solution.increment(last()) > problem.bounds[1] - 1e-13)
+        solution.contact_reaction(last()) = reaction[last()];
       if (motion)
         solution.support_reaction(middle) = reaction[middle];
     }
