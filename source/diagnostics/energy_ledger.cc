@@ -27,8 +27,8 @@ namespace signorini
         change -= last_load;
         booking.external -= 0.5 * (change * last_displacement + change * state.displacement);
       }
-    booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction - booking.scheme
-                       - booking.external - booking.transfer;
+    booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction
+                       - booking.scheme - booking.external - booking.transfer;
     last = now;
     remember(state, load);
     return booking;
