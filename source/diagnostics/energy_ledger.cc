@@ -18,6 +18,7 @@ namespace signorini
     EnergyBooking booking;
     booking.contact   = report.work_contact;
     booking.predictor = report.work_predictor;
+    booking.scheme    = report.work_scheme;
     booking.external  = report.work_support;
     if (load != nullptr)
       {
@@ -27,7 +28,7 @@ namespace signorini
         booking.external -= 0.5 * (change * last_displacement + change * state.displacement);
       }
     booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction
-                       - booking.external - booking.transfer;
+                       - booking.scheme - booking.external - booking.transfer;
     last = now;
     remember(state, load);
     return booking;

@@ -22,13 +22,24 @@ namespace signorini
   void declare_time(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.declare_entry("Scheme",
-                      "contact-stabilized",
-                      Selection("newmark|contact-implicit|contact-stabilized"),
-                      "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
-                      "condition; dissipative, smooth contact forces. contact-implicit: the same without this "
-                      "predictor; dissipative, contact forces oscillate. newmark: the classical scheme with "
-                      "contact; gains energy at impact, for comparison only.");
+    prm.declare_entry(
+      "Scheme",
+      "contact-stabilized",
+      Selection("newmark|laursen-chawla|laursen-love|contact-implicit|contact-stabilized|"
+                "contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean"),
+      "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
+      "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
+      "projection acts on the velocity, too; nodes in contact have no normal velocity. contact-implicit: "
+      "without a predictor; dissipative, contact forces oscillate. laursen-chawla: conserves energy, "
+      "allows penetration. laursen-love: conserves energy by impulses, without penetration. newmark: the "
+      "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, moreau-jean: "
+      "widely used, for comparison.");
+    prm.declare_entry(
+      "HHT alpha", "-0.1", Double(), "Damping of hht-alpha, between -1/3 (most) and 0 (none; no unit).");
+    prm.declare_entry("Spectral radius",
+                      "0.8",
+                      Double(),
+                      "Of generalized-alpha at infinite frequency, between 0 (most damping) and 1 (none; no unit).");
     prm.declare_entry("Mass",
                       "consistent",
                       Selection("consistent|lumped"),
@@ -52,9 +63,15 @@ namespace signorini
   TimeParameters parse_time(const SectionReader &in)
   {
     TimeParameters time;
-    time.scheme    = in.text("Scheme");
-    time.mass      = in.text("Mass");
-    time.predictor = in.text("Predictor mass");
+    time.scheme          = in.text("Scheme");
+    time.mass            = in.text("Mass");
+    time.predictor       = in.text("Predictor mass");
+    time.hht_alpha       = in.number("HHT alpha");
+    time.spectral_radius = in.number("Spectral radius");
+    if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
+      in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
+    if (!(time.spectral_radius >= 0. && time.spectral_radius <= 1.))
+      in.fail("Spectral radius", "must lie between 0 and 1. Above 1 the method is not stable.");
     for (const std::string key : {"Step size", "End time"})
       if (!in.given(key))
         in.fail(key, "is missing. Give a positive number, in units of time.");
@@ -68,7 +85,8 @@ namespace signorini
       in.fail("Step size",
               "needs more than a hundred million steps until the end time " + in.text("End time")
                 + ". Increase the step size or reduce `End time`.");
-    if (time.predictor != "consistent" && time.scheme != "contact-stabilized")
+    if (time.predictor != "consistent" && time.scheme != "contact-stabilized"
+        && time.scheme != "contact-stabilized-projected")
       in.fail("Predictor mass",
               "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " + time.scheme
                 + ". Remove this key or set `Scheme = contact-stabilized`.");

@@ -198,11 +198,7 @@ namespace signorini
         return effort;
       }
 
-    if (!mass_operator)
-      {
-        mass_operator       = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
-        mass_preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
-      }
+    prepare_mass();
     correction                     = last_correction; // in contact coordinates
     const Vector              zero = discretization.make_vector();
     const std::vector<double> held(coordinates.supported_entries().size(), 0.);
@@ -224,6 +220,46 @@ namespace signorini
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
     return effort;
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::prepare_mass()
+  {
+    if (mass_operator)
+      return;
+    mass_operator       = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
+    mass_preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
+  }
+
+
+  template <int dim>
+  Vector ElasticContactSystem<dim>::solve_mass(const Vector &force)
+  {
+    prepare_mass();
+    dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
+    Vector                     right_hand_side = force, result = discretization.make_vector(), residual = result;
+    coordinates.force_to_contact(right_hand_side);
+    const std::vector<double> held(coordinates.supported_entries().size(), 0.);
+    ActiveSet                 none;
+    // The error is one of velocity: its kinetic energy shall be small compared with that of the response.
+    mass_preconditioner->set_mask(Mask(result.locally_owned_size(), 0));
+    mass_preconditioner->vmult(residual, right_hand_side);
+    const double size = std::sqrt(std::max(0., dot(residual, right_hand_side)));
+    solver.solve({*mass_operator,
+                  *mass_preconditioner,
+                  right_hand_side,
+                  {},
+                  {},
+                  coordinates.supported_entries(),
+                  held,
+                  1e-13 * size,
+                  0.},
+                 none,
+                 result,
+                 residual);
+    coordinates.displacement_to_cartesian(result);
+    return result;
   }
 
 

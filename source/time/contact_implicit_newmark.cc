@@ -12,20 +12,7 @@ namespace signorini
     const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
     const NormalGap         gap      = system.normal_gap(state.displacement);
     const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
-    const Vector           &d        = solution.increment;
-
-    Vector r = solution.contact_reaction;
-    r *= 2. / (tau * tau);
-
-    StepReport report;
-    report.corrector    = solution.effort;
-    report.work_contact = r * d;
-    report.work_support = trapezoidal_rule::support_work(solution, tau);
-
     // (34): v_new - v = 2/tau (d - tau v)
-    Vector velocity_change = d;
-    velocity_change.sadd(2. / tau, -2., state.velocity);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
-    return report;
+    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
   }
 } // namespace signorini

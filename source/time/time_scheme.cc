@@ -4,18 +4,39 @@
 #include <signorini/base/user_error.h>
 #include <signorini/time/contact_implicit_newmark.h>
 #include <signorini/time/contact_stabilized_newmark.h>
+#include <signorini/time/generalized_alpha.h>
+#include <signorini/time/laursen_chawla.h>
+#include <signorini/time/laursen_love.h>
+#include <signorini/time/moreau_jean.h>
 #include <signorini/time/newmark.h>
+#include <signorini/time/projected_contact_stabilized.h>
 
 namespace signorini
 {
-  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name)
+  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters)
   {
     if (name == "newmark")
       return std::make_unique<Newmark>();
+    if (name == "laursen-chawla")
+      return std::make_unique<LaursenChawla>();
+    if (name == "laursen-love")
+      return std::make_unique<LaursenLove>();
     if (name == "contact-implicit")
       return std::make_unique<ContactImplicitNewmark>();
     if (name == "contact-stabilized")
       return std::make_unique<ContactStabilizedNewmark>();
-    throw UserError("Time/Scheme = " + name + " is not known. Choose newmark, contact-implicit or contact-stabilized.");
+    if (name == "contact-stabilized-projected")
+      return std::make_unique<ProjectedContactStabilized>();
+    if (name == "hht-alpha")
+      return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
+    if (name == "generalized-alpha")
+      return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::with_spectral_radius(parameters.spectral_radius));
+    if (name == "moreau-jean")
+      return std::make_unique<MoreauJean>();
+    throw UserError(
+      "Time/Scheme = " + name
+      + " is not known. Choose newmark, laursen-chawla, laursen-love, "
+        "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha or "
+        "moreau-jean.");
   }
 } // namespace signorini

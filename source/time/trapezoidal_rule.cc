@@ -35,6 +35,25 @@ namespace signorini
     }
 
 
+    StepReport
+    finish_implicit(const DynamicalSystem &system, State &state, const double tau, const IncrementSolution &solution)
+    {
+      const Vector &d = solution.increment;
+      Vector        r = solution.contact_reaction;
+      r *= 2. / (tau * tau);
+
+      StepReport report;
+      report.corrector    = solution.effort;
+      report.work_contact = r * d;
+      report.work_support = support_work(solution, tau);
+
+      Vector velocity_change = d;
+      velocity_change.sadd(2. / tau, -2., state.velocity);
+      finish(system, state, tau, d, velocity_change, std::move(r));
+      return report;
+    }
+
+
     void finish(const DynamicalSystem &system,
                 State                 &state,
                 const double           step_size,

@@ -39,6 +39,17 @@ namespace signorini
 
     NormalGap normal_gap(const Vector &displacement) const override { return {wall - displacement(0)}; }
 
+    NormalGap relative_normal(const Vector &motion) const override { return {motion(0)}; }
+
+    double length() const override { return 1.; }
+
+    Vector solve_mass(const Vector &force) override
+    {
+      Vector result = force;
+      result /= mass;
+      return result;
+    }
+
     void solve(const IncrementProblem &problem, IncrementSolution &solution) override
     {
       const double K     = mass + problem.stiffness_factor * spring;

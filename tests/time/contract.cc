@@ -14,7 +14,13 @@ using namespace signorini;
 
 namespace
 {
-  const std::vector<std::string> schemes = {"newmark", "contact-implicit", "contact-stabilized"};
+  const std::vector<std::string> schemes = {"newmark",
+                                            "laursen-chawla",
+                                            "laursen-love",
+                                            "contact-implicit",
+                                            "contact-stabilized",
+                                            "contact-stabilized-projected",
+                                            "moreau-jean"};
 
   /** A mass whose solver fails. */
   class Failing : public BouncingMass

@@ -56,6 +56,27 @@ namespace signorini
 
     NormalGap normal_gap(const Vector &u) const override { return {distance[0] + u(0), distance[1] - u(u.size() - 1)}; }
 
+    NormalGap relative_normal(const Vector &motion) const override { return {-motion(0), motion(motion.size() - 1)}; }
+
+    double length() const override { return 1.; }
+
+    Vector solve_mass(const Vector &force) override
+    {
+      Vector          result = make_vector();
+      Eigen::MatrixXd M      = mass;
+      Eigen::VectorXd b      = view(force);
+      if (motion)
+        {
+          const unsigned int middle = mass.rows() / 2;
+          M.row(middle).setZero();
+          M.col(middle).setZero();
+          M(middle, middle) = 1.;
+          b[middle]         = 0.;
+        }
+      view(result) = M.ldlt().solve(b);
+      return result;
+    }
+
     void solve(const IncrementProblem &problem, IncrementSolution &solution) override
     {
       const Eigen::MatrixXd K      = mass + problem.stiffness_factor * stiffness;
@@ -65,8 +86,11 @@ namespace signorini
       const auto   b     = view(problem.right_hand_side);
       view(solution.increment)       = minimise(K, b, problem.bounds, motion ? &moved : nullptr);
       const Eigen::VectorXd reaction = K * view(solution.increment) - b;
-      for (const unsigned int end : {0u, last()})
-        solution.contact_reaction(end) = reaction[end];
+      // Exactly zero where there is no contact, as in the real system.
+      if (-solution.increment(0) > problem.bounds[0] - 1e-13)
+        solution.contact_reaction(0) = reaction[0];
+      if (solution.increment(last()) > problem.bounds[1] - 1e-13)
+        solution.contact_reaction(last()) = reaction[last()];
       if (motion)
         solution.support_reaction(middle) = reaction[middle];
     }

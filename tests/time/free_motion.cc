@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Without contact all schemes are the trapezoidal rule: of second order, the same for all of them, with loads as the mean of
-// their values at both ends of a step.
+// Without contact all schemes but the two alpha methods are the trapezoidal rule: of second order, the same for all of them, with
+// loads as the mean of their values at both ends of a step. The alpha methods are of second order, too.
 
 #include <gtest/gtest.h>
 
@@ -71,9 +71,42 @@ TEST_P(FreeMotion, LoadsEnterAsTheMeanOfBothEnds)
   EXPECT_NEAR(state.displacement(0), 0.1 + tau * 2. + tau * tau / 2. * acceleration, 1e-13);
 }
 
+class AlphaMethods : public FreeMotion
+{
+};
+
+TEST_P(AlphaMethods, OrderTwo)
+{
+  for (const unsigned int n_steps : {100, 200})
+    EXPECT_NEAR(std::log2(error(n_steps) / error(2 * n_steps)), 2., 0.05);
+}
+
+TEST_P(AlphaMethods, DampHighFrequencies)
+{
+  BouncingMass system;
+  system.spring       = 1e4;
+  State        state  = make_state(system, 1e-2, 0.5);
+  const double before = energy(system, state);
+  double       booked = 0.;
+  for (unsigned int step = 0; step < 60; ++step)
+    booked += scheme->advance(system, state, 0.3).work_scheme;
+  EXPECT_LT(energy(system, state), 0.1 * before);
+  EXPECT_NEAR(energy(system, state) - before, booked, 1e-9 * before) << "the report accounts for the damping";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, AlphaMethods, testing::Values("hht-alpha", "generalized-alpha"), [](const auto &info) {
+  return std::string(info.param).substr(0, 3);
+});
+
 INSTANTIATE_TEST_SUITE_P(All,
                          FreeMotion,
-                         testing::Values("newmark", "contact-implicit", "contact-stabilized"),
+                         testing::Values("newmark",
+                                         "laursen-chawla",
+                                         "laursen-love",
+                                         "contact-implicit",
+                                         "contact-stabilized",
+                                         "contact-stabilized-projected",
+                                         "moreau-jean"),
                          [](const auto &info) {
                            std::string name = info.param;
                            std::replace(name.begin(), name.end(), '-', '_');

@@ -57,6 +57,42 @@ class Bar(check_history.SceneTest):
         self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
         self.expect_impulse(run, 0.02)
 
+    def test_laursen_chawla_conserves_energy_and_penetrates(self):
+        run = self.run_bar("laursen-chawla")
+        self.assertLess(max(abs(change) for change in run.changes), 1e-10)
+        self.expect_errors(run, 0.0092, 0.092)
+        self.expect_close(max(run.pressure), 1.68, 0.03, "largest contact pressure")
+        self.expect_close(run.deviation, 0.641, 0.03, "deviation of the contact pressure")
+        self.expect_close(max(run["max_penetration"]), 0.01, 0.03, "penetration")
+
+    def test_laursen_love_conserves_energy(self):
+        run = self.run_bar("laursen-love")
+        self.assertLess(max(abs(change) for change in run.changes), 1e-10)
+        self.expect_close(max(run.pressure), 1.92, 0.03, "largest contact pressure")
+        self.assertLess(max(run["max_penetration"]), 1e-9)
+
+    def test_projected_velocity_is_the_best_of_the_dissipative(self):
+        run = self.run_bar("contact-stabilized-projected")
+        self.expect_close(run.changes[-1], -0.0051, 0.03, "energy change at the end")
+        self.expect_errors(run, 0.0090, 0.084)
+        self.expect_close(max(run.pressure), 1.10, 0.03, "largest contact pressure")
+        self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
+        self.assertLess(max(abs(velocity) for time, velocity in zip(run["time"], run.probes["contact_end"]["normal_velocity"])
+                            if START + 0.01 < time < END - 0.01), 1e-7, "normal velocity in contact")
+
+    def test_hht_alpha(self):
+        run = self.run_bar("hht-alpha")
+        self.expect_close(run.changes[-1], -0.0143, 0.03, "energy change at the end")
+        self.expect_errors(run, 0.0106, 0.077)
+        self.expect_close(max(run.pressure), 1.84, 0.03, "largest contact pressure")
+
+    def test_moreau_jean(self):
+        run = self.run_bar("moreau-jean")
+        self.expect_close(run.changes[-1], -0.0054, 0.03, "energy change at the end")
+        self.expect_errors(run, 0.0166, 0.091)
+        self.expect_close(max(run.pressure), 1.09, 0.03, "largest contact pressure")
+        self.expect_close(max(run["max_penetration"]), 0.025, 0.03, "penetration")
+
 
 if __name__ == "__main__":
     check_history.main()

@@ -105,6 +105,19 @@ class TwoBodies(check_history.SceneTest):
                 if scheme != "newmark":
                     self.assertLess(one.energy_change(), -1e-3, "the loss that is compared")
 
+    def test_further_schemes_keep_momentum_and_account_for_energy(self):
+        for scheme in check_history.FURTHER_SCHEMES:
+            with self.subTest(scheme=scheme):
+                run = self.run_scene("striking_bar", scheme, label="-further")
+                self.expect_contact(run)
+                self.expect_ledger_closes(run)
+                self.expect_constant_momentum(run)
+                if scheme.startswith("laursen"):
+                    self.assertLess(abs(run.energy_change()), 1e-9)
+                if scheme == "contact-stabilized-projected":
+                    self.expect_no_gain_of_energy(run)
+                    self.expect_no_penetration(run, 10.)
+
     def test_bar_at_rest_takes_over_all_motion(self):
         run = self.run_scene("striking_bar", "contact-stabilized")
         middle = [force for time, force in zip(run["time"], run["contact_force"]) if 4 < time < 16]

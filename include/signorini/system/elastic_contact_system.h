@@ -33,6 +33,9 @@ namespace signorini
     void        apply_stiffness(Vector &destination, const Vector &source) const override;
     bool        add_mean_load(Vector &destination, double factor, double start_time, double end_time) override;
     NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
+    NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
+    double      length() const override { return discretization.body_size(); }
+    Vector      solve_mass(const Vector &force) override;
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     SolveEffort project(const Vector    &free_increment,
                         const NormalGap &bounds,
@@ -69,6 +72,7 @@ namespace signorini
     IncrementForecast                     forecast;
 
     void prepare(double stiffness_factor, double step_size);
+    void prepare_mass();
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
     double
     solver_tolerance(double step_size, const Vector &right_hand_side, const MaskedPreconditioner &preconditioner) const;

@@ -65,7 +65,22 @@ namespace signorini
     /** Add factor times the mean of the loads at both ends of a step; @return false if there are none. */
     virtual bool add_mean_load(Vector &destination, double factor, double start_time, double end_time) = 0;
 
+    /** Add factor times the loads at a time; @return false if there are none. */
+    virtual bool add_load(Vector &destination, const double factor, const double time)
+    {
+      return add_mean_load(destination, factor, time, time);
+    }
+
     virtual NormalGap normal_gap(const Vector &displacement) const = 0;
+
+    /** [w].nu per contact node, of displacements or velocities. */
+    virtual NormalGap relative_normal(const Vector &motion) const = 0;
+
+    /** The unit of length for tolerances: the size of the bodies. */
+    virtual double length() const = 0;
+
+    /** M^-1 force, zero in the directions of supports. */
+    virtual Vector solve_mass(const Vector &force) = 0;
 
     /** Solve the inequality of a step. `solution` is overwritten; the system keeps its own history for first guesses. */
     virtual void solve(const IncrementProblem &problem, IncrementSolution &solution) = 0;

@@ -18,6 +18,7 @@ namespace signorini
     Vector       contact_force;  ///< r: nodal forces of contact on the bodies, r.nu <= 0; zero at the start
     Vector       momentum;       ///< M v
     Vector       internal_force; ///< A u
+    Vector       acceleration;   ///< a; empty unless the scheme needs it
   };
 } // namespace signorini
 

@@ -20,6 +20,8 @@ namespace signorini
     double      work_contact   = 0.; ///< change of energy by contact forces
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
     double      work_support   = 0.; ///< work of the reactions at prescribed displacements
+    double      work_scheme =
+      0.; ///< change of energy by the rule of integration itself (numerical dissipation, <= 0 in the mean)
   };
 
   /**
@@ -37,8 +39,15 @@ namespace signorini
     virtual StepReport advance(DynamicalSystem &system, State &state, double step_size) = 0;
   };
 
-  /** The scheme of a name in the scene: newmark, contact-implicit, contact-stabilized. */
-  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name);
+  /** Parameters of single schemes. */
+  struct SchemeParameters
+  {
+    double hht_alpha       = -0.1; ///< hht-alpha: in [-1/3, 0]
+    double spectral_radius = 0.8;  ///< generalized-alpha: of infinite frequencies, in [0, 1]
+  };
+
+  /** The scheme of a name in the scene: newmark, contact-implicit, ... */
+  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters = {});
 } // namespace signorini
 
 #endif

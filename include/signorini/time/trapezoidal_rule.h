@@ -29,6 +29,10 @@ namespace signorini
     /** 2/tau^2 times the reaction of supports on the increment. */
     double support_work(const IncrementSolution &solution, double step_size);
 
+    /** The end of the step of a scheme without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction. */
+    StepReport
+    finish_implicit(const DynamicalSystem &system, State &state, double step_size, const IncrementSolution &solution);
+
     /** The state at the end of the step: u + d, v + 2/tau (d - p), the new contact force, and the products M v and A u. */
     void finish(const DynamicalSystem &system,
                 State                 &state,

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/time/projected_contact_stabilized.h>
+#include <signorini/time/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport ProjectedContactStabilized::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    StepReport      report;
+    const NormalGap gap = system.normal_gap(state.displacement);
+
+    Vector p = state.velocity;
+    p *= tau;
+    Vector c, mass_c;
+    report.predictor = system.project(p, gap, tau, c, mass_c);
+    p += c;
+
+    Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
+    b += mass_c;
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const Vector           &d        = solution.increment;
+
+    // Supports react to the projection, too; what they do is work from outside.
+    const Vector support_part    = system.support_part(mass_c);
+    const double projection_work = (mass_c * p - 0.5 * (mass_c * c)) / (tau * tau);
+    const double support_work    = support_part * p / (tau * tau);
+
+    Vector r = solution.contact_reaction;
+    r *= 2. / (tau * tau);
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_predictor = projection_work - support_work;
+    report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
+
+    mass_c -= support_part;
+    r.add(1. / (tau * tau), mass_c);
+
+    // v_new - v = c/tau + 2/tau (d - p)
+    Vector velocity_change = d;
+    velocity_change -= p;
+    velocity_change.sadd(2. / tau, 1. / tau, c);
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    return report;
+  }
+} // namespace signorini
