@@ -22,10 +22,11 @@ SCENES = {
     "geometry_a": (["Bodies/ball/Refinements=2"], 2., DOWN_3D, (0., 0., 0.)),
     "quick_start": (["Bodies/ball/Refinements=2"], 2., DOWN_3D, (0., 0., 0.)),
 }
-#: Free scenes of two bodies have a test of their own; in these the outside is the floor or a support.
-TWO_BODIES = {
+#: Scenes that are driven from outside, by loads or supports; free scenes of two bodies have a test of their own.
+DRIVEN = {
     "stack_of_boxes": (["Time/End time=0.08"], 1.2),
     "hammer_and_anvil": ([], 1.),
+    "manufactured_bar": ([], 1.),
 }
 
 
@@ -46,10 +47,10 @@ class ShippedScenes(check_history.SceneTest):
 
     def test_no_scene_is_forgotten(self):
         self.assertEqual(sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")),
-                         sorted([*SCENES, *TWO_BODIES, *test_two_bodies.FREE_SCENES]))
+                         sorted([*SCENES, *DRIVEN, *test_two_bodies.FREE_SCENES]))
 
-    def check_two_bodies(self, name):
-        overrides, size = TWO_BODIES[name]
+    def check_driven(self, name):
+        overrides, size = DRIVEN[name]
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(check_history.PARAMETERS / f"{name}.prm", f"shipped-{name}-{scheme}",
@@ -62,8 +63,8 @@ class ShippedScenes(check_history.SceneTest):
                 self.expect_pressure(run)
 
 
-for scene in TWO_BODIES:
-    setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check_two_bodies(name))
+for scene in DRIVEN:
+    setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check_driven(name))
 for scene in SCENES:
     setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check(name))
 
