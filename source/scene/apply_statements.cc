@@ -19,8 +19,6 @@ namespace signorini
     /** Words of later versions, so that a scene for them is not taken for a spelling mistake. */
     const std::vector<std::string> words_of_later_versions = {"Adaptivity",
                                                               "Checkpoint",
-                                                              "laursen-chawla",
-                                                              "laursen-love",
                                                               "khenous-laborde-renard",
                                                               "hager-hueeber-wohlmuth",
                                                               "redistributed",

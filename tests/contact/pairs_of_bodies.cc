@@ -148,7 +148,7 @@ TEST(PairsOfBodies, SharedNodesAreRefused)
 TEST(PairsOfBodies, ObliqueSupportsAreRefusedAndTangentialOnesAreNot)
 {
   Scene<3> scene            = cubes(0.);
-  scene.bodies[0].dirichlet = {{bottom_id<3>, {{"0", "-", "-"}}}};
+  scene.bodies[0].dirichlet = {{bottom_id<3>, {{"-", "0", "-"}}}};
   EXPECT_EQ(refusal<3>(scene), "");
   expect_refusal(refusal<3>(scene, turn<3>(0.6)), "neither normal nor tangential");
 
