@@ -141,7 +141,7 @@ TEST(Mistakes, Pairs)
                    {"Contact/Pairs", "ball : box, box : ball", {"same contact twice"}},
                    {"Contact/Pairs", "ball : box[4], box[4,5] : ball[0]", {"same contact twice"}},
                    {"Contact/Pairs", "ball : box[4,4]", {"names boundary id 4 twice"}},
-                   {"Contact/Pairs", "ball : bxo[4]", {"Did you mean `box`?"}},
+                   {"Contact/Pairs", "ball : bxo[4]", {"no obstacle or body `bxo`", "pillar, box"}},
                    {"Contact/Pairs", "floor : ball", {"The body comes first"}},
                    {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
                    {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
