@@ -12,11 +12,9 @@ namespace signorini
     const NormalGap gap = system.normal_gap(state.displacement);
 
     // (36): p = tau v + c, the L2 projection of the free increment
-    Vector p = state.velocity;
-    p *= tau;
-    Vector c, mass_c;
-    report.predictor = system.project(p, gap, tau, c, mass_c);
-    p += c;
+    const auto    predictor = trapezoidal_rule::project_predictor(system, state, tau, gap);
+    const Vector &p = predictor.increment, &mass_c = predictor.mass_correction;
+    report.predictor = predictor.effort;
 
     // (37): (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r
     Vector b = trapezoidal_rule::right_hand_side(system, state, tau);

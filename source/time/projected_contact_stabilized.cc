@@ -11,11 +11,9 @@ namespace signorini
     StepReport      report;
     const NormalGap gap = system.normal_gap(state.displacement);
 
-    Vector p = state.velocity;
-    p *= tau;
-    Vector c, mass_c;
-    report.predictor = system.project(p, gap, tau, c, mass_c);
-    p += c;
+    const auto    predictor = trapezoidal_rule::project_predictor(system, state, tau, gap);
+    const Vector &p = predictor.increment, &c = predictor.correction, &mass_c = predictor.mass_correction;
+    report.predictor = predictor.effort;
 
     Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
     b += mass_c;
@@ -34,8 +32,7 @@ namespace signorini
     report.work_predictor = projection_work - support_work;
     report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
 
-    mass_c -= support_part;
-    r.add(1. / (tau * tau), mass_c);
+    r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), support_part);
 
     // v_new - v = c/tau + 2/tau (d - p)
     Vector velocity_change = d;

@@ -16,6 +16,18 @@ namespace signorini
     }
 
 
+    ProjectedPredictor
+    project_predictor(DynamicalSystem &system, const State &state, const double step_size, const NormalGap &gap)
+    {
+      ProjectedPredictor result;
+      result.increment = state.velocity;
+      result.increment *= step_size;
+      result.effort = system.project(result.increment, gap, step_size, result.correction, result.mass_correction);
+      result.increment += result.correction;
+      return result;
+    }
+
+
     IncrementSolution solve(DynamicalSystem &system,
                             const State     &state,
                             const double     step_size,

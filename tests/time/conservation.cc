@@ -7,38 +7,13 @@
 
 #include <gtest/gtest.h>
 
-#include "bouncing_mass.h"
-#include "elastic_bar.h"
+#include "driven_scenes.h"
 
 using namespace signorini;
 
 namespace
 {
   constexpr double tau = 0.04, round_off = 1e-11;
-
-  std::pair<std::unique_ptr<DynamicalSystem>, State> make_scene(const std::string &name)
-  {
-    if (name == "mass")
-      {
-        auto system    = std::make_unique<BouncingMass>();
-        system->mass   = 2.;
-        system->spring = 30.;
-        system->wall   = 0.1;
-        system->load   = [](const double t) { return 5. * std::sin(3. * t); };
-        State state    = make_state(*system, -0.2, 1.);
-        return {std::move(system), std::move(state)};
-      }
-    auto system = std::make_unique<ElasticBar>(6);
-    if (name == "driven")
-      system->motion = [](const double t) { return 0.4 * std::sin(4. * t); };
-    else
-      system->load = [](const double t) { return 0.3 * std::cos(2. * t); };
-    Vector v = system->make_vector();
-    for (unsigned int i = 0; i < v.size(); ++i)
-      v(i) = 1. + 0.5 * std::sin(i);
-    State state = make_state(*system, system->make_vector(), v);
-    return {std::move(system), std::move(state)};
-  }
 
   class Conservation : public testing::TestWithParam<const char *>
   {
@@ -154,6 +129,7 @@ TEST_P(Conservation, MoreauAndJeanLoseEnergyWhileBodiesApproach)
   EXPECT_GT(lost, 1e-3);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Conservation, testing::Values("mass", "bar", "driven"), [](const auto &info) {
-  return std::string(info.param);
-});
+INSTANTIATE_TEST_SUITE_P(All,
+                         Conservation,
+                         testing::Values("mass_on_spring", "bar", "driven_bar"),
+                         [](const auto &info) { return std::string(info.param); });

@@ -19,6 +19,17 @@ namespace signorini
     /** tau M v - tau^2/2 (A u - mean load): the right-hand side for p = tau v. */
     Vector right_hand_side(DynamicalSystem &system, const State &state, double step_size);
 
+    /** The free increment tau v and its L2 projection onto the admissible ones. */
+    struct ProjectedPredictor
+    {
+      Vector      increment;       ///< p = tau v + c
+      Vector      correction;      ///< c
+      Vector      mass_correction; ///< M c
+      SolveEffort effort;
+    };
+    ProjectedPredictor
+    project_predictor(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap);
+
     /** Solve for the increment, d.nu <= gap. */
     IncrementSolution solve(DynamicalSystem &system,
                             const State     &state,
