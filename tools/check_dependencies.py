@@ -16,6 +16,7 @@ MAY_USE = {
     "scene": {"base"},
     "discretization": {"base", "linear_algebra", "scene"},
     "contact": {"base", "linear_algebra", "scene", "discretization"},
+    "mass": {"base", "linear_algebra", "scene", "discretization", "contact"},
     "variational_inequality": {"base", "linear_algebra"},
     "time": {"base"},
 }

@@ -110,7 +110,9 @@ namespace signorini
 
 
   template <int dim>
-  void assemble_matrices(const Discretization<dim> &discretization, ElasticMatrices<dim> &matrices)
+  void assemble_matrices(const Discretization<dim> &discretization,
+                         ElasticMatrices<dim>      &matrices,
+                         const MassChange          &change)
   {
     const auto     &dof_handler  = discretization.dof_handler;
     const auto     &constraints  = discretization.hanging_node_constraints;
@@ -141,6 +143,8 @@ namespace signorini
           constraints_of_nodes.add_entries_local_to_global(nodes, node_sparsity, false);
         }
     SparsityTools::distribute_sparsity_pattern(node_sparsity, owned_nodes, communicator, relevant_nodes);
+    for (const auto &[entry, value] : change)
+      node_sparsity.add(entry.first, entry.second);
     DynamicSparsityPattern dof_sparsity(owned);
     dof_sparsity.reinit(owned.size(), owned.size(), owned);
     for (const auto node : owned_nodes)
@@ -199,7 +203,8 @@ namespace signorini
 
     const Epetra_Map      &node_map       = mass.trilinos_matrix().RowMap();
     const Epetra_Map      &dof_map        = stiffness.trilinos_matrix().RowMap();
-    const Epetra_CrsMatrix mass_rows      = rows_with_ghosts(mass, make_map(owned_nodes, ghost_nodes, node_map));
+    const Epetra_Map       local_nodes    = make_map(owned_nodes, ghost_nodes, node_map);
+    const Epetra_CrsMatrix mass_rows      = rows_with_ghosts(mass, local_nodes);
     const Epetra_CrsMatrix stiffness_rows = rows_with_ghosts(stiffness, make_map(owned, ghosts, dof_map));
 
     NodePattern &pattern = matrices.pattern;
@@ -209,6 +214,7 @@ namespace signorini
     pattern.row_start.assign(1, 0);
     pattern.columns.clear();
     matrices.mass.clear();
+    matrices.standard_mass.clear();
     matrices.stiffness.clear();
     const auto local_node = [&](const int global) {
       return owned_nodes.is_element(global)   ? owned_nodes.index_within_set(global)
@@ -251,9 +257,32 @@ namespace signorini
             }
       }
     matrices.stiffness.emplace_back();
+
+    if (Utilities::MPI::max(static_cast<unsigned int>(!change.empty()), communicator) == 0)
+      return;
+    for (const auto &[entry, value] : change)
+      mass.add(entry.first, entry.second, value);
+    mass.compress(VectorOperation::add);
+    const Epetra_CrsMatrix changed_rows = rows_with_ghosts(mass, local_nodes);
+    matrices.standard_mass.swap(matrices.mass);
+    matrices.mass.assign(matrices.standard_mass.size(), 0.);
+    for (unsigned int node = 0; node < pattern.n_local; ++node)
+      {
+        for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+          position[pattern.columns[k]] = k;
+        if (pattern.is_empty(node))
+          continue;
+        int     n_entries, *columns;
+        double *values;
+        changed_rows.ExtractMyRowView(node, n_entries, values, columns);
+        for (int k = 0; k < n_entries; ++k)
+          if (const unsigned int column = local_node(changed_rows.GCID(columns[k]));
+              column >= node && column < pattern.n_local)
+            matrices.mass[position[column]] = values[k];
+      }
   }
 
 
-  template void assemble_matrices(const Discretization<2> &, ElasticMatrices<2> &);
-  template void assemble_matrices(const Discretization<3> &, ElasticMatrices<3> &);
+  template void assemble_matrices(const Discretization<2> &, ElasticMatrices<2> &, const MassChange &);
+  template void assemble_matrices(const Discretization<3> &, ElasticMatrices<3> &, const MassChange &);
 } // namespace signorini

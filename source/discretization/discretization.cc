@@ -66,9 +66,9 @@ namespace signorini
 
 
   template <int dim>
-  void Discretization<dim>::assemble()
+  void Discretization<dim>::assemble(const MassChange &change)
   {
-    assemble_matrices(*this, matrices);
+    assemble_matrices(*this, matrices, change);
     if (scene.time.mass == "lumped")
       matrices.lump_mass();
 

@@ -13,7 +13,11 @@ namespace signorini
      * What is wanted is known at compile time, so that a missing matrix is not even read.
      */
     template <int dim, bool with_mass, bool with_stiffness>
-    void multiply(const ElasticMatrices<dim> &matrices, const double mass_weight, const double *x, double *y)
+    void multiply(const ElasticMatrices<dim> &matrices,
+                  const double               *mass,
+                  const double                mass_weight,
+                  const double               *x,
+                  double                     *y)
     {
       const NodePattern &pattern = matrices.pattern;
       for (unsigned int row = 0; row < pattern.n_owned; ++row)
@@ -28,14 +32,14 @@ namespace signorini
               if constexpr (with_stiffness)
                 sum += block_product<dim>(matrices.stiffness[k].data(), x + 4 * column);
               if constexpr (with_mass)
-                sum += mass_weight * matrices.mass[k] * load(x + 4 * column);
+                sum += mass_weight * mass[k] * load(x + 4 * column);
               if (column == row || column >= pattern.n_owned)
                 continue;
               Lanes<double> mirrored = load(y + 4 * column);
               if constexpr (with_stiffness)
                 mirrored += block_transposed_product<dim, double>(matrices.stiffness[k].data(), x_row);
               if constexpr (with_mass)
-                mirrored += mass_weight * matrices.mass[k] * x_row;
+                mirrored += mass_weight * mass[k] * x_row;
               std::memcpy(y + 4 * column, &mirrored, sizeof(mirrored));
             }
           std::memcpy(y + 4 * row, &sum, sizeof(sum));
@@ -49,6 +53,17 @@ namespace signorini
                                    const Vector &source,
                                    const double  mass_factor,
                                    const double  stiffness_factor) const
+  {
+    apply_with(mass, destination, source, mass_factor, stiffness_factor);
+  }
+
+
+  template <int dim>
+  void ElasticMatrices<dim>::apply_with(const std::vector<double> &mass_values,
+                                        Vector                    &destination,
+                                        const Vector              &source,
+                                        const double               mass_factor,
+                                        const double               stiffness_factor) const
   {
     const bool had_ghosts = source.has_ghost_elements();
     if (!had_ghosts)
@@ -64,19 +79,19 @@ namespace signorini
     double factor = stiffness_factor;
     if (stiffness_factor == 0.)
       {
-        multiply<dim, true, false>(*this, 1., padded_source.data(), padded_destination.data());
+        multiply<dim, true, false>(*this, mass_values.data(), 1., padded_source.data(), padded_destination.data());
         factor = mass_factor;
         ++count.mass;
       }
     else if (mass_factor == 0.)
       {
-        multiply<dim, false, true>(*this, 0., padded_source.data(), padded_destination.data());
+        multiply<dim, false, true>(*this, mass_values.data(), 0., padded_source.data(), padded_destination.data());
         ++count.stiffness;
       }
     else
       {
         const double mass_weight = mass_factor / stiffness_factor;
-        multiply<dim, true, true>(*this, mass_weight, padded_source.data(), padded_destination.data());
+        multiply<dim, true, true>(*this, mass_values.data(), mass_weight, padded_source.data(), padded_destination.data());
         ++count.combined;
       }
 
@@ -91,6 +106,13 @@ namespace signorini
   void ElasticMatrices<dim>::apply_mass(Vector &destination, const Vector &source) const
   {
     apply(destination, source, 1., 0.);
+  }
+
+
+  template <int dim>
+  void ElasticMatrices<dim>::apply_standard_mass(Vector &destination, const Vector &source) const
+  {
+    apply_with(standard_mass.empty() ? mass : standard_mass, destination, source, 1., 0.);
   }
 
 

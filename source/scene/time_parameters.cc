@@ -19,19 +19,26 @@ namespace signorini
     return static_cast<unsigned int>(std::max(1., std::round(end_time / step_size)));
   }
 
+  bool TimeParameters::has_massless_contact_nodes() const
+  {
+    return mass == "redistributed" || mass == "zero on contact boundary";
+  }
+
   void declare_time(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.declare_entry(
       "Scheme",
       "contact-stabilized",
-      Selection("newmark|laursen-chawla|laursen-love|contact-implicit|contact-stabilized|"
-                "contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean"),
+      Selection("newmark|laursen-chawla|laursen-love|khenous-laborde-renard|hager-hueeber-wohlmuth|contact-implicit|"
+                "contact-stabilized|contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean"),
       "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
       "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
       "projection acts on the velocity, too; nodes in contact have no normal velocity. contact-implicit: "
       "without a predictor; dissipative, contact forces oscillate. laursen-chawla: conserves energy, "
-      "allows penetration. laursen-love: conserves energy by impulses, without penetration. newmark: the "
+      "allows penetration. laursen-love: conserves energy by impulses, without penetration. "
+      "khenous-laborde-renard: contact nodes have no mass; smooth contact forces. hager-hueeber-wohlmuth: "
+      "laursen-chawla with contact nodes without mass. newmark: the "
       "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, moreau-jean: "
       "widely used, for comparison.");
     prm.declare_entry(
@@ -42,9 +49,28 @@ namespace signorini
                       "Of generalized-alpha at infinite frequency, between 0 (most damping) and 1 (none; no unit).");
     prm.declare_entry("Mass",
                       "consistent",
-                      Selection("consistent|lumped"),
-                      "Mass matrix of the time discretisation: consistent (integrated exactly) or lumped "
-                      "(diagonal).");
+                      Selection("consistent|lumped|redistributed|zero on contact boundary"),
+                      "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
+                      "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
+                      "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
+                      "and it is lost). khenous-laborde-renard and hager-hueeber-wohlmuth take the redistributed mass "
+                      "instead of the consistent one.");
+    prm.declare_entry("Mass redistribution",
+                      "automatic",
+                      Selection("automatic|extrapolation|minimisation|macro-elements"),
+                      "How the redistributed mass is built. extrapolation: contact nodes follow the nodes behind them; "
+                      "positive definite on every mesh. minimisation: smallest relative change of all entries. "
+                      "macro-elements: quadrature with points away from the contact boundary. automatic: macro-elements "
+                      "for hager-hueeber-wohlmuth, else extrapolation.");
+    prm.declare_entry("Newmark beta",
+                      "0.5",
+                      Double(),
+                      "Of khenous-laborde-renard, at least 1/4 (no unit). 1/2 is the value of the literature; with 1/4 the "
+                      "energy of free motion is conserved.");
+    prm.declare_entry("Newmark gamma",
+                      "0.5",
+                      Double(),
+                      "Of khenous-laborde-renard, between 1/2 (second order) and 2 Newmark beta (no unit).");
     prm.declare_entry(
       "Predictor mass",
       "consistent",
@@ -60,18 +86,73 @@ namespace signorini
                       "nearest integer). Must be given.");
   }
 
+  namespace
+  {
+    /** Refuse combinations of scheme and mass that make no sense, and settle what is automatic. */
+    void check_mass(const SectionReader &in, TimeParameters &time)
+    {
+      const bool made_for_massless = time.scheme == "khenous-laborde-renard" || time.scheme == "hager-hueeber-wohlmuth";
+      if (made_for_massless && time.mass == "lumped")
+        in.fail("Mass",
+                "does not fit Scheme = " + time.scheme
+                  + ", which needs contact nodes without mass. Remove this key, or set `Mass = redistributed`.");
+      if (made_for_massless && time.mass == "consistent")
+        time.mass = "redistributed";
+      if (time.redistribution != "automatic" && time.mass != "redistributed")
+        in.fail("Mass redistribution",
+                "says how the redistributed mass is built, but Mass = " + time.mass
+                  + ". Remove this key or set `Mass = redistributed`.");
+      if (time.redistribution == "automatic")
+        time.redistribution = time.scheme == "hager-hueeber-wohlmuth" ? "macro-elements" : "extrapolation";
+      if (!time.has_massless_contact_nodes())
+        return;
+      const std::string remedy = " Take contact-implicit, khenous-laborde-renard or hager-hueeber-wohlmuth, or "
+                                 "`Mass = consistent`.";
+      if (time.scheme == "contact-stabilized" || time.scheme == "contact-stabilized-projected")
+        in.fail("Mass",
+                "makes no sense with Scheme = " + time.scheme
+                  + ": its predictor stops the mass of contact nodes, and they have none." + remedy);
+      if (time.scheme == "laursen-love")
+        in.fail("Mass",
+                "makes no sense with Scheme = laursen-love: impulses on contact nodes without mass have no effect "
+                "that is finite."
+                  + remedy);
+      if (time.scheme == "hht-alpha" || time.scheme == "generalized-alpha" || time.scheme == "moreau-jean")
+        in.fail("Mass",
+                "makes no sense with Scheme = " + time.scheme
+                  + ", which needs accelerations or velocities of contact nodes that follow from forces." + remedy);
+    }
+
+
+    void check_newmark(const SectionReader &in, const TimeParameters &time)
+    {
+      if (!(time.newmark_beta >= 0.25 && time.newmark_beta <= 1.))
+        in.fail("Newmark beta", "must lie between 0.25 and 1. Below, the method is not stable for every step size.");
+      if (!(time.newmark_gamma >= 0.5 && time.newmark_gamma <= 2. * time.newmark_beta + 1e-12))
+        in.fail("Newmark gamma",
+                "must lie between 0.5 and twice `Newmark beta` = " + in.text("Newmark beta")
+                  + ". Outside, the method is not stable for every step size.");
+    }
+  } // namespace
+
+
   TimeParameters parse_time(const SectionReader &in)
   {
     TimeParameters time;
     time.scheme          = in.text("Scheme");
     time.mass            = in.text("Mass");
+    time.redistribution  = in.text("Mass redistribution");
     time.predictor       = in.text("Predictor mass");
+    time.newmark_beta    = in.number("Newmark beta");
+    time.newmark_gamma   = in.number("Newmark gamma");
     time.hht_alpha       = in.number("HHT alpha");
     time.spectral_radius = in.number("Spectral radius");
     if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
       in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
     if (!(time.spectral_radius >= 0. && time.spectral_radius <= 1.))
       in.fail("Spectral radius", "must lie between 0 and 1. Above 1 the method is not stable.");
+    check_mass(in, time);
+    check_newmark(in, time);
     for (const std::string key : {"Step size", "End time"})
       if (!in.given(key))
         in.fail(key, "is missing. Give a positive number, in units of time.");

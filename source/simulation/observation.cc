@@ -90,6 +90,14 @@ namespace signorini
     contact_now                 = contact_summary(surface, discretization, state);
     if (discretization.scene.exact_solution.given)
       latest_errors = errors.evaluate(state);
+    double standard_kinetic = ledger.current().kinetic;
+    if (!discretization.matrices.standard_mass.empty())
+      {
+        Vector momentum = discretization.make_vector();
+        discretization.matrices.apply_standard_mass(momentum, state.velocity);
+        standard_kinetic = 0.5 * (state.velocity * momentum);
+      }
+    standard_change = standard_kinetic - ledger.current().kinetic + ledger.current().total() - ledger.initial().total();
     const Momentum momentum_now = momentum(discretization, state);
     if (state.step == 0)
       initial_momentum = momentum_now;
@@ -103,6 +111,7 @@ namespace signorini
                      discretization.triangulation.n_global_active_cells(),
                      discretization.dof_handler.n_dofs(),
                      ledger.current(),
+                     standard_kinetic,
                      booking,
                      momentum_now,
                      std::sqrt(drift_square),
@@ -157,6 +166,9 @@ namespace signorini
          << (relative_scale() > 0. ? 100. * largest_change / relative_scale() : 0.)
          << " % at most); largest unexplained part of a step "
          << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
+    if (!discretization.matrices.standard_mass.empty())
+      text << "                    (with the mass of the scheme; with the consistent one it changed by "
+           << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";
     if (first_contact >= 0.)
       text << "  contact           from " << first_contact << " to " << last_contact << ", largest force "
            << force_variation.largest() << ", impulse " << impulse << "\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/mass/redistribute_mass.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/simulation/simulation.h>
 
@@ -36,7 +37,9 @@ namespace signorini
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
-    const auto       scheme = make_time_scheme(scene.time.scheme, {scene.time.hht_alpha, scene.time.spectral_radius});
+    const auto       scheme = make_time_scheme(
+      scene.time.scheme,
+      {scene.time.hht_alpha, scene.time.spectral_radius, scene.time.newmark_beta, scene.time.newmark_gamma});
     FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
     Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
     observation.start(state);
@@ -88,6 +91,7 @@ namespace signorini
     TimerOutput::Scope scope(timer, "contact surface and system");
     supports    = std::make_unique<Supports<dim>>(discretization);
     surface     = std::make_unique<ContactSurface<dim>>(discretization, *supports);
+    mass_note   = redistribute_mass(discretization, *surface);
     coordinates = std::make_unique<ContactCoordinates<dim>>(discretization, *surface, *supports);
     loads       = std::make_unique<Loads<dim>>(discretization);
     system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads, timer);
@@ -130,7 +134,10 @@ namespace signorini
   {
     std::ostringstream text;
     text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
-         << scene.time.step_size << "\n  bodies            " << scene.bodies.size() << ", "
+         << scene.time.step_size << "\n";
+    if (!mass_note.empty())
+      text << "  mass              " << mass_note << "\n";
+    text << "  bodies            " << scene.bodies.size() << ", "
          << discretization.triangulation.n_global_active_cells() << " cells, " << discretization.dof_handler.n_dofs()
          << " degrees of freedom"
          << "\n  contact nodes     " << surface->n_global_nodes() << "\n  Courant number    "

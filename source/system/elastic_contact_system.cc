@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/mass/mass_solver.h>
 #include <signorini/system/elastic_contact_system.h>
 
 #include <cmath>
@@ -234,8 +235,22 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<unsigned int> ElasticContactSystem<dim>::massless_entries() const
+  {
+    std::vector<unsigned int> entries;
+    for (const unsigned int node : discretization.matrices.massless_nodes)
+      for (unsigned int c = 0; c < dim; ++c)
+        entries.push_back(dim * node + c);
+    return entries;
+  }
+
+
+  template <int dim>
   Vector ElasticContactSystem<dim>::solve_mass(const Vector &force)
   {
+    // Nodes with mass have no contact frames: their supported entries are components.
+    if (!discretization.matrices.standard_mass.empty())
+      return MassSolver<dim>(discretization.matrices, coordinates.supported_entries()).solve(force);
     prepare_mass();
     dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
     Vector                     right_hand_side = force, result = discretization.make_vector(), residual = result;

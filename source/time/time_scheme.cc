@@ -5,6 +5,8 @@
 #include <signorini/time/contact_implicit_newmark.h>
 #include <signorini/time/contact_stabilized_newmark.h>
 #include <signorini/time/generalized_alpha.h>
+#include <signorini/time/hager_hueeber_wohlmuth.h>
+#include <signorini/time/khenous_laborde_renard.h>
 #include <signorini/time/laursen_chawla.h>
 #include <signorini/time/laursen_love.h>
 #include <signorini/time/moreau_jean.h>
@@ -21,6 +23,10 @@ namespace signorini
       return std::make_unique<LaursenChawla>();
     if (name == "laursen-love")
       return std::make_unique<LaursenLove>();
+    if (name == "khenous-laborde-renard")
+      return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta, parameters.newmark_gamma);
+    if (name == "hager-hueeber-wohlmuth")
+      return std::make_unique<HagerHueeberWohlmuth>();
     if (name == "contact-implicit")
       return std::make_unique<ContactImplicitNewmark>();
     if (name == "contact-stabilized")
@@ -35,7 +41,7 @@ namespace signorini
       return std::make_unique<MoreauJean>();
     throw UserError(
       "Time/Scheme = " + name
-      + " is not known. Choose newmark, laursen-chawla, laursen-love, "
+      + " is not known. Choose newmark, laursen-chawla, laursen-love, khenous-laborde-renard, hager-hueeber-wohlmuth, "
         "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha or "
         "moreau-jean.");
   }

@@ -43,7 +43,6 @@ TEST(Mistakes, TopLevelAndTime)
                    {"Output directory", "", {"is empty", "Name a folder"}},
                    {"Mapping", "curvd", {"Did you mean `curved`?", "Valid: linear, curved"}},
                    {"Time/Scheme", "contact-stabilised", {"Did you mean `contact-stabilized`?", "newmark"}},
-                   {"Time/Scheme", "khenous-laborde-renard", {"not available in this version", "contact-implicit"}},
                    {"Time/Mass", "lumpd", {"Did you mean `lumped`?"}},
                    {"Time/Step size", "0", {"must be positive"}},
                    {"Time/Step size", "-1e-3", {"must be positive"}},

@@ -4,7 +4,7 @@
 #ifndef signorini_discretization_assemble_matrices_h
 #define signorini_discretization_assemble_matrices_h
 
-#include <signorini/linear_algebra/elastic_matrices.h>
+#include <signorini/discretization/mass_change.h>
 
 namespace signorini
 {
@@ -14,9 +14,13 @@ namespace signorini
   /**
    * Consistent mass and stiffness of linear elasticity, hanging nodes eliminated. Trilinos sums the contributions of all
    * processes; the result is kept as blocks per pair of nodes, with the rows of the ghosts.
+   * @param change if not empty on any process: what is added to the mass of the time discretisation, which is then kept beside the consistent
+   *               one. It may couple nodes that no cell couples. Entries of owned rows only, both triangles.
    */
   template <int dim>
-  void assemble_matrices(const Discretization<dim> &discretization, ElasticMatrices<dim> &matrices);
+  void assemble_matrices(const Discretization<dim> &discretization,
+                         ElasticMatrices<dim>      &matrices,
+                         const MassChange          &change = {});
 } // namespace signorini
 
 #endif

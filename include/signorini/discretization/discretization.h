@@ -4,7 +4,7 @@
 #ifndef signorini_discretization_discretization_h
 #define signorini_discretization_discretization_h
 
-#include <signorini/linear_algebra/elastic_matrices.h>
+#include <signorini/discretization/mass_change.h>
 #include <signorini/scene/scene.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -33,8 +33,11 @@ namespace signorini
     /** Builds the mesh and numbers the degrees of freedom; no matrices yet. */
     Discretization(const Scene<dim> &scene, MPI_Comm communicator);
 
-    /** Assemble mass and stiffness; needed before vectors can be made. */
-    void assemble();
+    /**
+     * Assemble mass and stiffness; needed before vectors can be made.
+     * @param change added to the mass of the time discretisation, see assemble_matrices(). Vectors made before are of no use then.
+     */
+    void assemble(const MassChange &change = {});
 
     const Scene<dim>                                 &scene;
     dealii::parallel::distributed::Triangulation<dim> triangulation;

@@ -32,12 +32,18 @@ namespace signorini
 
     NodePattern         pattern;
     std::vector<Block>  stiffness; ///< with a spare block at the end, see Lanes
-    std::vector<double> mass;
+    std::vector<double> mass;      ///< of the time discretisation
+    /** The consistent mass where `mass` is a redistributed one; else empty. */
+    std::vector<double> standard_mass;
+    /** Owned nodes that a redistributed mass leaves without any, ascending. */
+    std::vector<unsigned int> massless_nodes;
 
     /** destination = (mass_factor M + stiffness_factor A) source. Exchanges the ghosts of the source. */
     void apply(Vector &destination, const Vector &source, double mass_factor, double stiffness_factor) const;
 
     void apply_mass(Vector &destination, const Vector &source) const;
+    /** The consistent mass, whatever the time discretisation uses. */
+    void apply_standard_mass(Vector &destination, const Vector &source) const;
     void apply_stiffness(Vector &destination, const Vector &source) const;
 
     /** Entry by entry a M + b A for the block at a position of the pattern. */
@@ -51,6 +57,12 @@ namespace signorini
   private:
     mutable ProductCount        count;
     mutable std::vector<double> padded_source, padded_destination; ///< four numbers per node, see Lanes
+
+    void apply_with(const std::vector<double> &mass_values,
+                    Vector                    &destination,
+                    const Vector              &source,
+                    double                     mass_factor,
+                    double                     stiffness_factor) const;
   };
 } // namespace signorini
 

@@ -22,7 +22,8 @@ namespace signorini
     const State   &state;
     double         step_size = 0.;
     unsigned long  cells = 0, dofs = 0;
-    Energy         energy;
+    Energy         energy;                        ///< with the mass of the scheme
+    double         standard_kinetic_energy = 0.; ///< with the consistent mass
     EnergyBooking  booking;
     Momentum       momentum;
     double         angular_momentum_drift = 0.; ///< |change of the angular momentum since the start|

@@ -57,6 +57,7 @@ namespace signorini
 
     double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
            farthest_sliding = 0., impulse = 0.;
+    double     standard_change = 0.; ///< change of the total energy with the consistent mass
     double     first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 

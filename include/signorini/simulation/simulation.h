@@ -42,6 +42,7 @@ namespace signorini
     dealii::TimerOutput timer;
     Discretization<dim> discretization;
     State               state;
+    std::string         mass_note; ///< what became of the mass, if that is not the consistent one
 
     std::unique_ptr<Supports<dim>>             supports;
     std::unique_ptr<ContactSurface<dim>>       surface;

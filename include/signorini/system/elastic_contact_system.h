@@ -43,6 +43,8 @@ namespace signorini
                         Vector          &correction,
                         Vector          &mass_correction) override;
 
+    std::vector<unsigned int> massless_entries() const override;
+
     Vector support_part(const Vector &forces) const override;
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */

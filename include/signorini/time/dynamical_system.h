@@ -79,7 +79,7 @@ namespace signorini
     /** The unit of length for tolerances: the size of the bodies. */
     virtual double length() const = 0;
 
-    /** M^-1 force, zero in the directions of supports. */
+    /** M^-1 force, zero in the directions of supports and in entries without mass. */
     virtual Vector solve_mass(const Vector &force) = 0;
 
     /** Solve the inequality of a step. `solution` is overwritten; the system keeps its own history for first guesses. */
@@ -96,6 +96,9 @@ namespace signorini
                                 double           step_size,
                                 Vector          &correction,
                                 Vector          &mass_correction) = 0;
+
+    /** Entries of vectors (owned, local) that have no mass, whatever acts on them. */
+    virtual std::vector<unsigned int> massless_entries() const { return {}; }
 
     /** The part of nodal forces that acts in the directions of supports. Zero for systems without supports. */
     virtual Vector support_part(const Vector &forces) const

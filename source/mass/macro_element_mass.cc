@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/mass/macro_element_mass.h>
+#include <signorini/mass/quadratic_moments.h>
+
+#include <deal.II/base/geometry_info.h>
+
+#include <sstream>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    [[noreturn]] void fail(const Discretization<dim> &discretization,
+                           const Point<dim>          &place,
+                           const std::string         &reason,
+                           const std::string         &remedy)
+    {
+      std::ostringstream message;
+      message << discretization.scene.file_name << ": Time/Mass redistribution = macro-elements: " << reason << " at ("
+              << place << "). " << remedy;
+      throw UserError(message.str());
+    }
+
+
+    /** Cells without contact nodes that share most vertices with a cell at the boundary; the nearest one of them. */
+    template <int dim>
+    unsigned int cell_behind(const Discretization<dim> &discretization,
+                             const ContactStrip<dim>   &strip,
+                             const unsigned int         strip_cell)
+    {
+      const StripCell<dim>                &cell = strip.cells[strip_cell];
+      std::map<unsigned int, unsigned int> n_shared;
+      for (const auto node : cell.nodes)
+        if (node != StripCell<dim>::hanging && !strip.is_massless(node))
+          for (const unsigned int k : strip.cells_of_node.at(node))
+            ++n_shared[k];
+      unsigned int best = numbers::invalid_unsigned_int, most = 0;
+      double       nearest = 0.;
+      for (const auto &[k, n] : n_shared)
+        {
+          const auto &nodes = strip.cells[k].nodes;
+          if (std::any_of(nodes.begin(), nodes.end(), [&](const auto node) { return strip.is_massless(node); }))
+            continue;
+          const double distance = strip.cells[k].centre().distance(cell.centre());
+          if (n > most || (n == most && distance < nearest * (1. - 1e-10)))
+            {
+              best    = k;
+              most    = n;
+              nearest = distance;
+            }
+        }
+      if (best == numbers::invalid_unsigned_int)
+        fail(discretization,
+             cell.centre(),
+             "there is no cell behind the one at the contact boundary",
+             "The body needs at least two layers of cells there: increase Refinements or Repetitions.");
+      return best;
+    }
+
+
+    /** The mass matrix of a macro-element on the nodes of the cell behind, minus the element matrices of its cells. */
+    template <int dim>
+    void exchange_mass(const Discretization<dim>       &discretization,
+                       const ContactStrip<dim>         &strip,
+                       const unsigned int               behind,
+                       const std::vector<unsigned int> &at_boundary,
+                       MassChange                      &change)
+    {
+      constexpr unsigned int n_vertices = StripCell<dim>::n_vertices, n_points = dim == 2 ? 9 : 27;
+      const StripCell<dim>  &cell = strip.cells[behind];
+      const QuadraticMoments<dim> quadratics{cell.centre(), cell.vertices[0].distance(cell.centre())};
+      using Moments = typename QuadraticMoments<dim>::Values;
+
+      Moments                   wanted = Moments::Zero();
+      std::vector<unsigned int> members = at_boundary;
+      members.push_back(behind);
+      for (const unsigned int k : members)
+        for (unsigned int a = 0; a < n_vertices; ++a)
+          for (unsigned int b = 0; b < n_vertices; ++b)
+            {
+              const StripCell<dim> &member = strip.cells[k];
+              const double          mass   = member.mass[a * n_vertices + b];
+              if (member.nodes[a] == StripCell<dim>::hanging || member.nodes[b] == StripCell<dim>::hanging)
+                fail(discretization,
+                     member.vertices[a],
+                     "a cell near the contact boundary has a hanging node",
+                     "Take Mass redistribution = extrapolation, or refine uniformly there.");
+              wanted += mass * quadratics.at(member.vertices[a], member.vertices[b]);
+              change[{member.nodes[a], member.nodes[b]}] -= mass;
+            }
+
+      // Simpson's rule on the cell behind, whose weights w become w (1 + p) with a quadratic polynomial p.
+      std::array<std::array<double, n_vertices>, n_points> shapes;
+      std::array<Moments, n_points>                        values;
+      std::array<double, n_points>                         weights;
+      double                                               cell_mass = 0.;
+      for (const double mass : cell.mass)
+        cell_mass += mass;
+      Eigen::Matrix<double, Moments::RowsAtCompileTime, Moments::RowsAtCompileTime> gram;
+      gram.setZero();
+      Moments before = Moments::Zero();
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          Point<dim> xi, x;
+          weights[q] = cell_mass;
+          for (unsigned int c = 0, rest = q; c < dim; ++c, rest /= 3)
+            {
+              xi[c] = 0.5 * (rest % 3);
+              weights[q] *= rest % 3 == 1 ? 4. / 6. : 1. / 6.;
+            }
+          for (unsigned int v = 0; v < n_vertices; ++v)
+            {
+              shapes[q][v] = GeometryInfo<dim>::d_linear_shape_function(xi, v);
+              x += shapes[q][v] * cell.vertices[v];
+            }
+          values[q] = quadratics.at(x, x);
+          before += weights[q] * values[q];
+          gram += weights[q] * values[q] * values[q].transpose();
+        }
+      const Moments polynomial = gram.fullPivLu().solve(wanted - before);
+      for (unsigned int q = 0; q < n_points; ++q)
+        {
+          const double weight = weights[q] * (1. + polynomial.dot(values[q]));
+          for (unsigned int a = 0; a < n_vertices; ++a)
+            for (unsigned int b = 0; b < n_vertices; ++b)
+              change[{cell.nodes[a], cell.nodes[b]}] += weight * shapes[q][a] * shapes[q][b];
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  MassChange macro_element_mass(const Discretization<dim> &discretization, const ContactStrip<dim> &strip)
+  {
+    std::map<unsigned int, std::vector<unsigned int>> macro_elements; // cell behind -> cells at the boundary
+    for (unsigned int k = 0; k < strip.cells.size(); ++k)
+      {
+        const auto &nodes = strip.cells[k].nodes;
+        if (std::any_of(nodes.begin(), nodes.end(), [&](const auto node) { return strip.is_massless(node); }))
+          macro_elements[cell_behind(discretization, strip, k)].push_back(k);
+      }
+
+    // Each process knows all of the strip, so that it adds up the rows it owns on its own.
+    MassChange change;
+    for (const auto &[behind, at_boundary] : macro_elements)
+      exchange_mass(discretization, strip, behind, at_boundary, change);
+    const auto &partitioner = *discretization.matrices.pattern.partitioner;
+    for (auto entry = change.begin(); entry != change.end();)
+      entry = partitioner.in_local_range(dim * entry->first.first) ? std::next(entry) : change.erase(entry);
+    return change;
+  }
+
+
+  template MassChange macro_element_mass(const Discretization<2> &, const ContactStrip<2> &);
+  template MassChange macro_element_mass(const Discretization<3> &, const ContactStrip<3> &);
+} // namespace signorini
