@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/failure.h>
 #include <signorini/mass/mass_solver.h>
 
 #include <deal.II/lac/solver_cg.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <limits>
 
@@ -97,14 +98,31 @@ namespace signorini
     for (unsigned int i = 0; i < right_hand_side.locally_owned_size(); ++i)
       right_hand_side.local_element(i) = 1. + std::sin(static_cast<double>((first_entry + i) * (first_entry + i) % 1009));
     mass.clear_held(right_hand_side);
-    double                 smallest = 1.;
-    IterationNumberControl control(60, 1e-12 * right_hand_side.l2_norm(), false, false);
-    SolverCG<Vector>       solver(control);
-    solver.connect_eigenvalues_slot([&](const std::vector<double> &eigenvalues) {
-      smallest = *std::min_element(eigenvalues.begin(), eigenvalues.end());
-    });
+    std::vector<std::pair<double, double>> coefficients; // alpha and beta of each iteration
+    IterationNumberControl                 control(60, 1e-12 * right_hand_side.l2_norm(), false, false);
+    SolverCG<Vector>                       solver(control);
+    solver.connect_coefficients_slot(
+      [&](const double alpha, const double beta) { coefficients.emplace_back(alpha, beta); });
     solver.solve(mass, result, right_hand_side, Diagonal{inverse_diagonal});
-    return smallest;
+
+    // (deal.II would tell the absolute values of the eigenvalues only.)
+    const unsigned int n = coefficients.size();
+    if (n == 0)
+      return 1.;
+    Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(n), next_to_it = Eigen::VectorXd::Zero(n - 1);
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const auto &[alpha, beta] = coefficients[k];
+        diagonal(k) += 1. / alpha;
+        if (k + 1 < n)
+          {
+            diagonal(k + 1) = beta / alpha;
+            next_to_it(k)   = std::sqrt(beta) / alpha;
+          }
+      }
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigenvalues;
+    eigenvalues.computeFromTridiagonal(diagonal, next_to_it, Eigen::EigenvaluesOnly);
+    return eigenvalues.eigenvalues().minCoeff();
   }
 
 

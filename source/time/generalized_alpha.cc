@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/time/first_acceleration.h>
 #include <signorini/time/generalized_alpha.h>
 #include <signorini/time/trapezoidal_rule.h>
 
@@ -23,14 +24,7 @@ namespace signorini
 
   StepReport GeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    if (state.acceleration.size() == 0) // that of the start, without contact forces
-      {
-        Vector force = system.make_vector();
-        system.add_load(force, 1., state.time);
-        force -= state.internal_force;
-        state.acceleration = system.solve_mass(force);
-      }
-    const Vector &a = state.acceleration;
+    const Vector a = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
 
     // beta tau^2 times the balance, with a_new = (d - d_free)/(beta tau^2), d_free = tau v + tau^2 (1/2 - beta) a:
     // [(1 - alpha_m) M + (1 - alpha_f) beta tau^2 A] d = M [(1 - alpha_m) d_free - alpha_m beta tau^2 a] - beta tau^2 (A u - f - r)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/time/first_acceleration.h>
 #include <signorini/time/khenous_laborde_renard.h>
 #include <signorini/time/trapezoidal_rule.h>
 
@@ -18,14 +19,8 @@ namespace signorini
     const std::vector<unsigned int> massless = system.massless_entries();
     Vector                          load     = system.make_vector();
     system.add_load(load, 1., state.time);
-    if (state.acceleration.size() == 0) // of loads and elastic forces
-      {
-        Vector force = load;
-        force -= state.internal_force;
-        state.acceleration = system.solve_mass(force);
-      }
-    const Vector &a      = state.acceleration;
-    Vector        mass_a = system.make_vector(), new_load = mass_a;
+    const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
+    Vector       mass_a = system.make_vector(), new_load = mass_a;
     system.apply_mass(mass_a, a);
     system.add_load(new_load, 1., state.time + tau);
 

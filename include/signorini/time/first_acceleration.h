@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_time_first_acceleration_h
+#define signorini_time_first_acceleration_h
+
+#include <signorini/time/dynamical_system.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /** The acceleration M^-1 (f - A u) of a state that has none yet: that of loads and elastic forces, without contact. */
+  inline Vector first_acceleration(DynamicalSystem &system, const State &state)
+  {
+    Vector force = system.make_vector();
+    system.add_load(force, 1., state.time);
+    force -= state.internal_force;
+    return system.solve_mass(force);
+  }
+} // namespace signorini
+
+#endif
