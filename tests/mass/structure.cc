@@ -98,10 +98,14 @@ TEST(MassStructure, RefusesOneLayer)
     EXPECT_NE(refusal(box_on_floor<2>(1), construction).find("two layers of cells"), std::string::npos) << construction;
 }
 
-TEST(MassStructure, RefusesAMinimisationThatIsIndefinite)
+TEST(MassStructure, RefusesWhatIsNotPositiveDefinite)
 {
-  // Two layers: one of them would have to carry all the inertia.
-  EXPECT_NE(refusal(box_on_floor<2>(2), "minimisation").find("not positive definite"), std::string::npos);
+  // With contact all around, the inner cells would have to carry an inertia beyond their size.
+  BodyDescription<3> body = box<3>();
+  body.repetitions        = {{4, 5, 4}};
+  const auto scene        = contact_scene<3>(body, {sphere<3>(dealii::Point<3>(0.5, 0.5, 0.5), 3., true)});
+  for (const std::string construction : {"minimisation", "macro-elements"})
+    EXPECT_NE(refusal(scene, construction).find("not positive definite"), std::string::npos) << construction;
 }
 
 TEST(MassStructure, RefusesHangingNodesInMacroElements)
