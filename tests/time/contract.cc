@@ -20,7 +20,11 @@ namespace
                                             "contact-implicit",
                                             "contact-stabilized",
                                             "contact-stabilized-projected",
-                                            "moreau-jean"};
+                                            "moreau-jean",
+                                            "hht-alpha",
+                                            "generalized-alpha",
+                                            "khenous-laborde-renard",
+                                            "hager-hueeber-wohlmuth"};
 
   /** A mass whose solver fails. */
   class Failing : public BouncingMass

@@ -30,7 +30,23 @@ namespace signorini
         }
     }
 
+    /** Redistribute the mass of both ends: they follow the two nodes behind them linearly. */
+    void remove_mass_of_ends()
+    {
+      const unsigned int n = mass.rows();
+      Eigen::MatrixXd    P = Eigen::MatrixXd::Identity(n, n);
+      for (const auto &[end, first, second] : {std::array<unsigned int, 3>{{0, 1, 2}}, {{n - 1, n - 2, n - 3}}})
+        {
+          P(end, end)    = 0.;
+          P(end, first)  = 2.;
+          P(end, second) = -1.;
+        }
+      mass     = (P.transpose() * mass * P).eval();
+      massless = {0, n - 1};
+    }
+
     Eigen::MatrixXd               mass, stiffness;
+    std::vector<unsigned int>     massless;
     std::array<double, 2>         distance = {{0.3, 0.3}};
     std::function<double(double)> motion; ///< prescribed displacement of the node in the middle; empty: none
     std::function<double(double)> load;   ///< force on all nodes; empty: none
@@ -60,11 +76,18 @@ namespace signorini
 
     double length() const override { return 1.; }
 
+    std::vector<unsigned int> massless_entries() const override { return massless; }
+
     Vector solve_mass(const Vector &force) override
     {
       Vector          result = make_vector();
       Eigen::MatrixXd M      = mass;
       Eigen::VectorXd b      = view(force);
+      for (const unsigned int i : massless)
+        {
+          M(i, i) = 1.;
+          b[i]    = 0.;
+        }
       if (motion)
         {
           const unsigned int middle = mass.rows() / 2;
