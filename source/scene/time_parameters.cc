@@ -31,7 +31,8 @@ namespace signorini
       "Scheme",
       "contact-stabilized",
       Selection("newmark|laursen-chawla|laursen-love|khenous-laborde-renard|hager-hueeber-wohlmuth|contact-implicit|"
-                "contact-stabilized|contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean"),
+                "contact-stabilized|contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean|"
+                "reference"),
       "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
       "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
       "projection acts on the velocity, too; nodes in contact have no normal velocity. contact-implicit: "
@@ -40,20 +41,25 @@ namespace signorini
       "khenous-laborde-renard: contact nodes have no mass; smooth contact forces. hager-hueeber-wohlmuth: "
       "laursen-chawla with contact nodes without mass. newmark: the "
       "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, moreau-jean: "
-      "widely used, for comparison.");
+      "widely used, for comparison. reference: the mass-redistributed problem integrated with error control; "
+      "slow, to measure the error of others in time.");
     prm.declare_entry(
       "HHT alpha", "-0.1", Double(), "Damping of hht-alpha, between -1/3 (most) and 0 (none; no unit).");
     prm.declare_entry("Spectral radius",
                       "0.8",
                       Double(),
                       "Of generalized-alpha at infinite frequency, between 0 (most damping) and 1 (none; no unit).");
+    prm.declare_entry("Reference tolerance",
+                      "1e-8",
+                      Double(),
+                      "Of reference: accepted relative error per step of the integrator, between 1e-12 and 1e-2.");
     prm.declare_entry("Mass",
                       "consistent",
                       Selection("consistent|lumped|redistributed|zero on contact boundary"),
                       "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
                       "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
                       "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
-                      "and it is lost). khenous-laborde-renard and hager-hueeber-wohlmuth take the redistributed mass "
+                      "and it is lost). khenous-laborde-renard, hager-hueeber-wohlmuth and reference take the redistributed mass "
                       "instead of the consistent one.");
     prm.declare_entry("Mass redistribution",
                       "automatic",
@@ -91,7 +97,8 @@ namespace signorini
     /** Refuse combinations of scheme and mass that make no sense, and settle what is automatic. */
     void check_mass(const SectionReader &in, TimeParameters &time)
     {
-      const bool made_for_massless = time.scheme == "khenous-laborde-renard" || time.scheme == "hager-hueeber-wohlmuth";
+      const bool made_for_massless = time.scheme == "khenous-laborde-renard" || time.scheme == "hager-hueeber-wohlmuth"
+                                     || time.scheme == "reference";
       if (made_for_massless && time.mass == "lumped")
         in.fail("Mass",
                 "does not fit Scheme = " + time.scheme
@@ -143,6 +150,9 @@ namespace signorini
     time.mass            = in.text("Mass");
     time.redistribution  = in.text("Mass redistribution");
     time.predictor       = in.text("Predictor mass");
+    time.reference_tolerance = in.number("Reference tolerance");
+    if (!(time.reference_tolerance >= 1e-12 && time.reference_tolerance <= 1e-2))
+      in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
     time.newmark_beta    = in.number("Newmark beta");
     time.newmark_gamma   = in.number("Newmark gamma");
     time.hht_alpha       = in.number("HHT alpha");

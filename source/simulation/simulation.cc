@@ -39,7 +39,11 @@ namespace signorini
 
     const auto       scheme = make_time_scheme(
       scene.time.scheme,
-      {scene.time.hht_alpha, scene.time.spectral_radius, scene.time.newmark_beta, scene.time.newmark_gamma});
+      {scene.time.hht_alpha,
+       scene.time.spectral_radius,
+       scene.time.newmark_beta,
+       scene.time.newmark_gamma,
+       scene.time.reference_tolerance});
     FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
     Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
     observation.start(state);

@@ -246,6 +246,18 @@ namespace signorini
 
 
   template <int dim>
+  SolveEffort ElasticContactSystem<dim>::equilibrate_massless(Vector       &displacement,
+                                                              const Vector &load,
+                                                              Vector       &contact_force)
+  {
+    dealii::TimerOutput::Scope scope(timer, "step: equilibrium of massless nodes");
+    if (!massless_equilibrium)
+      massless_equilibrium = std::make_unique<MasslessEquilibrium<dim>>(discretization, surface, coordinates);
+    return effort_of(massless_equilibrium->solve(displacement, load, energy_scale, contact_force));
+  }
+
+
+  template <int dim>
   Vector ElasticContactSystem<dim>::solve_mass(const Vector &force)
   {
     // Nodes with mass have no contact frames: their supported entries are components.

@@ -12,9 +12,17 @@
 #include <signorini/time/moreau_jean.h>
 #include <signorini/time/newmark.h>
 #include <signorini/time/projected_contact_stabilized.h>
+#include <signorini/time/reference_integration.h>
 
 namespace signorini
 {
+  SolveEffort DynamicalSystem::equilibrate_massless(Vector &, const Vector &, Vector &contact_force)
+  {
+    contact_force = make_vector(); // nothing is massless
+    return SolveEffort();
+  }
+
+
   std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters)
   {
     if (name == "newmark")
@@ -39,10 +47,12 @@ namespace signorini
       return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::with_spectral_radius(parameters.spectral_radius));
     if (name == "moreau-jean")
       return std::make_unique<MoreauJean>();
+    if (name == "reference")
+      return std::make_unique<ReferenceIntegration>(parameters.reference_tolerance);
     throw UserError(
       "Time/Scheme = " + name
       + " is not known. Choose newmark, laursen-chawla, laursen-love, khenous-laborde-renard, hager-hueeber-wohlmuth, "
-        "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha or "
-        "moreau-jean.");
+        "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha, "
+        "moreau-jean or reference.");
   }
 } // namespace signorini

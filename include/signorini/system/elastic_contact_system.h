@@ -6,6 +6,7 @@
 
 #include <signorini/discretization/loads.h>
 #include <signorini/system/increment_forecast.h>
+#include <signorini/system/massless_equilibrium.h>
 #include <signorini/system/preconditioners.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
@@ -45,6 +46,8 @@ namespace signorini
 
     std::vector<unsigned int> massless_entries() const override;
 
+    SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
+
     Vector support_part(const Vector &forces) const override;
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
@@ -68,6 +71,7 @@ namespace signorini
     std::string                           chosen_preconditioner;
     std::unique_ptr<StepOperator<dim>>    step_operator, mass_operator;
     std::unique_ptr<MaskedPreconditioner> step_preconditioner, mass_preconditioner;
+    std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
     PrimalDualActiveSet                   solver;
     ActiveSet                             active, predictor_active;
     Vector                                last_correction;

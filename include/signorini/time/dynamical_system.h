@@ -100,6 +100,14 @@ namespace signorini
     /** Entries of vectors (owned, local) that have no mass, whatever acts on them. */
     virtual std::vector<unsigned int> massless_entries() const { return {}; }
 
+    /**
+     * Static contact equilibrium of the massless entries between the others, which stand still: least 1/2 u'Au - f'u with u.nu <= g.
+     * @param displacement  u, changed in the massless entries only; there it is a first guess on entry
+     * @param load          f
+     * @param contact_force r
+     */
+    virtual SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force);
+
     /** The part of nodal forces that acts in the directions of supports. Zero for systems without supports. */
     virtual Vector support_part(const Vector &forces) const
     {

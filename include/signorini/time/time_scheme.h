@@ -46,6 +46,7 @@ namespace signorini
     double spectral_radius = 0.8;  ///< generalized-alpha: of infinite frequencies, in [0, 1]
     double newmark_beta    = 0.5;  ///< khenous-laborde-renard: at least 1/4
     double newmark_gamma   = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
+    double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
   };
 
   /** The scheme of a name in the scene: newmark, contact-implicit, ... */
