@@ -11,7 +11,7 @@ import pathlib
 from PIL import Image
 from plotting import style
 
-from . import figures, judge, page, runs, stress, tables
+from . import figures, judge, observe, page, runs, stress, tables
 from .definition import Mistake, Study
 from .observe import OBSERVATIONS
 
@@ -33,7 +33,7 @@ class Scene:
         self.variants = self.study.variants
         time = self.study.pressure_time
         self.pressures = [stress.read_pressure(result.folder, time) if time and result else None for result in self.results]
-        self.numbers = [{name: observe(result) for name, observe in OBSERVATIONS.items()} for result in self.results]
+        self.numbers = [{name: observation(result) for name, observation in OBSERVATIONS.items()} for result in self.results]
         for numbers, pressure in zip(self.numbers, self.pressures):
             if pressure is not None:
                 numbers["pressure_scatter"] = pressure.scatter()
@@ -51,15 +51,24 @@ class Scene:
                 row.append(tables.number(numbers.get("pressure_scatter", math.nan)))
         return rows
 
-    def numbers_of(self, name):
-        """Observations of the variant of this name, {} if there is none."""
-        return next((numbers for variant, numbers in zip(self.variants, self.numbers) if variant.name == name), {})
+    def beside(self, row):
+        """What was observed of a number of the paper, and how it compares."""
+        names = [variant.name for variant in self.variants]
+        if row["variant"] not in names:
+            return ["-", "-"]
+        at = names.index(row["variant"])
+        text = judge.say(row["quantity"], self.numbers[at])
+        verdict = judge.verdict(row["paper"], text)
+        time = observe.passes(self.results[at], float(row["paper"])) if row["quantity"] == "energy_most" else None
+        if time is not None and verdict != "agrees":
+            verdict += f", passes the paper's at t = {time:.3g}"
+        return [text, verdict]
 
 
 def save(figure, path):
     """Write a figure with few colours, so that the file is small."""
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=100)
+    figure.savefig(buffer, format="png", dpi=100, bbox_inches="tight", pad_inches=0.1)
     style.close(figure)
     buffer.seek(0)
     Image.open(buffer).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
@@ -102,8 +111,7 @@ def against_paper(rows, scenes):
             if row["geometry"] == geometry:
                 line = [row["section"], row["variant"], judge.heading(row["quantity"]), row["paper"]]
                 for scene in here:
-                    text = judge.say(row["quantity"], scene.numbers_of(row["variant"]))
-                    line += [text, judge.verdict(row["paper"], text)]
+                    line += scene.beside(row)
                 found[geometry].append(line)
     return found
 

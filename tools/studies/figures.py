@@ -14,8 +14,8 @@ from plotting.moments import PRESSURE_MAP
 from .observe import approach, during_contact, touching, zigzag
 
 COLOURS = (style.VERMILION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE, style.SKY)
-#: Forces with more zigzag than this are drawn thin.
-WILD = 0.3
+#: Forces with more zigzag than this are drawn thin; velocities beyond so many speeds of approach are cut off.
+WILD, FAST = 0.3, 6.
 GROUPS = {"a": "standard mass", "b": "redistributed mass", "c": "beyond the paper"}
 
 
@@ -120,7 +120,7 @@ def velocity(groups):
     rows = max(map(len, groups.values()))
     # Without the layout engine, which would make rows with an axis of time higher than the others.
     figure, axes = columns(len(groups), rows=rows, height=1.45 * rows + 0.8, sharey=True, layout="none")
-    figure.subplots_adjust(left=0.06, right=0.99, top=1 - 0.7 / (1.45 * rows + 0.8), bottom=0.5 / (1.45 * rows + 0.8), hspace=0.5, wspace=0.06)
+    figure.subplots_adjust(left=0.075, right=0.99, top=1 - 0.7 / (1.45 * rows + 0.8), bottom=0.5 / (1.45 * rows + 0.8), hspace=0.5, wspace=0.06)
     for column, (name, lines) in zip(axes.T, groups.items()):
         for panel in column[len(lines):]:
             panel.set_visible(False)
@@ -131,9 +131,18 @@ def velocity(groups):
             if result.probe:
                 style.line(panel, result.probe["time"], -numpy.array(result.probe["normal_velocity"]), colour, linewidth=0.9)
                 shade(panel, result)
+    cut_off(axes[0, 0], [result for lines in groups.values() for _, result, _ in lines if result.probe])
     figure.supxlabel("time", fontsize=12)
     figure.supylabel("relative normal velocity", fontsize=12)
     return figure
+
+
+def cut_off(panel, results):
+    """Keep what grows without bound from flattening all others."""
+    if results:
+        low, high = panel.get_ylim()
+        limit = FAST * max(map(approach, results))
+        panel.set_ylim(max(low, -limit), min(high, limit))
 
 
 def shade(panel, result):

@@ -86,6 +86,14 @@ def energy_drift(result, column="total_energy"):
     return max(abs(energy_change(result, choose, column)) for choose in (min, max))
 
 
+def passes(result, change):
+    """The first time at which the energy is changed by so many per cent or more, None if never."""
+    if not result:
+        return None
+    start = result["total_energy"][0]
+    return next((time for time, energy in zip(result["time"], result["total_energy"]) if 100 * (energy - start) >= change * abs(start)), None)
+
+
 def loss_before_peak(result):
     """Part of the change of energy at the end that happened before the largest force, in per cent."""
     energy, force = result["total_energy"], result["contact_force"]

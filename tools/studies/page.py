@@ -15,7 +15,7 @@ CAPTIONS = {
     "displacement": ("Displacement of a node", "The relative normal displacement of one node that comes into contact, as in figure 4. Dashed: its gap. "
                      "The lower row magnifies what is beyond the gap."),
     "velocity": ("Velocity of a node", "The relative normal velocity of the same node, as in figure 5, positive when it moves away; its time in contact is "
-                 "tinted. A velocity in contact should be zero."),
+                 "tinted. A velocity in contact should be zero. What leaves a panel is in the table of all observations."),
     "pressure": ("Contact pressure", "The pressure at the contact nodes in one step over the distance from the middle. Without disturbance the dots lie on "
                  "one arc."),
     "pressure_from_above": ("", "The same from above, as in figure 6."),
