@@ -29,7 +29,7 @@ MEASURES = f"""* **Roughness of the force:** mean absolute second difference dur
 * **Velocities** are those of the observed node relative to the other side, along the normal, positive when it moves away; the zigzag of the velocity is
   its mean amplitude in contact, over the speed of approach.
 * **Scatter of the pressure:** r.m.s. deviation from the best a + b r^2 + c r^4, without the rim of the contact zone, over the mean pressure; below
-  {judge.SMOOTH:g} the pressure is called smooth.
+  {judge.SMOOTH_PRESSURE:g} the pressure is called smooth.
 * **agrees:** the same word, or a number within {100 * judge.CLOSE:g} % (of a range, its ends within that part of its width). Otherwise the ratio of the
   number here, or of the width of the range, to that of the paper."""
 
