@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""What a study file says."""
+
+import configparser
+import dataclasses
+import itertools
+import re
+
+from .observe import OBSERVATIONS
+
+#: Sections without a name of their own.
+SECTIONS = ("study", "scene", "coarse", "variations", "together")
+#: What a [variant NAME] says besides keys of the scene.
+WORDS = ("group", "paper")
+
+
+class Mistake(Exception):
+    """A study cannot be run; the message names file, section, key and remedy."""
+
+
+@dataclasses.dataclass
+class Variant:
+    """One line of a table: a name, where it belongs, and the keys of the scene that make it."""
+    name: str
+    settings: dict
+    group: str = ""
+    paper: str = ""
+
+    @property
+    def folder(self):
+        """The name as the name of a folder."""
+        return re.sub(r"[^A-Za-z0-9.]+", "-", self.name).strip("-")
+
+
+def read_ini(path):
+    """The sections of a file; keys keep their capitals."""
+    parser = configparser.ConfigParser(delimiters=("=",), inline_comment_prefixes=None, interpolation=None)
+    parser.optionxform = str
+    try:
+        with open(path, encoding="utf-8") as file:
+            parser.read_file(file)
+    except (OSError, UnicodeDecodeError, configparser.Error) as error:
+        raise Mistake(f"{path}: cannot be read: {error}") from None
+    for section in parser.sections():
+        if section not in SECTIONS and not section.startswith("variant "):
+            raise Mistake(f"{path}: unknown section [{section}]. Valid: {', '.join(f'[{name}]' for name in SECTIONS)}, [variant NAME].")
+    return parser
+
+
+def read_variants(parser, path):
+    """The sections [variant NAME]."""
+    variants = []
+    for section in parser.sections():
+        if section.startswith("variant "):
+            keys = dict(parser.items(section))
+            words = {word: keys.pop(word) for word in WORDS if word in keys}
+            variants.append(Variant(section.removeprefix("variant ").strip(), keys, **words))
+    folders = [variant.folder for variant in variants]
+    for variant in variants:
+        if not variant.folder or folders.count(variant.folder) > 1:
+            raise Mistake(f"{path}: [variant {variant.name}]: its results need a folder of their own. Give it another name, with other letters or "
+                          "digits.")
+    return variants
+
+
+class Study:
+    """A scene, what varies, and what is observed."""
+
+    def __init__(self, path, coarse=False):
+        parser = read_ini(path)
+        if not parser.has_option("study", "scene"):
+            raise Mistake(f"{path}: [study] needs `scene = ...`, the scene to vary.")
+        self.path, self.name = path, path.stem
+        self.scene = (path.parent / parser["study"]["scene"]).resolve()
+        if not self.scene.is_file():
+            raise Mistake(f"{path}: scene = {parser['study']['scene']}: there is no file {self.scene}.")
+        self.title = parser.get("study", "title", fallback=self.name)
+        self.geometry = parser.get("study", "geometry", fallback="")
+        self.pressure_time = self.time(parser, "pressure at")
+        self.processes = self.whole_number(parser, "processes")
+        self.observe = [name.strip() for name in parser.get("study", "observe", fallback="").split(",") if name.strip()]
+        for name in self.observe:
+            if name not in OBSERVATIONS:
+                raise Mistake(f"{path}: observe = {name} is not known. Valid: {', '.join(OBSERVATIONS)}.")
+        self.common = self.settings(parser, "scene")
+        if coarse:
+            if not parser.has_section("coarse"):
+                raise Mistake(f"{path}: --coarse needs a section [coarse] with the keys of the scene that make it cheap.")
+            self.common.update(self.settings(parser, "coarse"))
+        self.variations, together = self.lists(parser, "variations"), self.lists(parser, "together")
+        if len({len(column) for column in together.values()}) > 1:
+            raise Mistake(f"{path}: the keys in [together] need the same number of values.")
+        self.sequence = [dict(zip(together, row)) for row in zip(*together.values())] or [{}]
+        self.variants = read_variants(parser, path)
+        if parser.has_option("study", "variants"):
+            other = (path.parent / parser["study"]["variants"]).resolve()
+            self.variants = read_variants(read_ini(other), other) + self.variants
+        if not self.variations and not together and not self.variants:
+            raise Mistake(f"{path}: nothing varies. Give [variations], [together] or [variant NAME].")
+
+    @staticmethod
+    def settings(parser, section):
+        """Keys of the scene and their values."""
+        return dict(parser.items(section)) if parser.has_section(section) else {}
+
+    @staticmethod
+    def lists(parser, section):
+        """Keys of the scene and their lists of values."""
+        return {key: [value.strip() for value in text.split(";")] for key, text in Study.settings(parser, section).items()}
+
+    def whole_number(self, parser, key):
+        """A number of [study], one if not given."""
+        text = parser.get("study", key, fallback="1")
+        if not text.isdigit() or int(text) < 1:
+            raise Mistake(f"{self.path}: {key} = {text} is not a number of processes. Give 1, 2, ...")
+        return int(text)
+
+    def time(self, parser, key):
+        """A time of [study], None if not given."""
+        text = parser.get("study", key, fallback=None)
+        try:
+            return text and float(text)
+        except ValueError:
+            raise Mistake(f"{self.path}: {key} = {text} is not a time. Give a number.") from None
+
+    def runs(self):
+        """(variant or None, settings) of each run; those of [together] are neighbours."""
+        for variant in self.variants or [None]:
+            for combination in itertools.product(*self.variations.values()):
+                for row in self.sequence:
+                    yield variant, {**dict(zip(self.variations, combination)), **row}
