@@ -110,9 +110,8 @@ namespace signorini
 
 
   template <int dim>
-  void assemble_matrices(const Discretization<dim> &discretization,
-                         ElasticMatrices<dim>      &matrices,
-                         const MassChange          &change)
+  void
+  assemble_matrices(const Discretization<dim> &discretization, ElasticMatrices<dim> &matrices, const MassChange &change)
   {
     const auto     &dof_handler  = discretization.dof_handler;
     const auto     &constraints  = discretization.hanging_node_constraints;

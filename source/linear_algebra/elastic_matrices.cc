@@ -91,7 +91,8 @@ namespace signorini
     else
       {
         const double mass_weight = mass_factor / stiffness_factor;
-        multiply<dim, true, true>(*this, mass_values.data(), mass_weight, padded_source.data(), padded_destination.data());
+        multiply<dim, true, true>(
+          *this, mass_values.data(), mass_weight, padded_source.data(), padded_destination.data());
         ++count.combined;
       }
 

@@ -66,7 +66,7 @@ namespace signorini
       const Node first = neighbour_along<dim>(strip, node, -strip.massless.at(node));
       if (first == numbers::invalid_dof_index)
         return {};
-      const Point<dim> x     = strip.positions.at(node), x1 = strip.positions.at(first);
+      const Point<dim> x = strip.positions.at(node), x1 = strip.positions.at(first);
       const Node       second = neighbour_along<dim>(strip, first, x1 - x);
       if (second == numbers::invalid_dof_index)
         return {};
@@ -135,19 +135,20 @@ namespace signorini
         if (weights[node].empty())
           {
             std::ostringstream message;
-            message << discretization.scene.file_name << ": Time/Mass = redistributed: behind the contact node at ("
-                    << strip.positions.at(node)
-                    << ") are too few nodes that could take its mass. The body needs at least two layers of cells there: "
-                       "increase Refinements or Repetitions.";
+            message
+              << discretization.scene.file_name << ": Time/Mass = redistributed: behind the contact node at ("
+              << strip.positions.at(node)
+              << ") are too few nodes that could take its mass. The body needs at least two layers of cells there: "
+                 "increase Refinements or Repetitions.";
             throw UserError(message.str());
           }
       }
 
     // M~ - M from the rows of M that this process owns; only couplings with contact nodes change.
-    const auto       &matrices    = discretization.matrices;
-    const auto       &partitioner = *matrices.pattern.partitioner;
-    const auto        global      = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
-    const auto        spread      = [&](const Node node) {
+    const auto &matrices    = discretization.matrices;
+    const auto &partitioner = *matrices.pattern.partitioner;
+    const auto  global      = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
+    const auto  spread      = [&](const Node node) {
       return strip.is_massless(node) ? weights.at(node) : NodeWeights{{node, 1.}};
     };
     MassChange contributions;

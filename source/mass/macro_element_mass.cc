@@ -72,12 +72,12 @@ namespace signorini
                        const std::vector<unsigned int> &at_boundary,
                        MassChange                      &change)
     {
-      constexpr unsigned int n_vertices = StripCell<dim>::n_vertices, n_points = dim == 2 ? 9 : 27;
-      const StripCell<dim>  &cell = strip.cells[behind];
+      constexpr unsigned int      n_vertices = StripCell<dim>::n_vertices, n_points = dim == 2 ? 9 : 27;
+      const StripCell<dim>       &cell = strip.cells[behind];
       const QuadraticMoments<dim> quadratics{cell.centre(), cell.vertices[0].distance(cell.centre())};
       using Moments = typename QuadraticMoments<dim>::Values;
 
-      Moments                   wanted = Moments::Zero();
+      Moments                   wanted  = Moments::Zero();
       std::vector<unsigned int> members = at_boundary;
       members.push_back(behind);
       for (const unsigned int k : members)

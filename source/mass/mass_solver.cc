@@ -96,7 +96,8 @@ namespace signorini
     Vector              right_hand_side(matrices.pattern.partitioner), result = right_hand_side;
     const auto          first_entry = right_hand_side.get_partitioner()->locally_owned_range().nth_index_in_set(0);
     for (unsigned int i = 0; i < right_hand_side.locally_owned_size(); ++i)
-      right_hand_side.local_element(i) = 1. + std::sin(static_cast<double>((first_entry + i) * (first_entry + i) % 1009));
+      right_hand_side.local_element(i) =
+        1. + std::sin(static_cast<double>((first_entry + i) * (first_entry + i) % 1009));
     mass.clear_held(right_hand_side);
     std::vector<std::pair<double, double>> coefficients; // alpha and beta of each iteration
     IterationNumberControl                 control(60, 1e-12 * right_hand_side.l2_norm(), false, false);

@@ -44,27 +44,23 @@ namespace signorini
       massless[node] = strip.is_massless(partitioner.local_to_global(dim * node) / dim);
 
     // Per body: what the couplings with contact nodes take away, and what a polynomial q gives to the others.
-    using Moments       = QuadraticMoments<dim>;
-    constexpr auto n    = Moments::n;
-    using Values        = typename Moments::Values;
-    using Matrix        = Eigen::Matrix<double, n, n>;
-    const auto moments  = [&](const unsigned int body, const unsigned int i, const unsigned int j) {
+    using Moments      = QuadraticMoments<dim>;
+    constexpr auto n   = Moments::n;
+    using Values       = typename Moments::Values;
+    using Matrix       = Eigen::Matrix<double, n, n>;
+    const auto moments = [&](const unsigned int body, const unsigned int i, const unsigned int j) {
       const auto box = discretization.bounding_box(body);
       return Moments{box.center(), discretization.body_size()}.at(positions[i], positions[j]);
     };
     std::vector<double> sums(n_bodies * (n + n * n), 0.);
-    const auto          taken = [&](const unsigned int body) {
-      return Eigen::Map<Values>(sums.data() + body * (n + n * n));
-    };
-    const auto gram = [&](const unsigned int body) {
-      return Eigen::Map<Matrix>(sums.data() + body * (n + n * n) + n);
-    };
+    const auto taken = [&](const unsigned int body) { return Eigen::Map<Values>(sums.data() + body * (n + n * n)); };
+    const auto gram = [&](const unsigned int body) { return Eigen::Map<Matrix>(sums.data() + body * (n + n * n) + n); };
     for (unsigned int row = 0; row < pattern.n_owned; ++row)
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
           const unsigned int column = pattern.columns[k], body = body_of[row];
           // The diagonal counts once, pairs of owned nodes twice, and the other half of a pair with a ghost is its owner's.
-          const double mass = (column == row || column >= pattern.n_owned ? 1. : 2.) * matrices.mass[k];
+          const double mass   = (column == row || column >= pattern.n_owned ? 1. : 2.) * matrices.mass[k];
           const Values values = moments(body, row, column);
           if (massless[row] || massless[column])
             taken(body) += mass * values;
@@ -79,8 +75,8 @@ namespace signorini
         {
           const Eigen::FullPivLU<Matrix> factor(gram(body));
           if (!factor.isInvertible())
-            throw UserError(discretization.scene.file_name
-                            + ": Time/Mass redistribution = minimisation: the body '" + discretization.scene.bodies[body].name
+            throw UserError(discretization.scene.file_name + ": Time/Mass redistribution = minimisation: the body '"
+                            + discretization.scene.bodies[body].name
                             + "' has too few nodes besides its contact nodes. Increase Refinements or Repetitions.");
           polynomial[body] = factor.solve(taken(body));
         }
@@ -90,9 +86,8 @@ namespace signorini
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
           const unsigned int column = pattern.columns[k], body = body_of[row];
-          matrices.mass[k] *= massless[row] || massless[column] ?
-                                0. :
-                                1. + polynomial[body].dot(moments(body, row, column));
+          matrices.mass[k] *=
+            massless[row] || massless[column] ? 0. : 1. + polynomial[body].dot(moments(body, row, column));
         }
   }
 

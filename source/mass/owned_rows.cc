@@ -11,8 +11,7 @@
 namespace signorini
 {
   template <int dim>
-  MassChange sum_of_owned_rows(const MassChange                          &contributions,
-                               const dealii::Utilities::MPI::Partitioner &partitioner)
+  MassChange sum_of_owned_rows(const MassChange &contributions, const dealii::Utilities::MPI::Partitioner &partitioner)
   {
     using Entry = std::pair<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>, double>;
     MassChange sums;

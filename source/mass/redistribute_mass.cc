@@ -63,22 +63,23 @@ namespace signorini
     if (surface.n_global_nodes() == 0)
       throw UserError(head + "no node can come into contact, so that there is no mass to move. Set Mass = consistent"
                       + (time.mass == "redistributed" ? " and another scheme than khenous-laborde-renard and "
-                                                        "hager-hueeber-wohlmuth." :
-                                                        "."));
+                                                        "hager-hueeber-wohlmuth."
+                                                      : "."));
 
     const ContactStrip<dim> strip(discretization, surface);
     build(discretization, strip);
 
-    const double      smallest = MassSolver<dim>(discretization.matrices, {}).smallest_ratio();
+    const double       smallest = MassSolver<dim>(discretization.matrices, {}).smallest_ratio();
     std::ostringstream text;
     text.precision(3);
     text << time.mass;
     if (time.mass == "redistributed")
       text << " by " << time.redistribution;
     if (!(smallest > 0.))
-      throw UserError(head + "the construction `" + time.redistribution
-                      + "` gives a mass that is not positive definite on this mesh, and every run with it would blow up. Set "
-                        "Mass redistribution = extrapolation, which is always positive definite.");
+      throw UserError(
+        head + "the construction `" + time.redistribution
+        + "` gives a mass that is not positive definite on this mesh, and every run with it would blow up. Set "
+          "Mass redistribution = extrapolation, which is always positive definite.");
     text << ", smallest eigenvalue " << smallest << " of its diagonal";
     return text.str();
   }

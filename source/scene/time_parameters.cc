@@ -53,26 +53,29 @@ namespace signorini
                       "1e-8",
                       Double(),
                       "Of reference: accepted relative error per step of the integrator, between 1e-12 and 1e-2.");
-    prm.declare_entry("Mass",
-                      "consistent",
-                      Selection("consistent|lumped|redistributed|zero on contact boundary"),
-                      "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
-                      "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
-                      "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
-                      "and it is lost). khenous-laborde-renard, hager-hueeber-wohlmuth and reference take the redistributed mass "
-                      "instead of the consistent one.");
-    prm.declare_entry("Mass redistribution",
-                      "automatic",
-                      Selection("automatic|extrapolation|minimisation|macro-elements"),
-                      "How the redistributed mass is built. extrapolation: contact nodes follow the nodes behind them; "
-                      "positive definite on every mesh. minimisation: smallest relative change of all entries. "
-                      "macro-elements: quadrature with points away from the contact boundary. automatic: macro-elements "
-                      "for hager-hueeber-wohlmuth, else extrapolation.");
-    prm.declare_entry("Newmark beta",
-                      "0.5",
-                      Double(),
-                      "Of khenous-laborde-renard, at least 1/4 (no unit). 1/2 is the value of the literature; with 1/4 the "
-                      "energy of free motion is conserved.");
+    prm.declare_entry(
+      "Mass",
+      "consistent",
+      Selection("consistent|lumped|redistributed|zero on contact boundary"),
+      "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
+      "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
+      "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
+      "and it is lost). khenous-laborde-renard, hager-hueeber-wohlmuth and reference take the redistributed mass "
+      "instead of the consistent one.");
+    prm.declare_entry(
+      "Mass redistribution",
+      "automatic",
+      Selection("automatic|extrapolation|minimisation|macro-elements"),
+      "How the redistributed mass is built. extrapolation: contact nodes follow the nodes behind them; "
+      "positive definite on every mesh. minimisation: smallest relative change of all entries. "
+      "macro-elements: quadrature with points away from the contact boundary. automatic: macro-elements "
+      "for hager-hueeber-wohlmuth, else extrapolation.");
+    prm.declare_entry(
+      "Newmark beta",
+      "0.5",
+      Double(),
+      "Of khenous-laborde-renard, at least 1/4 (no unit). 1/2 is the value of the literature; with 1/4 the "
+      "energy of free motion is conserved.");
     prm.declare_entry("Newmark gamma",
                       "0.5",
                       Double(),
@@ -146,10 +149,10 @@ namespace signorini
   TimeParameters parse_time(const SectionReader &in)
   {
     TimeParameters time;
-    time.scheme          = in.text("Scheme");
-    time.mass            = in.text("Mass");
-    time.redistribution  = in.text("Mass redistribution");
-    time.predictor       = in.text("Predictor mass");
+    time.scheme              = in.text("Scheme");
+    time.mass                = in.text("Mass");
+    time.redistribution      = in.text("Mass redistribution");
+    time.predictor           = in.text("Predictor mass");
     time.reference_tolerance = in.number("Reference tolerance");
     if (!(time.reference_tolerance >= 1e-12 && time.reference_tolerance <= 1e-2))
       in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");

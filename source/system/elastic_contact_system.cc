@@ -246,9 +246,8 @@ namespace signorini
 
 
   template <int dim>
-  SolveEffort ElasticContactSystem<dim>::equilibrate_massless(Vector       &displacement,
-                                                              const Vector &load,
-                                                              Vector       &contact_force)
+  SolveEffort
+  ElasticContactSystem<dim>::equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force)
   {
     dealii::TimerOutput::Scope scope(timer, "step: equilibrium of massless nodes");
     if (!massless_equilibrium)

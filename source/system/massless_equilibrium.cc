@@ -15,12 +15,12 @@ namespace signorini
     , stiffness(discretization.matrices, coordinates, 0., 1.)
     // The surface alone is left: a small problem, and its diagonal is known without a factor.
     , preconditioner(make_preconditioner("jacobi", discretization.matrices, coordinates, 0., 1.))
-    , solver(
-        {discretization.scene.solver.maximum_active_set_iterations, discretization.scene.solver.maximum_linear_iterations})
+    , solver({discretization.scene.solver.maximum_active_set_iterations,
+              discretization.scene.solver.maximum_linear_iterations})
     , active(surface.nodes().size(), 0)
   {
-    const auto        &matrices = discretization.matrices;
-    std::vector<char>  is_free(dim * matrices.pattern.n_owned, 0);
+    const auto       &matrices = discretization.matrices;
+    std::vector<char> is_free(dim * matrices.pattern.n_owned, 0);
     for (const unsigned int node : matrices.massless_nodes)
       for (unsigned int c = 0; c < dim; ++c)
         is_free[dim * node + c] = 1;
@@ -42,7 +42,7 @@ namespace signorini
     discretization.matrices.apply_stiffness(right_hand_side, displacement);
     right_hand_side.sadd(-1., 1., load);
     coordinates.force_to_contact(right_hand_side);
-    const std::vector<double> gap = surface.normal_gap(displacement), zeros(fixed_entries.size(), 0.);
+    const std::vector<double> gap    = surface.normal_gap(displacement), zeros(fixed_entries.size(), 0.);
     const SolveReport         report = solver.solve({stiffness,
                                                      *preconditioner,
                                                      right_hand_side,
@@ -55,7 +55,7 @@ namespace signorini
                                             active,
                                             increment,
                                             residual);
-    contact_force = discretization.make_vector();
+    contact_force                    = discretization.make_vector();
     for (unsigned int k = 0; k < active.size(); ++k)
       if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
         contact_force.local_element(i) = -residual.local_element(i);

@@ -35,8 +35,8 @@ namespace signorini
       {
         Vector load = system.make_vector(), contact_force;
         system.add_load(load, 1., time);
-        effort            = system.equilibrate_massless(complete(motion.block(0)), load, contact_force);
-        Vector force      = system.make_vector();
+        effort       = system.equilibrate_massless(complete(motion.block(0)), load, contact_force);
+        Vector force = system.make_vector();
         system.apply_stiffness(force, guess);
         force.sadd(-1., 1., load);
         derivative.block(0).equ(1. / unit_of_time, motion.block(1));

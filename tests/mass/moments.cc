@@ -89,7 +89,8 @@ TEST_P(Construction, WorksOnTheSlaveOfTwoBodies)
   expect_moments(problem);
   expect_massless_contact_nodes(problem);
   // The master is as it was.
-  const auto [redistributed, consistent] = problem.both_products({{"y < 0", "(y < 0) * x"}}, {{"(y < 0) * x * y", "y < 0"}});
+  const auto [redistributed, consistent] =
+    problem.both_products({{"y < 0", "(y < 0) * x"}}, {{"(y < 0) * x * y", "y < 0"}});
   EXPECT_NEAR(redistributed, consistent, 1e-13);
 }
 

@@ -50,7 +50,7 @@ TEST(MassStructure, BlockOfTwoLayers)
 TEST(MassStructure, MacroElementsAreExtrapolationOnBricks)
 {
   const Redistributed<3> a(box_on_floor<3>(3), "extrapolation"), b(box_on_floor<3>(3), "macro-elements");
-  const Vector           x = irregular_field(a.discretization, 3.);
+  const Vector           x          = irregular_field(a.discretization, 3.);
   Vector                 difference = mass_times(a.discretization, x);
   difference -= mass_times(b.discretization, x);
   EXPECT_LT(difference.linfty_norm(), 1e-14);

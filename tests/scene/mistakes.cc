@@ -189,6 +189,19 @@ TEST(Mistakes, SeveralValuesTogether)
   };
   expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},
          {"Predictor mass = lumped", "Scheme = newmark", "Remove"});
+  expect({{"Time/Mass", "redistributed"}}, // the scheme is contact-stabilized
+         {"Mass = redistributed", "makes no sense with Scheme = contact-stabilized", "predictor", "contact-implicit"});
+  expect({{"Time/Mass", "zero on contact boundary"}, {"Time/Scheme", "contact-stabilized-projected"}},
+         {"makes no sense", "predictor"});
+  expect({{"Time/Mass", "redistributed"}, {"Time/Scheme", "laursen-love"}}, {"makes no sense", "impulses"});
+  expect({{"Time/Mass", "redistributed"}, {"Time/Scheme", "hht-alpha"}}, {"makes no sense", "accelerations"});
+  expect({{"Time/Mass", "lumped"}, {"Time/Scheme", "khenous-laborde-renard"}},
+         {"Mass = lumped", "contact nodes without mass", "Remove"});
+  expect({{"Time/Mass redistribution", "minimisation"}, {"Time/Scheme", "newmark"}},
+         {"Mass redistribution = minimisation", "Mass = consistent", "redistributed"});
+  expect({{"Time/Newmark beta", "0.2"}}, {"Newmark beta = 0.2", "between 0.25 and 1", "not stable"});
+  expect({{"Time/Newmark gamma", "1.2"}}, {"Newmark gamma = 1.2", "Newmark beta", "not stable"});
+  expect({{"Time/Reference tolerance", "0"}}, {"Reference tolerance = 0", "between"});
   expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
   expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
   expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});

@@ -19,9 +19,10 @@ namespace signorini
   {
     static constexpr unsigned int n_vertices = 1u << dim;
 
-    std::array<dealii::types::global_dof_index, n_vertices> nodes; ///< in deal.II's order; `hanging` where a vertex is no node
-    std::array<dealii::Point<dim>, n_vertices>              vertices;
-    std::array<double, n_vertices * n_vertices>             mass; ///< element matrix of the consistent mass
+    std::array<dealii::types::global_dof_index, n_vertices>
+                                                nodes; ///< in deal.II's order; `hanging` where a vertex is no node
+    std::array<dealii::Point<dim>, n_vertices>  vertices;
+    std::array<double, n_vertices * n_vertices> mass; ///< element matrix of the consistent mass
 
     static constexpr dealii::types::global_dof_index hanging = dealii::numbers::invalid_dof_index;
 

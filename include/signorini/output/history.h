@@ -22,7 +22,7 @@ namespace signorini
     const State   &state;
     double         step_size = 0.;
     unsigned long  cells = 0, dofs = 0;
-    Energy         energy;                        ///< with the mass of the scheme
+    Energy         energy;                       ///< with the mass of the scheme
     double         standard_kinetic_energy = 0.; ///< with the consistent mass
     EnergyBooking  booking;
     Momentum       momentum;

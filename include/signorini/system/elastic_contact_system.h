@@ -66,16 +66,16 @@ namespace signorini
     Loads<dim>                    &loads;
     dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
-    double                                energy_scale     = 0.;
-    double                                stiffness_factor = -1.; ///< of the preconditioner at hand
-    std::string                           chosen_preconditioner;
-    std::unique_ptr<StepOperator<dim>>    step_operator, mass_operator;
-    std::unique_ptr<MaskedPreconditioner> step_preconditioner, mass_preconditioner;
+    double                                    energy_scale     = 0.;
+    double                                    stiffness_factor = -1.; ///< of the preconditioner at hand
+    std::string                               chosen_preconditioner;
+    std::unique_ptr<StepOperator<dim>>        step_operator, mass_operator;
+    std::unique_ptr<MaskedPreconditioner>     step_preconditioner, mass_preconditioner;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
-    PrimalDualActiveSet                   solver;
-    ActiveSet                             active, predictor_active;
-    Vector                                last_correction;
-    IncrementForecast                     forecast;
+    PrimalDualActiveSet                       solver;
+    ActiveSet                                 active, predictor_active;
+    Vector                                    last_correction;
+    IncrementForecast                         forecast;
 
     void prepare(double stiffness_factor, double step_size);
     void prepare_mass();

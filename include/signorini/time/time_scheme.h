@@ -42,10 +42,10 @@ namespace signorini
   /** Parameters of single schemes. */
   struct SchemeParameters
   {
-    double hht_alpha       = -0.1; ///< hht-alpha: in [-1/3, 0]
-    double spectral_radius = 0.8;  ///< generalized-alpha: of infinite frequencies, in [0, 1]
-    double newmark_beta    = 0.5;  ///< khenous-laborde-renard: at least 1/4
-    double newmark_gamma   = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
+    double hht_alpha           = -0.1; ///< hht-alpha: in [-1/3, 0]
+    double spectral_radius     = 0.8;  ///< generalized-alpha: of infinite frequencies, in [0, 1]
+    double newmark_beta        = 0.5;  ///< khenous-laborde-renard: at least 1/4
+    double newmark_gamma       = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
     double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
   };
 
