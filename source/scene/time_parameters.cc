@@ -52,6 +52,13 @@ namespace signorini
       "Mass matrix of the projection in the predictor of contact-stabilized. lumped is cheaper "
       "(node by node); with the consistent mass the scheme then loses more energy and is no longer sure "
       "never to gain any. No other scheme uses it.");
+    prm.declare_entry(
+      "Impulses",
+      "common",
+      Selection("common|per node"),
+      "How laursen-love shares the impulses that give lost energy back. common: along the contact forces, "
+      "from one equation. per node: each contact node gets back what it has lost, from coupled equations; "
+      "takes more time. No other scheme uses it.");
     prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
     prm.declare_entry("End time",
                       "0",
@@ -68,6 +75,7 @@ namespace signorini
     time.predictor       = in.text("Predictor mass");
     time.hht_alpha       = in.number("HHT alpha");
     time.spectral_radius = in.number("Spectral radius");
+    time.impulses        = in.text("Impulses");
     if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
       in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
     if (!(time.spectral_radius >= 0. && time.spectral_radius <= 1.))
@@ -90,6 +98,10 @@ namespace signorini
       in.fail("Predictor mass",
               "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " + time.scheme
                 + ". Remove this key or set `Scheme = contact-stabilized`.");
+    if (time.impulses != "common" && time.scheme != "laursen-love")
+      in.fail("Impulses",
+              "only the scheme laursen-love gives impulses, but Scheme = " + time.scheme
+                + ". Remove this key or set `Scheme = laursen-love`.");
     return time;
   }
 } // namespace signorini

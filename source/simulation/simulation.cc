@@ -36,7 +36,8 @@ namespace signorini
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
-    const auto       scheme = make_time_scheme(scene.time.scheme, {scene.time.hht_alpha, scene.time.spectral_radius});
+    const auto scheme = make_time_scheme(
+      scene.time.scheme, {scene.time.hht_alpha, scene.time.spectral_radius, scene.time.impulses == "per node"});
     FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
     Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
     observation.start(state);

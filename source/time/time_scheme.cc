@@ -20,7 +20,7 @@ namespace signorini
     if (name == "laursen-chawla")
       return std::make_unique<LaursenChawla>();
     if (name == "laursen-love")
-      return std::make_unique<LaursenLove>();
+      return std::make_unique<LaursenLove>(parameters.impulses_per_node);
     if (name == "contact-implicit")
       return std::make_unique<ContactImplicitNewmark>();
     if (name == "contact-stabilized")

@@ -190,6 +190,8 @@ TEST(Mistakes, SeveralValuesTogether)
   };
   expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},
          {"Predictor mass = lumped", "Scheme = newmark", "Remove"});
+  expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "per node"}},
+         {"Impulses = per node", "Scheme = newmark", "Remove"});
   expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
   expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
   expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});

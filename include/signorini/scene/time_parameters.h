@@ -13,11 +13,12 @@ namespace signorini
   {
     std::string scheme    = "contact-stabilized"; ///< see declare_time()
     std::string mass      = "consistent";         ///< consistent | lumped
-    std::string predictor = "consistent"; ///< mass of the L2 projection of contact-stabilized: consistent | lumped
-    double      hht_alpha = -0.1;         ///< parameter of hht-alpha
-    double      spectral_radius = 0.8;    ///< parameter of generalized-alpha
-    double      step_size       = 0.;     ///< tau > 0
-    double      end_time        = 0.;     ///< T > 0; the number of steps is T/tau rounded to the nearest integer
+    std::string predictor = "consistent";   ///< mass of the L2 projection of contact-stabilized: consistent | lumped
+    double      hht_alpha = -0.1;           ///< parameter of hht-alpha
+    double      spectral_radius = 0.8;      ///< parameter of generalized-alpha
+    std::string impulses        = "common"; ///< of laursen-love: common | per node
+    double      step_size       = 0.;       ///< tau > 0
+    double      end_time        = 0.;       ///< T > 0; the number of steps is T/tau rounded to the nearest integer
     /** Number of steps, at least one. */
     unsigned int n_steps() const;
   };
