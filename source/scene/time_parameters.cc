@@ -26,20 +26,22 @@ namespace signorini
       "Scheme",
       "contact-stabilized",
       Selection("newmark|laursen-chawla|laursen-love|contact-implicit|contact-stabilized|"
-                "contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean"),
+                "contact-stabilized-projected|hht-alpha|generalized-alpha|"
+                "nonsmooth-generalized-alpha|backward-euler|moreau-jean"),
       "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
       "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
       "projection acts on the velocity, too; nodes in contact have no normal velocity. contact-implicit: "
       "without a predictor; dissipative, contact forces oscillate. laursen-chawla: conserves energy, "
       "allows penetration. laursen-love: conserves energy by impulses, without penetration. newmark: the "
-      "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, moreau-jean: "
-      "widely used, for comparison.");
+      "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, "
+      "nonsmooth-generalized-alpha, backward-euler, moreau-jean: widely used, for comparison.");
     prm.declare_entry(
       "HHT alpha", "-0.1", Double(), "Damping of hht-alpha, between -1/3 (most) and 0 (none; no unit).");
     prm.declare_entry("Spectral radius",
                       "0.8",
                       Double(),
-                      "Of generalized-alpha at infinite frequency, between 0 (most damping) and 1 (none; no unit).");
+                      "Of generalized-alpha and nonsmooth-generalized-alpha at infinite frequency, between 0 (most "
+                      "damping) and 1 (none; no unit).");
     prm.declare_entry("Mass",
                       "consistent",
                       Selection("consistent|lumped"),

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/time/backward_euler.h>
 #include <signorini/time/contact_implicit_newmark.h>
 #include <signorini/time/contact_stabilized_newmark.h>
 #include <signorini/time/generalized_alpha.h>
@@ -9,6 +10,7 @@
 #include <signorini/time/laursen_love.h>
 #include <signorini/time/moreau_jean.h>
 #include <signorini/time/newmark.h>
+#include <signorini/time/nonsmooth_generalized_alpha.h>
 #include <signorini/time/projected_contact_stabilized.h>
 
 namespace signorini
@@ -30,13 +32,17 @@ namespace signorini
     if (name == "hht-alpha")
       return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
     if (name == "generalized-alpha")
-      return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::with_spectral_radius(parameters.spectral_radius));
+      return std::make_unique<GeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
+    if (name == "nonsmooth-generalized-alpha")
+      return std::make_unique<NonsmoothGeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
+    if (name == "backward-euler")
+      return std::make_unique<BackwardEuler>();
     if (name == "moreau-jean")
       return std::make_unique<MoreauJean>();
     throw UserError(
       "Time/Scheme = " + name
       + " is not known. Choose newmark, laursen-chawla, laursen-love, "
-        "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha or "
-        "moreau-jean.");
+        "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha, "
+        "nonsmooth-generalized-alpha, backward-euler or moreau-jean.");
   }
 } // namespace signorini

@@ -20,7 +20,9 @@ namespace
                                             "contact-implicit",
                                             "contact-stabilized",
                                             "contact-stabilized-projected",
-                                            "moreau-jean"};
+                                            "moreau-jean",
+                                            "nonsmooth-generalized-alpha",
+                                            "backward-euler"};
 
   /** A mass whose solver fails. */
   class Failing : public BouncingMass

@@ -20,7 +20,7 @@ PARAMETERS = SOURCE / "parameters"
 SCHEMES = ("newmark", "contact-implicit", "contact-stabilized")
 #: Beyond the ones above; some penetrate by design.
 FURTHER_SCHEMES = ("laursen-chawla", "laursen-love", "contact-stabilized-projected", "hht-alpha", "generalized-alpha",
-                   "moreau-jean")
+                   "moreau-jean", "nonsmooth-generalized-alpha", "backward-euler")
 #: Energy never grows with these.
 DISSIPATIVE = ("contact-implicit", "contact-stabilized")
 #: What the solver promises, relative to the energy of the motion.

@@ -112,6 +112,24 @@ class Bar(check_history.SceneTest):
         self.expect_close(max(run.pressure), 1.09, 0.03, "largest contact pressure")
         self.expect_close(max(run["max_penetration"]), 0.025, 0.03, "penetration")
 
+    def test_nonsmooth_generalized_alpha(self):
+        run = self.run_bar("nonsmooth-generalized-alpha")
+        self.expect_close(run.changes[-1], -0.0080, 0.03, "energy change at the end")
+        self.assertLess(max(run.changes), 1e-10, "gain of energy")
+        self.expect_errors(run, 0.0170, 0.090)
+        self.expect_close(max(run.pressure), 1.08, 0.03, "largest contact pressure")
+        self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
+        self.expect_close(max(run["max_penetration"]), 0.025, 0.03, "penetration")
+
+    def test_backward_euler(self):
+        run = self.run_bar("backward-euler")
+        self.expect_close(run.changes[-1], -0.179, 0.03, "energy change at the end")
+        self.assertLess(max(run.changes), 1e-10, "gain of energy")
+        self.expect_errors(run, 0.082, 0.148)
+        self.expect_close(max(run.pressure), 1.02, 0.03, "largest contact pressure")
+        self.expect_close(run.deviation, 0.016, 0.03, "deviation of the contact pressure")
+        self.assertLess(max(run["max_penetration"]), 1e-9)
+
 
 if __name__ == "__main__":
     check_history.main()

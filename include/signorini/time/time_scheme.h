@@ -45,7 +45,7 @@ namespace signorini
   struct SchemeParameters
   {
     double hht_alpha         = -0.1;  ///< hht-alpha: in [-1/3, 0]
-    double spectral_radius   = 0.8;   ///< generalized-alpha: of infinite frequencies, in [0, 1]
+    double spectral_radius   = 0.8;   ///< generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]
     bool   impulses_per_node = false; ///< laursen-love: each contact node gets back what it has lost
   };
 
