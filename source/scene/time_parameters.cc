@@ -31,8 +31,8 @@ namespace signorini
       "Scheme",
       "contact-stabilized",
       Selection("newmark|laursen-chawla|laursen-love|khenous-laborde-renard|hager-hueeber-wohlmuth|contact-implicit|"
-                "contact-stabilized|contact-stabilized-projected|hht-alpha|generalized-alpha|moreau-jean|"
-                "reference"),
+                "contact-stabilized|contact-stabilized-projected|hht-alpha|generalized-alpha|"
+                "nonsmooth-generalized-alpha|backward-euler|moreau-jean|reference"),
       "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
       "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
       "projection acts on the velocity, too; nodes in contact have no normal velocity. contact-implicit: "
@@ -40,15 +40,17 @@ namespace signorini
       "allows penetration. laursen-love: conserves energy by impulses, without penetration. "
       "khenous-laborde-renard: contact nodes have no mass; smooth contact forces. hager-hueeber-wohlmuth: "
       "laursen-chawla with contact nodes without mass. newmark: the "
-      "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, moreau-jean: "
-      "widely used, for comparison. reference: the mass-redistributed problem integrated with error control; "
+      "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, "
+      "nonsmooth-generalized-alpha, backward-euler, moreau-jean: widely used, for comparison. reference: the "
+      "mass-redistributed problem integrated with error control; "
       "slow, to measure the error of others in time.");
     prm.declare_entry(
       "HHT alpha", "-0.1", Double(), "Damping of hht-alpha, between -1/3 (most) and 0 (none; no unit).");
     prm.declare_entry("Spectral radius",
                       "0.8",
                       Double(),
-                      "Of generalized-alpha at infinite frequency, between 0 (most damping) and 1 (none; no unit).");
+                      "Of generalized-alpha and nonsmooth-generalized-alpha at infinite frequency, between 0 (most "
+                      "damping) and 1 (none; no unit).");
     prm.declare_entry("Reference tolerance",
                       "1e-8",
                       Double(),
@@ -87,6 +89,13 @@ namespace signorini
       "Mass matrix of the projection in the predictor of contact-stabilized. lumped is cheaper "
       "(node by node); with the consistent mass the scheme then loses more energy and is no longer sure "
       "never to gain any. No other scheme uses it.");
+    prm.declare_entry(
+      "Impulses",
+      "common",
+      Selection("common|per node"),
+      "How laursen-love shares the impulses that give lost energy back. common: along the contact forces, "
+      "from one equation. per node: each contact node gets back what it has lost, from coupled equations; "
+      "takes more time. No other scheme uses it.");
     prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
     prm.declare_entry("End time",
                       "0",
@@ -127,7 +136,8 @@ namespace signorini
                 "makes no sense with Scheme = laursen-love: impulses on contact nodes without mass have no effect "
                 "that is finite."
                   + remedy);
-      if (time.scheme == "hht-alpha" || time.scheme == "generalized-alpha" || time.scheme == "moreau-jean")
+      if (time.scheme == "hht-alpha" || time.scheme == "generalized-alpha"
+          || time.scheme == "nonsmooth-generalized-alpha" || time.scheme == "moreau-jean")
         in.fail("Mass",
                 "makes no sense with Scheme = " + time.scheme
                   + ", which needs accelerations or velocities of contact nodes that follow from forces." + remedy);
@@ -160,6 +170,7 @@ namespace signorini
     time.newmark_gamma   = in.number("Newmark gamma");
     time.hht_alpha       = in.number("HHT alpha");
     time.spectral_radius = in.number("Spectral radius");
+    time.impulses        = in.text("Impulses");
     if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
       in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
     if (!(time.spectral_radius >= 0. && time.spectral_radius <= 1.))
@@ -184,6 +195,10 @@ namespace signorini
       in.fail("Predictor mass",
               "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " + time.scheme
                 + ". Remove this key or set `Scheme = contact-stabilized`.");
+    if (time.impulses != "common" && time.scheme != "laursen-love")
+      in.fail("Impulses",
+              "only the scheme laursen-love gives impulses, but Scheme = " + time.scheme
+                + ". Remove this key or set `Scheme = laursen-love`.");
     return time;
   }
 } // namespace signorini

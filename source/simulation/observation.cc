@@ -65,6 +65,9 @@ namespace signorini
     largest_residual = std::max(largest_residual, std::abs(booking.residual));
     write(state, report, booking, step_size);
 
+    n_impulse_solves += report.impulse_iterations > 0;
+    n_impulse_iterations += report.impulse_iterations;
+    n_common_impulses += report.common_impulses;
     impulse += step_size * contact_now.normal_force;
     largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
     deepest             = std::max(deepest, contact_now.geometric_penetration);
@@ -177,6 +180,14 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
+    if (n_impulse_solves > 0)
+      text << "  impulses          of single nodes in " << n_impulse_solves << " steps, "
+           << static_cast<double>(n_impulse_iterations) / n_impulse_solves << " iterations each\n";
+    if (n_common_impulses > 0)
+      text << "  warning: in " << n_common_impulses
+           << " of these steps the equations of the single nodes were not solved; the common factor of\n"
+           << "           `Time/Impulses = common` was taken instead. The energy is right, the share of each node is "
+              "not.\n";
     if (deepest > 1e-2 * discretization.body_size())
       text << "  warning: by the true geometry a contact node was " << deepest
            << " deep in an obstacle. Contact is linearised about the\n"

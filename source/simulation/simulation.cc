@@ -42,7 +42,8 @@ namespace signorini
                                                 scene.time.spectral_radius,
                                                 scene.time.newmark_beta,
                                                 scene.time.newmark_gamma,
-                                                scene.time.reference_tolerance});
+                                                scene.time.reference_tolerance,
+                                                scene.time.impulses == "per node"});
     FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
     Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
     observation.start(state);

@@ -149,9 +149,10 @@ namespace signorini
 
     solution.contact_reaction = discretization.make_vector();
     solution.support_reaction = solution.contact_reaction;
+    solution.normal_reaction.assign(active.size(), 0.);
     for (unsigned int k = 0; k < active.size(); ++k)
       if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
-        solution.contact_reaction.local_element(i) = -residual.local_element(i);
+        solution.contact_reaction.local_element(i) = solution.normal_reaction[k] = -residual.local_element(i);
     for (const unsigned int i : coordinates.supported_entries())
       solution.support_reaction.local_element(i) = -residual.local_element(i);
 
@@ -253,6 +254,17 @@ namespace signorini
     if (!massless_equilibrium)
       massless_equilibrium = std::make_unique<MasslessEquilibrium<dim>>(discretization, surface, coordinates);
     return effort_of(massless_equilibrium->solve(displacement, load, energy_scale, contact_force));
+  }
+
+
+  template <int dim>
+  Vector ElasticContactSystem<dim>::normal_forces(const std::vector<double> &forces) const
+  {
+    Vector result = discretization.make_vector();
+    for (unsigned int k = 0; k < forces.size(); ++k)
+      result.local_element(coordinates.normal_entries()[k]) = forces[k];
+    coordinates.force_to_cartesian(result);
+    return result;
   }
 
 

@@ -2,12 +2,39 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/time/laursen_love.h>
+#include <signorini/time/node_impulses.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 #include <cmath>
 
 namespace signorini
 {
+  namespace
+  {
+    /** The nodal impulses that solve the equations of the single nodes; if that fails, along the contact forces r. */
+    Vector impulses_per_node(DynamicalSystem         &system,
+                             const IncrementSolution &solution,
+                             const NormalGap         &gap,
+                             const Vector            &velocity,
+                             const Vector            &r,
+                             const double             tau,
+                             StepReport              &report)
+    {
+      std::vector<double> compression = solution.normal_reaction;
+      for (double &force : compression)
+        force *= -2. / (tau * tau);
+      NodeImpulses nodes        = solve_node_impulses(system, {compression, gap, system.relative_normal(velocity)});
+      report.impulse_iterations = nodes.iterations;
+      report.common_impulses    = !nodes.converged;
+      if (!nodes.converged)
+        return r;
+      for (double &impulse : nodes.impulses)
+        impulse *= -1.;
+      return system.normal_forces(nodes.impulses);
+    }
+  } // namespace
+
+
   StepReport LaursenLove::advance(DynamicalSystem &system, State &state, const double tau)
   {
     const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
@@ -27,23 +54,27 @@ namespace signorini
 
     if (r.linfty_norm() > 0.)
       {
-        // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -r.v*, v* the velocity without impulses
-        const Vector response = system.solve_mass(r); // M^-1 r
-        const double kappa    = r * response;
-        const double omega    = -(r * state.velocity + r * velocity_change);
+        Vector velocity = state.velocity; // v*, without impulses
+        velocity += velocity_change;
+        const Vector impulses =
+          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, tau, report) : r; // up to a factor
+
+        // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*
+        const Vector response = system.solve_mass(impulses);
+        const double kappa    = impulses * response;
+        const double omega    = -(impulses * velocity);
         const double lost     = std::max(0., -report.work_contact);
         double       alpha    = 0.;
         if (kappa > 0. && (omega > 0. || lost > 0.))
           alpha = (omega + std::sqrt(omega * omega + 2. * kappa * lost)) / kappa;
         // Supports react to the impulses; with a velocity of their own that is work from outside.
-        Vector impulse = response;
-        system.apply_mass(impulse, response);
-        impulse = system.support_part(impulse);
-        report.work_support += alpha * (impulse * state.velocity + impulse * velocity_change);
+        Vector reaction = response;
+        system.apply_mass(reaction, response);
+        report.work_support += alpha * (system.support_part(reaction) * velocity);
 
         velocity_change.add(alpha, response);
         report.work_contact += alpha * (alpha * kappa / 2. - omega);
-        r *= 1. + alpha / tau;
+        r.add(alpha / tau, impulses);
       }
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/time/backward_euler.h>
 #include <signorini/time/contact_implicit_newmark.h>
 #include <signorini/time/contact_stabilized_newmark.h>
 #include <signorini/time/generalized_alpha.h>
@@ -11,6 +12,7 @@
 #include <signorini/time/laursen_love.h>
 #include <signorini/time/moreau_jean.h>
 #include <signorini/time/newmark.h>
+#include <signorini/time/nonsmooth_generalized_alpha.h>
 #include <signorini/time/projected_contact_stabilized.h>
 #include <signorini/time/reference_integration.h>
 
@@ -30,7 +32,7 @@ namespace signorini
     if (name == "laursen-chawla")
       return std::make_unique<LaursenChawla>();
     if (name == "laursen-love")
-      return std::make_unique<LaursenLove>();
+      return std::make_unique<LaursenLove>(parameters.impulses_per_node);
     if (name == "khenous-laborde-renard")
       return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta, parameters.newmark_gamma);
     if (name == "hager-hueeber-wohlmuth")
@@ -44,7 +46,11 @@ namespace signorini
     if (name == "hht-alpha")
       return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
     if (name == "generalized-alpha")
-      return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::with_spectral_radius(parameters.spectral_radius));
+      return std::make_unique<GeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
+    if (name == "nonsmooth-generalized-alpha")
+      return std::make_unique<NonsmoothGeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
+    if (name == "backward-euler")
+      return std::make_unique<BackwardEuler>();
     if (name == "moreau-jean")
       return std::make_unique<MoreauJean>();
     if (name == "reference")
@@ -53,6 +59,6 @@ namespace signorini
       "Time/Scheme = " + name
       + " is not known. Choose newmark, laursen-chawla, laursen-love, khenous-laborde-renard, hager-hueeber-wohlmuth, "
         "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha, "
-        "moreau-jean or reference.");
+        "nonsmooth-generalized-alpha, backward-euler, moreau-jean or reference.");
   }
 } // namespace signorini

@@ -202,6 +202,8 @@ TEST(Mistakes, SeveralValuesTogether)
   expect({{"Time/Newmark beta", "0.2"}}, {"Newmark beta = 0.2", "between 0.25 and 1", "not stable"});
   expect({{"Time/Newmark gamma", "1.2"}}, {"Newmark gamma = 1.2", "Newmark beta", "not stable"});
   expect({{"Time/Reference tolerance", "0"}}, {"Reference tolerance = 0", "between"});
+  expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "per node"}},
+         {"Impulses = per node", "Scheme = newmark", "Remove"});
   expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
   expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
   expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});

@@ -41,6 +41,13 @@ namespace signorini
 
     NormalGap relative_normal(const Vector &motion) const override { return {motion(0)}; }
 
+    Vector normal_forces(const std::vector<double> &forces) const override
+    {
+      Vector result = make_vector();
+      result(0)     = forces[0];
+      return result;
+    }
+
     double length() const override { return 1.; }
 
     Vector solve_mass(const Vector &force) override
@@ -57,6 +64,7 @@ namespace signorini
       solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
       solution.increment(0)                                                      = std::min(free, problem.bounds[0]);
       solution.contact_reaction(0)                                               = K * (solution.increment(0) - free);
+      solution.normal_reaction                                                   = {solution.contact_reaction(0)};
       solution.effort.n_active                                                   = free > problem.bounds[0];
     }
 

@@ -3,7 +3,7 @@
 
 // What the schemes beyond the paper's dissipative ones promise: the two of Laursen conserve energy to round-off through every
 // impact; contact-stabilized with projected velocity loses energy by three non-positive terms and stops nodes that stay in contact;
-// Moreau and Jean's loses energy. A mass on a spring, a bar between two walls with loads, and the same driven in the middle.
+// Moreau and Jean's loses energy; nonsmooth generalized-alpha stops what touches. A mass on a spring, a bar between two walls with loads, and the same driven in the middle.
 
 #include <gtest/gtest.h>
 
@@ -55,23 +55,32 @@ TEST_P(Conservation, LaursenAndChawlaConserveEnergyAndPenetrateALittle)
   EXPECT_LT(deepest, tau * fastest);
 }
 
+// With a factor that the nodes have in common, and with impulses of their own.
 TEST_P(Conservation, LaursenAndLoveConserveEnergyWithoutPenetration)
 {
-  const auto scheme        = make_time_scheme("laursen-love");
-  double     largest_force = 0.;
-  for (unsigned int step = 0; step < 100; ++step)
+  const State start = state;
+  for (const bool per_node : {false, true})
     {
-      StepReport   report;
-      const double change = advance(*scheme, report);
-      ASSERT_NEAR(change, 0., round_off) << "step " << step;
-      ASSERT_NEAR(report.work_contact, 0., round_off) << "step " << step;
-      for (const double gap : system.normal_gap(state.displacement))
-        ASSERT_GE(gap, -round_off);
-      for (const double force : system.relative_normal(state.contact_force))
-        ASSERT_LE(force, round_off) << "adhesion";
-      largest_force = std::max(largest_force, state.contact_force.linfty_norm());
+      state = start;
+      SchemeParameters parameters;
+      parameters.impulses_per_node = per_node;
+      const auto scheme            = make_time_scheme("laursen-love", parameters);
+      double     largest_force     = 0.;
+      for (unsigned int step = 0; step < 100; ++step)
+        {
+          StepReport   report;
+          const double change = advance(*scheme, report);
+          ASSERT_FALSE(report.common_impulses) << "step " << step;
+          ASSERT_NEAR(change, 0., round_off) << "step " << step;
+          ASSERT_NEAR(report.work_contact, 0., round_off) << "step " << step;
+          for (const double gap : system.normal_gap(state.displacement))
+            ASSERT_GE(gap, -round_off);
+          for (const double force : system.relative_normal(state.contact_force))
+            ASSERT_LE(force, round_off) << "adhesion";
+          largest_force = std::max(largest_force, state.contact_force.linfty_norm());
+        }
+      EXPECT_GT(largest_force, 0.1);
     }
-  EXPECT_GT(largest_force, 0.1);
 }
 
 TEST_P(Conservation, ProjectedVelocityLosesEnergyAndStopsNodesInContact)
@@ -127,6 +136,46 @@ TEST_P(Conservation, MoreauAndJeanLoseEnergyWhileBodiesApproach)
       lost -= change;
     }
   EXPECT_GT(lost, 1e-3);
+}
+
+TEST_P(Conservation, NonsmoothGeneralizedAlphaStopsNodesAndAccountsForEnergy)
+{
+  const auto   scheme = make_time_scheme("nonsmooth-generalized-alpha");
+  unsigned int n_held = 0;
+  for (unsigned int step = 0; step < 100; ++step)
+    {
+      StepReport   report;
+      const double change = advance(*scheme, report);
+      ASSERT_NEAR(change, report.work_contact + report.work_scheme, round_off);
+      const NormalGap force    = system.relative_normal(state.contact_force),
+                      velocity = system.relative_normal(state.velocity);
+      for (unsigned int k = 0; k < force.size(); ++k)
+        {
+          ASSERT_LE(force[k], round_off) << "adhesion";
+          if (force[k] < 0.)
+            {
+              ASSERT_NEAR(velocity[k], 0., 1e-8);
+              ++n_held;
+            }
+        }
+    }
+  EXPECT_GT(n_held, 0u);
+}
+
+TEST_P(Conservation, NonsmoothGeneralizedAlphaWithoutDampingIsMoreauAndJean)
+{
+  const State      start = state;
+  SchemeParameters parameters;
+  parameters.spectral_radius = 1.;
+  const auto one = make_time_scheme("nonsmooth-generalized-alpha", parameters), other = make_time_scheme("moreau-jean");
+  for (unsigned int step = 0; step < 100; ++step)
+    one->advance(system, state, tau);
+  const Vector displacement = state.displacement;
+  state                     = start;
+  for (unsigned int step = 0; step < 100; ++step)
+    other->advance(system, state, tau);
+  for (unsigned int i = 0; i < displacement.size(); ++i)
+    EXPECT_NEAR(displacement(i), state.displacement(i), 1e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(All,

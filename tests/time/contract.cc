@@ -24,7 +24,9 @@ namespace
                                             "hht-alpha",
                                             "generalized-alpha",
                                             "khenous-laborde-renard",
-                                            "hager-hueeber-wohlmuth"};
+                                            "hager-hueeber-wohlmuth",
+                                            "nonsmooth-generalized-alpha",
+                                            "backward-euler"};
 
   /** A mass whose solver fails. */
   class Failing : public BouncingMass

@@ -74,6 +74,14 @@ namespace signorini
 
     NormalGap relative_normal(const Vector &motion) const override { return {-motion(0), motion(motion.size() - 1)}; }
 
+    Vector normal_forces(const std::vector<double> &forces) const override
+    {
+      Vector result  = make_vector();
+      result(0)      = -forces[0];
+      result(last()) = forces[1];
+      return result;
+    }
+
     double length() const override { return 1.; }
 
     std::vector<unsigned int> massless_entries() const override { return massless; }
@@ -114,6 +122,7 @@ namespace signorini
         solution.contact_reaction(0) = reaction[0];
       if (solution.increment(last()) > problem.bounds[1] - 1e-13)
         solution.contact_reaction(last()) = reaction[last()];
+      solution.normal_reaction = relative_normal(solution.contact_reaction);
       if (motion)
         solution.support_reaction(middle) = reaction[middle];
     }

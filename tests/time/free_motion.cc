@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Without contact all schemes but the two alpha methods are the trapezoidal rule: of second order, the same for all of them, with
-// loads as the mean of their values at both ends of a step. The alpha methods are of second order, too.
+// Without contact all schemes but the alpha methods and backward Euler are the trapezoidal rule: of second order, the same for all of them, with
+// loads as the mean of their values at both ends of a step. The alpha methods are of second order, too; backward Euler is of first.
 
 #include <gtest/gtest.h>
 
@@ -94,8 +94,23 @@ TEST_P(AlphaMethods, DampHighFrequencies)
   EXPECT_NEAR(energy(system, state) - before, booked, 1e-9 * before) << "the report accounts for the damping";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AlphaMethods, testing::Values("hht-alpha", "generalized-alpha"), [](const auto &info) {
-  return std::string(info.param).substr(0, 3);
+INSTANTIATE_TEST_SUITE_P(All,
+                         AlphaMethods,
+                         testing::Values("hht-alpha", "generalized-alpha", "nonsmooth-generalized-alpha"),
+                         [](const auto &info) { return std::string(info.param).substr(0, 3); });
+
+class FirstOrder : public FreeMotion
+{
+};
+
+TEST_P(FirstOrder, OrderOne)
+{
+  for (const unsigned int n_steps : {2000, 4000})
+    EXPECT_NEAR(std::log2(error(n_steps) / error(2 * n_steps)), 1., 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FirstOrder, testing::Values("backward-euler"), [](const auto &) {
+  return "backward_euler";
 });
 
 INSTANTIATE_TEST_SUITE_P(All,

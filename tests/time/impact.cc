@@ -50,6 +50,34 @@ TEST(Impact, ContactImplicitVelocityAlternatesInContact)
     }
 }
 
+TEST(Impact, BackwardEulerStopsTheMassInTheStepAfterTouch)
+{
+  const double theta  = 0.25;
+  BouncingMass system = free_mass(theta * tau * w);
+  State        state  = make_state(system, 0., w);
+  const auto   scheme = make_time_scheme("backward-euler");
+  scheme->advance(system, state, tau);
+  EXPECT_NEAR(state.displacement(0), system.wall, round_off);
+  EXPECT_NEAR(state.velocity(0), theta * w, round_off);
+  EXPECT_NEAR(state.contact_force(0), -mass * w * (1. - theta) / tau, 1e-10);
+  scheme->advance(system, state, tau);
+  EXPECT_NEAR(state.velocity(0), 0., round_off);
+}
+
+TEST(Impact, NonsmoothGeneralizedAlphaStopsTheMassAndPenetrates)
+{
+  for (const double theta : {0.4, 0.6}) // before and after the middle of the step
+    {
+      BouncingMass system = free_mass(theta * tau * w);
+      State        state  = make_state(system, 0., w);
+      make_time_scheme("nonsmooth-generalized-alpha")->advance(system, state, tau);
+      const bool touches = theta < 0.5;
+      EXPECT_NEAR(state.velocity(0), touches ? 0. : w, 1e-8 * w);
+      EXPECT_NEAR(state.displacement(0), touches ? tau * w / 2. : tau * w, 1e-8 * w);
+      EXPECT_NEAR(state.contact_force(0), touches ? -mass * w / tau : 0., 1e-7);
+    }
+}
+
 TEST(Impact, NewmarkGainsEnergy)
 {
   for (const double theta : {0., 0.1, 0.3})

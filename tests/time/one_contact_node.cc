@@ -16,9 +16,9 @@ TEST(OneContactNode, LaursenAndLoveHaveASmoothForce)
   // 100 elements, Courant number 0.9, speed 1/3 of that of waves; touch at 1.5, release at 3.5.
   constexpr double tau = 0.009, speed = 1. / 3.;
   ElasticBar       system(101);
-  system.distance = {{0.5, 10.}};
-  Vector v        = system.make_vector();
-  v               = -speed;
+  system.distance      = {{0.5, 10.}};
+  Vector v             = system.make_vector();
+  v                    = -speed;
   State        state   = make_state(system, system.make_vector(), v);
   const auto   scheme  = make_time_scheme("laursen-love");
   const double initial = energy(system, state);

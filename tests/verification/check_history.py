@@ -20,7 +20,7 @@ PARAMETERS = SOURCE / "parameters"
 SCHEMES = ("newmark", "contact-implicit", "contact-stabilized")
 #: Beyond the ones above; some penetrate by design.
 FURTHER_SCHEMES = ("laursen-chawla", "laursen-love", "contact-stabilized-projected", "hht-alpha", "generalized-alpha",
-                   "moreau-jean")
+                   "moreau-jean", "nonsmooth-generalized-alpha", "backward-euler")
 #: Energy never grows with these.
 DISSIPATIVE = ("contact-implicit", "contact-stabilized")
 #: What the solver promises, relative to the energy of the motion.
@@ -60,6 +60,7 @@ class Run:
                                 check=False)
         if result.returncode != 0:
             raise AssertionError(f"{name}: exit status {result.returncode}\n{result.stdout}\n{result.stderr}")
+        self.log = (self.folder / "output" / "log.txt").read_text(encoding="utf-8")
         self.history = read_table(self.folder / "output" / "history.csv")
         self.probes = {path.stem[len("probe_"):]: read_table(path)
                        for path in sorted((self.folder / "output").glob("probe_*.csv"))}

@@ -16,8 +16,9 @@ START, END = 0.5, 7. / 6.  # of the exact contact
 
 
 class Bar(check_history.SceneTest):
-    def run_bar(self, scheme):
-        run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", f"bar-{scheme}", [f"Time/Scheme={scheme}"])
+    def run_bar(self, scheme, *overrides):
+        run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", "-".join(["bar", scheme, *map(str, range(len(overrides)))]),
+                                [f"Time/Scheme={scheme}", *overrides])
         run.pressure = [force / (PRESSURE * AREA) for force in run["contact_force"]]
         margin = 0.1 * (END - START)
         middle = [p for p, t in zip(run.pressure, run["time"]) if START + margin <= t <= END - margin]
@@ -57,6 +58,14 @@ class Bar(check_history.SceneTest):
         self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
         self.expect_impulse(run, 0.02)
 
+    def test_contact_stabilized_with_lumped_predictor(self):
+        run = self.run_bar("contact-stabilized", "Time/Predictor mass=lumped")
+        self.expect_close(run.changes[-1], -0.0112, 0.03, "energy change at the end")
+        self.assertLess(max(run.changes), 1e-10, "gain of energy")
+        self.expect_errors(run, 0.0133, 0.097)
+        self.expect_close(max(run.pressure), 1.02, 0.03, "largest contact pressure")
+        self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
+
     def test_laursen_chawla_conserves_energy_and_penetrates(self):
         run = self.run_bar("laursen-chawla")
         self.assertLess(max(abs(change) for change in run.changes), 1e-10)
@@ -70,6 +79,16 @@ class Bar(check_history.SceneTest):
         self.assertLess(max(abs(change) for change in run.changes), 1e-10)
         self.expect_close(max(run.pressure), 1.92, 0.03, "largest contact pressure")
         self.assertLess(max(run["max_penetration"]), 1e-9)
+
+    def test_impulses_per_node_make_the_force_of_laursen_love_smooth(self):
+        run = self.run_bar("laursen-love", "Time/Impulses=per node")
+        self.assertLess(max(abs(change) for change in run.changes), 1e-10)
+        self.expect_errors(run, 0.0065, 0.094)
+        self.expect_close(max(run.pressure), 1.92, 0.03, "largest contact pressure")
+        self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
+        self.assertLess(max(run["max_penetration"]), 1e-9)
+        self.assertIn("impulses          of single nodes", run.log)
+        self.assertNotIn("warning", run.log, "steps with the common factor")
 
     def test_projected_velocity_is_the_best_of_the_dissipative(self):
         run = self.run_bar("contact-stabilized-projected")
@@ -92,6 +111,24 @@ class Bar(check_history.SceneTest):
         self.expect_errors(run, 0.0166, 0.091)
         self.expect_close(max(run.pressure), 1.09, 0.03, "largest contact pressure")
         self.expect_close(max(run["max_penetration"]), 0.025, 0.03, "penetration")
+
+    def test_nonsmooth_generalized_alpha(self):
+        run = self.run_bar("nonsmooth-generalized-alpha")
+        self.expect_close(run.changes[-1], -0.0080, 0.03, "energy change at the end")
+        self.assertLess(max(run.changes), 1e-10, "gain of energy")
+        self.expect_errors(run, 0.0170, 0.090)
+        self.expect_close(max(run.pressure), 1.08, 0.03, "largest contact pressure")
+        self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
+        self.expect_close(max(run["max_penetration"]), 0.025, 0.03, "penetration")
+
+    def test_backward_euler(self):
+        run = self.run_bar("backward-euler")
+        self.expect_close(run.changes[-1], -0.179, 0.03, "energy change at the end")
+        self.assertLess(max(run.changes), 1e-10, "gain of energy")
+        self.expect_errors(run, 0.082, 0.148)
+        self.expect_close(max(run.pressure), 1.02, 0.03, "largest contact pressure")
+        self.expect_close(run.deviation, 0.016, 0.03, "deviation of the contact pressure")
+        self.assertLess(max(run["max_penetration"]), 1e-9)
 
 
 if __name__ == "__main__":

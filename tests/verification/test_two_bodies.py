@@ -118,6 +118,22 @@ class TwoBodies(check_history.SceneTest):
                     self.expect_no_gain_of_energy(run)
                     self.expect_no_penetration(run, 10.)
 
+    def test_impulses_per_node_conserve_energy_and_momentum(self):
+        """On one and two processes, many coupled contact nodes; the equations of the nodes are solved in every step."""
+        runs = [check_history.Run(check_history.PARAMETERS / "geometry_b_curved.prm", f"node-impulses-{processes}",
+                                  [*FREE_SCENES["geometry_b_curved"][0], "Time/Scheme=laursen-love", "Time/Impulses=per node"],
+                                  processes) for processes in (1, 2)]
+        for run in runs:
+            self.expect_contact(run)
+            self.expect_ledger_closes(run)
+            self.assertLess(max(abs(energy / run["total_energy"][0] - 1) for energy in run["total_energy"]), 1e-9)
+            self.expect_no_penetration(run, 1.4)
+            self.expect_pressure(run)
+            self.expect_constant_momentum(run)
+            self.assertIn("impulses          of single nodes", run.log)
+            self.assertNotIn("warning", run.log, "steps with the common factor")
+        self.expect_same_history(*runs, 1e-8)
+
     def test_bar_at_rest_takes_over_all_motion(self):
         run = self.run_scene("striking_bar", "contact-stabilized")
         middle = [force for time, force in zip(run["time"], run["contact_force"]) if 4 < time < 16]

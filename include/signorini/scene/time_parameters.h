@@ -19,9 +19,10 @@ namespace signorini
     double      spectral_radius     = 0.8;     ///< parameter of generalized-alpha
     double      newmark_beta        = 0.5;     ///< parameters of khenous-laborde-renard
     double      newmark_gamma       = 0.5;
-    double      reference_tolerance = 1e-8; ///< parameter of reference
-    double      step_size           = 0.;   ///< tau > 0
-    double      end_time            = 0.;   ///< T > 0; the number of steps is T/tau rounded to the nearest integer
+    double      reference_tolerance = 1e-8;     ///< parameter of reference
+    std::string impulses            = "common"; ///< of laursen-love: common | per node
+    double      step_size           = 0.;       ///< tau > 0
+    double      end_time            = 0.;       ///< T > 0; the number of steps is T/tau rounded to the nearest integer
     /** Whether the mass has no entries at contact nodes. */
     bool has_massless_contact_nodes() const;
     /** Number of steps, at least one. */

@@ -35,6 +35,7 @@ namespace signorini
     bool        add_mean_load(Vector &destination, double factor, double start_time, double end_time) override;
     NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
     NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
+    Vector      normal_forces(const std::vector<double> &forces) const override;
     double      length() const override { return discretization.body_size(); }
     Vector      solve_mass(const Vector &force) override;
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;

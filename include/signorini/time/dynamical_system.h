@@ -39,10 +39,12 @@ namespace signorini
   /** The increment and the generalised forces that hold the constraints, all in Cartesian components. */
   struct IncrementSolution
   {
-    Vector      increment;        ///< d
-    Vector      contact_reaction; ///< (K d - b) in the contact entries: compression has a negative normal component
-    Vector      support_reaction; ///< (K d - b) in the entries of supports
-    SolveEffort effort;
+    Vector increment;        ///< d
+    Vector contact_reaction; ///< (K d - b) in the contact entries: compression has a negative normal component
+    Vector support_reaction; ///< (K d - b) in the entries of supports
+    /** The contact reaction as one number per contact node that this process owns, compression < 0; zero where open. */
+    std::vector<double> normal_reaction;
+    SolveEffort         effort;
   };
 
   /**
@@ -75,6 +77,9 @@ namespace signorini
 
     /** [w].nu per contact node, of displacements or velocities. */
     virtual NormalGap relative_normal(const Vector &motion) const = 0;
+
+    /** The nodal forces f of forces along the normals of the contact nodes: f.w = sum of force times [w].nu. */
+    virtual Vector normal_forces(const std::vector<double> &forces) const = 0;
 
     /** The unit of length for tolerances: the size of the bodies. */
     virtual double length() const = 0;

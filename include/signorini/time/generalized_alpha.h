@@ -4,7 +4,7 @@
 #ifndef signorini_time_generalized_alpha_h
 #define signorini_time_generalized_alpha_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/time/alpha_rule.h>
 
 namespace signorini
 {
@@ -13,27 +13,25 @@ namespace signorini
    * 1977) is the case alpha_m = 0. With accelerations a,
    *
    *   M [(1 - alpha_m) a_new + alpha_m a] + A [(1 - alpha_f) u_new + alpha_f u] = (1 - alpha_f) f_new + alpha_f f + r,
-   *   d = tau v + tau^2 [(1/2 - beta) a + beta a_new],   v_new = v + tau [(1 - gamma) a + gamma a_new],
-   *   beta = (1 - alpha_m + alpha_f)^2 / 4,   gamma = 1/2 - alpha_m + alpha_f,
    *
-   * second order, and damping of high frequencies by choice. A baseline that users know: with contact there is no bound of the energy, and the
-   * release of a loaded node can add some. The first acceleration is that of loads and elastic forces.
+   * see AlphaRule for the rest. Second order, and damping of high frequencies by choice. A baseline that users know: with contact there is no
+   * bound of the energy, and the release of a loaded node can add some. The first acceleration is that of loads and elastic forces.
    */
   class GeneralizedAlpha : public TimeScheme
   {
   public:
-    GeneralizedAlpha(double alpha_m, double alpha_f);
-
-    /** The method of a spectral radius at infinite frequency, 0 <= rho <= 1. */
-    static GeneralizedAlpha with_spectral_radius(double rho);
+    explicit GeneralizedAlpha(const AlphaRule &rule)
+      : rule(rule)
+    {
+    }
 
     /** HHT, -1/3 <= alpha <= 0. */
-    static GeneralizedAlpha hht(double alpha) { return GeneralizedAlpha(0., -alpha); }
+    static GeneralizedAlpha hht(double alpha) { return GeneralizedAlpha(AlphaRule(0., -alpha)); }
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
   private:
-    const double alpha_m, alpha_f, beta, gamma;
+    const AlphaRule rule;
   };
 } // namespace signorini
 

@@ -22,6 +22,8 @@ namespace signorini
     double      work_support   = 0.; ///< work of the reactions at prescribed displacements
     double      work_scheme =
       0.; ///< change of energy by the rule of integration itself (numerical dissipation, <= 0 in the mean)
+    unsigned int impulse_iterations = 0;     ///< laursen-love, per node: of the coupled equations
+    bool         common_impulses    = false; ///< they had no solution; the common factor was taken instead
   };
 
   /**
@@ -42,11 +44,12 @@ namespace signorini
   /** Parameters of single schemes. */
   struct SchemeParameters
   {
-    double hht_alpha           = -0.1; ///< hht-alpha: in [-1/3, 0]
-    double spectral_radius     = 0.8;  ///< generalized-alpha: of infinite frequencies, in [0, 1]
-    double newmark_beta        = 0.5;  ///< khenous-laborde-renard: at least 1/4
-    double newmark_gamma       = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
-    double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
+    double hht_alpha           = -0.1;  ///< hht-alpha: in [-1/3, 0]
+    double spectral_radius     = 0.8;   ///< generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]
+    double newmark_beta        = 0.5;   ///< khenous-laborde-renard: at least 1/4
+    double newmark_gamma       = 0.5;   ///< khenous-laborde-renard: in [1/2, 2 beta]
+    double reference_tolerance = 1e-8;  ///< reference: relative error per step of the integrator
+    bool   impulses_per_node   = false; ///< laursen-love: each contact node gets back what it has lost
   };
 
   /** The scheme of a name in the scene: newmark, contact-implicit, ... */
