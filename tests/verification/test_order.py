@@ -122,15 +122,14 @@ class Reference(check_history.SceneTest):
 
     def test_energy_of_an_impact_is_conserved_to_the_tolerance(self):
         drifts = []
-        for tolerance in (1e-4, 1e-6, 1e-8):
+        for tolerance in (1e-6, 1e-8):
             run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", f"impact {tolerance}", [
                 "Time/Scheme=reference", f"Time/Reference tolerance={tolerance}", "Bodies/bar/Repetitions=1, 25", "Time/Step size=0.012", "Time/End time=1.3"])
             self.expect_contact(run)
             energy = run["total_energy_modified"]
             drifts.append(max(abs(value / energy[0] - 1) for value in energy))
-        self.assertLess(drifts[2], 1e-5)
-        self.assertLess(10 * drifts[1], drifts[0])
-        self.assertLess(5 * drifts[2], drifts[1])
+        self.assertLess(drifts[1], 1e-5)
+        self.assertLess(5 * drifts[1], drifts[0], f"{drifts}")
 
 
 if __name__ == "__main__":
