@@ -10,6 +10,12 @@ change together, value by value; sections [variant NAME], each with the keys of 
 such sections. [scene] has keys for all runs, [coarse] those for --coarse. Results of each run go to FOLDER/<number or name>, the table to
 FOLDER/table.csv and FOLDER/table.md. With [together] the table shows, behind each error, the rate log2(error before / error).
 
+`exact force = ...` in [study], an expression in t with sin, cos, sqrt, abs, max, min and pi, gives force_error. A section [reference] has the keys of a run
+to compare with, for example `Time/Scheme = reference`: all runs that differ only in scheme and step size share one, with the smallest of their step sizes
+if it does not give its own, of which theirs must be whole multiples. It gives force_distance, displacement_distance and velocity_distance, the latter
+two of all probes; a reference step size a few times smaller than the runs' keeps differences of its displacements out of them. All are relative, L2 in
+time, and each force is compared at the instant to which it belongs (tools/studies/instants.py).
+
 Two studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
 bar-table compares them on the bar with an independent computation.
 """
@@ -18,7 +24,7 @@ import argparse
 import pathlib
 import sys
 
-from studies import runs, tables
+from studies import references, runs, tables
 from studies.definition import Mistake, Study
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -50,11 +56,17 @@ def study_of_a_file(arguments):
     folder = pathlib.Path(arguments.folder or f"output/{study.name}").resolve()
     folder.mkdir(parents=True, exist_ok=True)
     tasks = runs.tasks(study, folder)
-    results = [runs.read(task) for task in tasks] if arguments.draw_only else runs.run_all(arguments.executable, tasks, arguments.jobs or 1)
+    reference_tasks, belongs = references.plan(study, tasks, folder)
+    everything = reference_tasks + tasks
+    done = runs.read_all(everything) if arguments.draw_only else runs.run_all(arguments.executable, everything, arguments.jobs or 1)
+    results = done[len(reference_tasks):]
+    for number, result in enumerate(results):
+        result.exact_force = study.exact_force
+        result.reference = done[belongs[number]] if belongs else None
     rows = tables.observed(study, results)
     tables.write(rows, folder / "table")
     print(f"\n{tables.markdown(rows)}\n\n{folder / 'table.md'}")
-    return all(results)
+    return all(done)
 
 
 def main():

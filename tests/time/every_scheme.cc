@@ -49,7 +49,7 @@ TEST_P(EveryScheme, BouncesOneMassOnASpring)
   system.spring = 30.;
   system.wall   = 0.1;
   State  state  = make_state(system, -0.2, 1.);
-  double back  = 0.;
+  double back   = 0.;
   for (unsigned int step = 0; step < 100; ++step)
     {
       advance(system, state, 2.5);
@@ -66,8 +66,8 @@ TEST_P(EveryScheme, ThrowsABarToAndFro)
   ElasticBar system(9);
   if (massless)
     system.remove_mass_of_ends();
-  Vector v    = system.make_vector();
-  v           = 1.;
+  Vector v     = system.make_vector();
+  v            = 1.;
   State  state = make_state(system, system.make_vector(), v);
   double right = 0., left = 0.; // impulses of both walls
   for (unsigned int step = 0; step < 200; ++step)

@@ -3,17 +3,26 @@
 # Copyright (C) 2026 by the signorini authors
 
 """A study runs all combinations of its variations and tabulates them: one row per run, rates between neighbours of a refinement (which
-for the impact of a bar lie between one half and two). Mistakes in the file are named, and a run that fails does not spoil the others.
+for the impact of a bar lie between one half and two). Runs are compared with an exact force and with a reference run; a run equal to its reference has no
+distance from it. Mistakes in the file are named, and a run that fails does not spoil the others.
 """
 
 import csv
+import math
 import pathlib
+import re
 import subprocess
 import sys
 
 import check_history
 
+sys.path.insert(0, str(check_history.SOURCE / "tools"))
+from studies import distances, instants  # noqa: E402
+from studies.expressions import Expression  # noqa: E402
+from studies.mistake import Mistake  # noqa: E402
+
 TOOL = check_history.SOURCE / "tools" / "study.py"
+BAR = check_history.PARAMETERS / "bar_2d.prm"
 
 
 class StudyTest(check_history.SceneTest):
@@ -33,7 +42,7 @@ class StudyTest(check_history.SceneTest):
     def test_combinations_and_rates(self):
         result, rows = self.run_study("impact", f"""
 [study]
-scene = {check_history.PARAMETERS / "bar_2d.prm"}
+scene = {BAR}
 observe = energy_change, displacement_error
 [variations]
 Time/Scheme = contact-implicit; laursen-chawla
@@ -59,15 +68,92 @@ Bodies/bar/Repetitions = 1, 50; 1, 100
                               ("[study]\nscene = mistake.ini\n", "nothing varies"),
                               ("[study]\nscene = mistake.ini\nobserve = forse\n[variations]\na = 1\n", "forse is not known"),
                               ("[study]\nscene = mistake.ini\n[together]\na = 1; 2\nb = 1\n", "the same number of values"),
-                              ("[studie]\n", "unknown section [studie]")):
+                              ("[studie]\n", "unknown section [studie]"),
+                              ("[study]\nscene = mistake.ini\nobserve = force_distance\n[variations]\na = 1\n", "needs a section [reference]"),
+                              ("[study]\nscene = mistake.ini\nobserve = force_error\n[variations]\na = 1\n", "needs `exact force = ...`"),
+                              ("[study]\nscene = mistake.ini\nexact force = 2*x\n[variations]\na = 1\n", "exact force = 2*x: x is not known"),
+                              ("[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\n", "[reference] is empty"),
+                              ("[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\nb = 1\n", "needs the step size of each run"),
+                              (f"[study]\nscene = {BAR}\n[variations]\nTime/Step size = 2e-3; 3e-3\n[reference]\nb = 1\n",
+                               "the step size 0.003 is no whole multiple of it. Give `Time/Step size` in [reference]"),
+                              (f"[study]\nscene = {BAR}\n[variations]\na = 1\n[reference]\nTime/Step size = 2e-3\n",
+                               "[reference] Time/Step size = 2e-3: the step size 0.003 of a run is no whole multiple of it")):
             result, _ = self.run_study("mistake", text)
             self.assertEqual(result.returncode, 1)
             self.assertIn(message, result.stderr)
 
+    def test_distance_from_a_reference(self):
+        """The massless bar hits the wall: both step sizes share one reference for each mesh; the reference itself is at no distance."""
+        result, rows = self.run_study("reference", f"""
+[study]
+scene = {BAR}
+observe = displacement_distance, velocity_distance, force_distance, force_error
+exact force = 30*max(0, min(1, 1e6*(t - 0.5)))
+[scene]
+Time/End time = 0.9
+Time/Reference tolerance = 1e-6
+[variant classical]
+Time/Scheme = khenous-laborde-renard
+Time/Newmark beta = 0.25
+[variant exact]
+Time/Scheme = reference
+[variations]
+Bodies/bar/Repetitions = 1, 10; 1, 20
+[together]
+Time/Step size = 2e-2; 1e-2
+[reference]
+Time/Scheme = reference
+""")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        folder = pathlib.Path(check_history.settings["folder"]) / "reference" / "reference"
+        self.assertEqual(sorted(path.name for path in folder.iterdir()), ["1", "2"])
+        self.assertEqual(rows[0][3:], ["distance of the displacement, %", "rate", "distance of the velocity, %", "rate", "distance of the force, %", "rate",
+                                       "e_r, %", "rate"])
+        for coarse, fine in ((rows[1], rows[2]), (rows[3], rows[4])):  # second order on a given mesh; the exact bar is elsewhere
+            self.assertGreater(float(fine[8]), 1.8)
+            self.assertGreater(float(fine[9]), 4 * float(fine[7]))
+            for row in (coarse, fine):  # until release the contact node moves as that of the reference
+                self.assertLess(float(row[3]), 1e-6)
+                self.assertLess(float(row[5]), 1e-6)
+        self.assertEqual([row[3:8:4] for row in (rows[6], rows[8])], [["0", "0"]] * 2)
+        self.assertLess(float(rows[6][5]), 1e-11)
+        for row in rows[5:]:  # the step size has no influence on the integrator beyond its tolerance
+            self.assertLess(float(row[7]), 1e-4)
+
+    def test_every_scheme_has_an_instant_of_its_force(self):
+        command = [check_history.settings["executable"], str(BAR), "--validate", "--set", "Time/Scheme=none"]
+        message = subprocess.run(command, capture_output=True, text=True, timeout=check_history.TIMEOUT, check=False).stderr
+        valid = re.search(r"Valid: (.*?)\.\s*$", message).group(1).split(", ")
+        self.assertIn("contact-stabilized", valid)
+        self.assertEqual([scheme for scheme in valid if scheme not in instants.FORCE], [], "add them to FORCE in tools/studies/instants.py")
+        with self.assertRaisesRegex(Mistake, "Add the scheme to FORCE"):
+            instants.before_end({"Scheme": "unheard-of"})
+        self.assertAlmostEqual(instants.before_end({"Scheme": "generalized-alpha", "Spectral radius": "1"}), 0.5)
+
+    def test_expressions(self):
+        value = Expression("0.005 * 5 * max(-sin(2*pi*(t + 0.05)), 0)**3", "file: exact force")
+        self.assertAlmostEqual(value(0.7), 0.025)
+        self.assertEqual(value(0.2), 0.)
+        self.assertEqual(Expression("-t^2 + min(3, abs(-2), 4)/sqrt(4)", "")(3.), -8.)
+        for text, message in (("2 +", "cannot be read"), ("a", "a is not known"), ("open('x')", "the function open is not known"), ("t.real", "not arithmetic"),
+                              ("'t'", "not arithmetic"), ("True", "not arithmetic"), ("t if t else 1", "not arithmetic"), ("sin(1, 2)", "wants one argument"),
+                              ("max(1)", "wants two arguments or more"), ("", "cannot be read"), ("sin", "sin is not known")):
+            with self.assertRaisesRegex(Mistake, re.escape(message), msg=text):
+                Expression(text, "file: exact force")
+        for text in ("1/t", "sqrt(t - 1)", "(t - 1)**0.5", "9**9**9", "1e308*10"):
+            with self.assertRaisesRegex(Mistake, "value at t = 0", msg=text):
+                Expression(text, "file: exact force")(0.)
+
+    def test_distances(self):
+        curve = distances.Curve([0., 1., 3.], [0., 2., 6.])
+        self.assertEqual([curve(time) for time in (-1., 0., 0.5, 1., 2., 3., 4.)], [0., 0., 1., 2., 4., 6., 6.])
+        self.assertAlmostEqual(distances.relative([(1.1, 1.), (0., 0.)]), 10.)
+        self.assertTrue(math.isnan(distances.relative([(1., 0.)])))
+
     def test_a_failing_run_is_reported_and_the_others_are_not_lost(self):
         result, rows = self.run_study("failing", f"""
 [study]
-scene = {check_history.PARAMETERS / "bar_2d.prm"}
+scene = {BAR}
 observe = impulse
 [variations]
 Time/Scheme = nonsense; newmark

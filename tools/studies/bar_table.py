@@ -111,7 +111,7 @@ def bar_table(arguments, root):
     folder = pathlib.Path(arguments.folder or "output/bar-table").resolve()
     folder.mkdir(parents=True, exist_ok=True)
     tasks = runs.tasks(study, folder)
-    done = [runs.read(task) for task in tasks] if arguments.draw_only else runs.run_all(arguments.executable, tasks, arguments.jobs or 2)
+    done = runs.read_all(tasks) if arguments.draw_only else runs.run_all(arguments.executable, tasks, arguments.jobs or 2)
     entries = put_beside(reference_rows, {variant.name: result for variant, result in zip(study.variants, done)})
     long = [["variant", "quantity", "reference", "here", "deviation", "agrees"]]
     long += [[variant, name, reference, tables.number(here), difference, "yes" if good else "no"]

@@ -123,7 +123,7 @@ def compare(executable, files, paper, folder, coarse=False, jobs=2, draw_only=Fa
     planned = [runs.tasks(study, folder / study.name) for study in studies]
     everything = [task for tasks in planned for task in tasks]
     folder.mkdir(parents=True, exist_ok=True)
-    done = iter([runs.read(task) for task in everything] if draw_only else runs.run_all(executable, everything, jobs))
+    done = iter(runs.read_all(everything) if draw_only else runs.run_all(executable, everything, jobs))
     scenes = [Scene(study, [next(done) for _ in tasks]) for study, tasks in zip(studies, planned)]
     style.use()
     pictures = {}

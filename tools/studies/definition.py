@@ -8,16 +8,14 @@ import dataclasses
 import itertools
 import re
 
-from .observe import OBSERVATIONS
+from .expressions import Expression
+from .mistake import Mistake
+from .observe import DISTANCES, OBSERVATIONS
 
 #: Sections without a name of their own.
-SECTIONS = ("study", "scene", "coarse", "variations", "together")
+SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference")
 #: What a [variant NAME] says besides keys of the scene.
 WORDS = ("group", "paper")
-
-
-class Mistake(Exception):
-    """A study cannot be run; the message names file, section, key and remedy."""
 
 
 @dataclasses.dataclass
@@ -84,6 +82,7 @@ class Study:
         for name in self.observe:
             if name not in OBSERVATIONS:
                 raise Mistake(f"{path}: observe = {name} is not known. Valid: {', '.join(OBSERVATIONS)}.")
+        self.read_expectations(parser)
         self.common = self.settings(parser, "scene")
         if coarse:
             if not parser.has_section("coarse"):
@@ -99,6 +98,20 @@ class Study:
             self.variants = read_variants(read_ini(other), other) + self.variants
         if not self.variations and not together and not self.variants:
             raise Mistake(f"{path}: nothing varies. Give [variations], [together] or [variant NAME].")
+
+    def read_expectations(self, parser):
+        """What runs are compared with: [reference], and the exact force."""
+        text = parser.get("study", "exact force", fallback=None)
+        self.exact_force = text and Expression(text, f"{self.path}: [study] exact force")
+        self.reference = self.settings(parser, "reference")
+        if parser.has_section("reference") and not self.reference:
+            raise Mistake(f"{self.path}: [reference] is empty. Give the keys of the run to compare with, for example `Time/Scheme = reference`.")
+        for name in self.observe:
+            if name in DISTANCES and not self.reference:
+                raise Mistake(f"{self.path}: observe = {name} needs a section [reference] with the keys of the run to compare with, for example "
+                              "`Time/Scheme = reference`.")
+            if name == "force_error" and not self.exact_force:
+                raise Mistake(f"{self.path}: observe = {name} needs `exact force = ...` in [study], an expression in t.")
 
     @staticmethod
     def settings(parser, section):

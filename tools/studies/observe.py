@@ -8,7 +8,10 @@ import dataclasses
 import functools
 import math
 import pathlib
+import re
 import typing
+
+from . import distances
 
 #: Relative energies below this, in per cent, are round-off.
 ROUND_OFF = 1e-8
@@ -28,6 +31,8 @@ class Result:
 
     def __init__(self, folder, failure=""):
         self.folder, self.failure = pathlib.Path(folder), failure
+        self.reference = None    # another Result, to which this one is compared
+        self.exact_force = None  # the contact force as a function of time
 
     def __bool__(self):
         return not self.failure
@@ -37,10 +42,21 @@ class Result:
         return read_columns(self.folder / "history.csv")
 
     @functools.cached_property
+    def probes(self):
+        """All probes by name."""
+        return {path.stem: read_columns(path) for path in sorted(self.folder.glob("probe_*.csv"))}
+
+    @property
     def probe(self):
         """The first probe by name, or {}."""
-        paths = sorted(self.folder.glob("probe_*.csv"))
-        return read_columns(paths[0]) if paths else {}
+        return next(iter(self.probes.values()), {})
+
+    @functools.cached_property
+    def keys_of_time(self):
+        """The keys of the section Time, with defaults."""
+        text = (self.folder / "parameters.prm").read_text(encoding="utf-8")
+        section = re.search(r"^subsection Time$(.*?)^end$", text, re.MULTILINE | re.DOTALL).group(1)
+        return dict(re.findall(r"^\s*set (.*?)\s*= (.*?)\s*(?:#.*)?$", section, re.MULTILINE))
 
     def __getitem__(self, column):
         return self.history[column]
@@ -145,7 +161,7 @@ def velocity_zigzag(result):
 def penetration_in_steps(result):
     """Penetration in units of what the probe moves in one step on approach."""
     way = approach(result) * result["step_size"][-1]
-    depth = max(result["max_penetration"]) / way if way else math.nan
+    depth = max(result["max_penetration"]) / way if way > 0 else math.nan
     return 0. if depth < 1e-6 else depth
 
 
@@ -188,8 +204,13 @@ OBSERVATIONS = {name: Observation(*rest) for name, rest in {
     "velocity_most": ("largest velocity from contact on", lambda r: extreme(velocities(r, "both"), max)),
     "displacement_error": ("e_u, %", lambda r: 100 * r["relative_displacement_error"][-1]),
     "velocity_error": ("e_v, %", lambda r: 100 * r["relative_velocity_error"][-1]),
+    "force_error": ("e_r, %", distances.force_error),
+    "force_distance": ("distance of the force, %", distances.force_distance),
+    "displacement_distance": ("distance of the displacement, %", distances.displacement_distance),
+    "velocity_distance": ("distance of the velocity, %", distances.velocity_distance),
     "linear_iterations": ("iterations per step", lambda r: sum(r["linear_iterations"]) / max(1, len(r["step"]) - 1)),
     "seconds": ("seconds", lambda r: r["wall_time"][-1]),
 }.items()}
-#: Errors get a rate.
-ERRORS = ("displacement_error", "velocity_error")
+#: Errors, and distances from a reference, get a rate.
+DISTANCES = ("force_distance", "displacement_distance", "velocity_distance")
+ERRORS = ("displacement_error", "velocity_error", "force_error", *DISTANCES)

@@ -77,6 +77,11 @@ def fail(task, message):
     return Result(task.folder, message)
 
 
+def read_all(all_tasks):
+    """The results of runs that were done before."""
+    return [read(task) for task in all_tasks]
+
+
 def read(task):
     """The result of a run that was done before."""
     if (task.folder / FAILURE).exists():

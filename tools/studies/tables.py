@@ -6,7 +6,7 @@
 import csv
 import math
 
-from .observe import ERRORS, OBSERVATIONS
+from .observe import DISTANCES, ERRORS, OBSERVATIONS
 
 
 def number(value):
@@ -36,8 +36,9 @@ def read_rows(path):
 def observed(study, results):
     """One row for each run, the first one with the headings."""
     known = next((result.history for result in results if result), {})
-    names = [name for name in study.observe or OBSERVATIONS
-             if name not in ERRORS or "relative_displacement_error" in known]
+    given = {"displacement_error": "relative_displacement_error" in known, "velocity_error": "relative_velocity_error" in known,
+             "force_error": study.exact_force, **dict.fromkeys(DISTANCES, study.reference)}
+    names = [name for name in study.observe or OBSERVATIONS if given.get(name, True)]
     rates = len(study.sequence) > 1
     heading = ["variant"] * bool(study.variants) + [key.split("/")[-1] for key in [*study.variations, *study.sequence[0]]]
     for name in names:
