@@ -39,6 +39,7 @@ namespace signorini
         Vector force = system.make_vector();
         system.apply_stiffness(force, guess);
         force.sadd(-1., 1., load);
+        force += contact_force; // it acts on nodes with mass, too: those of the other body
         derivative.block(0).equ(1. / unit_of_time, motion.block(1));
         derivative.block(1).equ(unit_of_time, system.solve_mass(force));
       }

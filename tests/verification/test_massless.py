@@ -104,6 +104,23 @@ class Massless(check_history.SceneTest):
                         for old, new in zip(run.vector("momentum", row - 1), run.vector("momentum", row)):
                             self.assertLessEqual(abs(new - old), 1e-11 * scale, f"momentum in row {row}")
 
+    def test_reference_with_two_bodies(self):
+        """Energy and momentum are conserved up to the tolerance, and Newmark with beta = 1/4 is near."""
+        small = ["Bodies/upper/Refinements=2", "Bodies/lower/Refinements=2", "Time/End time=0.015", "Time/Mass=redistributed"]
+        run = self.run_scene("geometry_b_curved", "reference", ["Time/Scheme=reference", *small])
+        other = self.run_scene("geometry_b_curved", "near-reference", [KLR, "Time/Newmark beta=0.25", "Time/Step size=1.25e-4", *small])
+        self.expect_contact(run)
+        self.expect_no_penetration(run, 1.4)
+        least, largest, _ = self.energies(run, "total_energy_modified")
+        self.assertLess(max(largest, -least), 1e-3, "energy")
+        scale = run.impulse()
+        for row in range(1, len(run)):
+            for start, now in zip(run.vector("momentum", 0), run.vector("momentum", row)):
+                self.assertLessEqual(abs(now - start), 1e-6 * scale, f"momentum in row {row}")
+        peak = max(run["contact_force"])
+        for force, near in zip(run["contact_force"], other["contact_force"][::4]):
+            self.assertLess(abs(force - near), 0.03 * peak)
+
     def test_processes_agree(self):
         scenes = {"geometry_b_curved": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
                   "disc_2d": ["Bodies/disc/Refinements=4"]}

@@ -12,7 +12,7 @@ namespace signorini
    * Not a scheme but the solution that schemes approximate: with a redistributed mass the problem in space is an ordinary differential equation
    * with Lipschitz continuous right-hand side (Khenous, Laborde and Renard 2008),
    *
-   *   u' = v,   M~ v' = f - A u   in nodes with mass,   contact nodes in static equilibrium with u.nu <= g,
+   *   u' = v,   M~ v' = f - A u + r   in nodes with mass (r: of the other body),   contact nodes in static equilibrium with u.nu <= g,
    *
    * and SUNDIALS ARKODE integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of its own as it takes within each step
    * of the run. Against it, the error of a scheme in time can be measured on the same mesh. What the tolerance leaves is seen as unexplained energy.
