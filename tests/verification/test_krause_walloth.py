@@ -35,9 +35,10 @@ def write_run(folder, force, energy, depth, velocity):
     """A made-up run: its history and its probe, which touches while there is force."""
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "history.csv", "w", encoding="utf-8") as file:
-        file.write("step,time,step_size,contact_force,total_energy,total_energy_modified,max_penetration,wall_time\n")
+        file.write("step,time,step_size,contact_force,total_energy,total_energy_modified,kinetic_energy_modified,elastic_energy,"
+                   "max_penetration,wall_time\n")
         for n, (f, e, d) in enumerate(zip(force, energy, depth)):
-            file.write(f"{n},{n * STEP},{STEP},{f},{e},{e},{d},0\n")
+            file.write(f"{n},{n * STEP},{STEP},{f},{e},{e},{e},0,{d},0\n")
     with open(folder / "probe_p.csv", "w", encoding="utf-8") as file:
         file.write("time,gap,normal_displacement,normal_velocity,pressure,normal_force\n")
         for n, (f, v, d) in enumerate(zip(force, velocity, depth)):

@@ -27,6 +27,7 @@ DRIVEN = {
     "stack_of_boxes": (["Time/End time=0.08"], 1.2),
     "hammer_and_anvil": ([], 1.),
     "manufactured_bar": ([], 1.),
+    "bouncing_bar": (["Time/End time=2"], 10.),
 }
 
 

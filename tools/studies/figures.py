@@ -13,7 +13,7 @@ from plotting.moments import PRESSURE_MAP
 
 from .observe import approach, during_contact, touching, zigzag
 
-COLOURS = (style.VERMILION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE, style.SKY)
+COLOURS = (style.VERMILION, style.BLUE, style.GREEN, style.PURPLE, style.ORANGE, style.SKY, style.BLACK)
 #: Forces with more zigzag than this are drawn thin; velocities beyond so many speeds of approach are cut off.
 WILD, FAST = 0.3, 6.
 GROUPS = {"a": "standard mass", "b": "redistributed mass", "c": "beyond the paper"}

@@ -91,9 +91,11 @@ def zigzag(values):
 
 
 def energy_change(result, choose, column="total_energy"):
-    """In per cent of the initial energy; for a run that starts at rest in units of energy."""
+    """In per cent of the initial energy; for a run that starts at rest, of the largest energy of the motion."""
     energy = result[column]
-    change = 100 * (choose(energy) - energy[0]) / (abs(energy[0]) or 1.)
+    motion = max(map(sum, zip(result["kinetic_energy_modified"], result["elastic_energy"])))
+    scale = abs(energy[0]) if abs(energy[0]) > 1e-3 * motion else motion
+    change = 100 * (choose(energy) - energy[0]) / (scale or 1.)
     return change if abs(change) > ROUND_OFF else 0.
 
 
