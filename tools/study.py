@@ -81,7 +81,10 @@ def main():
         else:
             good = study_of_a_file(arguments)
     except Mistake as mistake:
-        sys.exit(f"study.py: {mistake}")
+        print(f"study.py: {mistake}", file=sys.stderr)
+        sys.exit(2)
+    except OSError as error:
+        sys.exit(f"study.py: {error.filename}: {error.strerror}. Name a folder that can be written.")
     except ImportError as error:
         sys.exit(f"study.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio, and run it with /usr/bin/python3 (./dev study does both).")
     sys.exit(0 if good else 1)

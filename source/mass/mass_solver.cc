@@ -86,7 +86,7 @@ namespace signorini
   {
     double least = std::numeric_limits<double>::max();
     for (const double entry : inverse_diagonal)
-      least = std::min(least, entry);
+      least = std::min(least, std::isfinite(entry) ? entry : -1.);
     const MPI_Comm communicator = matrices.pattern.partitioner->get_mpi_communicator();
     if (Utilities::MPI::min(least, communicator) < 0.)
       return -std::numeric_limits<double>::infinity();
@@ -94,7 +94,7 @@ namespace signorini
     // The Lanczos process behind conjugate gradients finds the ends of the spectrum first. Something that has all wave lengths starts it.
     const FreeMass<dim> mass{matrices, inverse_diagonal};
     Vector              right_hand_side(matrices.pattern.partitioner), result = right_hand_side;
-    const auto          first_entry = right_hand_side.get_partitioner()->locally_owned_range().nth_index_in_set(0);
+    const auto          first_entry = right_hand_side.get_partitioner()->local_range().first;
     for (unsigned int i = 0; i < right_hand_side.locally_owned_size(); ++i)
       right_hand_side.local_element(i) =
         1. + std::sin(static_cast<double>((first_entry + i) * (first_entry + i) % 1009));

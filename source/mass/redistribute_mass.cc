@@ -16,23 +16,54 @@ namespace signorini
 
   namespace
   {
-    /** Rows and columns of massless nodes become exactly empty; up to here they may hold round-off. */
+    /**
+     * Rows and columns of massless nodes become exactly empty; up to here they may hold round-off. Macro-elements take the mass of all nodes of the
+     * contact surface, also of those where a support took the place of contact.
+     */
     template <int dim>
     void clear_massless_rows(ElasticMatrices<dim> &matrices, const ContactStrip<dim> &strip)
     {
-      const NodePattern &pattern     = matrices.pattern;
-      const auto         is_massless = [&](const unsigned int node) {
-        return strip.is_massless(pattern.partitioner->local_to_global(dim * node) / dim);
-      };
+      const NodePattern &pattern = matrices.pattern;
+      std::vector<bool>  is_massless(pattern.n_local);
+      for (unsigned int node = 0; node < pattern.n_local; ++node)
+        if (!pattern.is_empty(node))
+          {
+            const unsigned int diagonal = pattern.row_start[node];
+            is_massless[node]           = strip.is_massless(pattern.partitioner->local_to_global(dim * node) / dim)
+                                || std::abs(matrices.mass[diagonal]) < 1e-10 * matrices.standard_mass[diagonal];
+          }
       for (unsigned int row = 0; row < pattern.n_local; ++row)
         {
-          const bool massless = is_massless(row);
+          const bool massless = is_massless[row];
           if (massless && row < pattern.n_owned)
             matrices.massless_nodes.push_back(row);
           for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
-            if (massless || is_massless(pattern.columns[k]))
+            if (massless || is_massless[pattern.columns[k]])
               matrices.mass[k] = 0.;
         }
+    }
+
+
+    /** Every body with contact nodes needs others, too: a body without any mass would not move but jump. */
+    template <int dim>
+    void check_that_mass_is_left(const Discretization<dim> &discretization,
+                                 const ContactStrip<dim>   &strip,
+                                 const std::string         &head)
+    {
+      const auto               &bodies = discretization.scene.bodies;
+      std::vector<unsigned int> has_mass(bodies.size(), 0);
+      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            if (const auto dof = cell->vertex_dof_index(v, 0);
+                !discretization.hanging_node_constraints.is_constrained(dof) && !strip.is_massless(dof / dim))
+              has_mass[cell->material_id()] = 1;
+      Utilities::MPI::max(has_mass, discretization.communicator(), has_mass);
+      for (unsigned int body = 0; body < bodies.size(); ++body)
+        if (!has_mass[body])
+          throw UserError(
+            head + "all nodes of the body '" + bodies[body].name
+            + "' are contact nodes, so that it would have no mass at all. Increase Refinements or Repetitions.");
     }
 
 
@@ -61,12 +92,14 @@ namespace signorini
       return "";
     const std::string head = discretization.scene.file_name + ": Time/Mass = " + time.mass + ": ";
     if (surface.n_global_nodes() == 0)
-      throw UserError(head + "no node can come into contact, so that there is no mass to move. Set Mass = consistent"
-                      + (time.mass == "redistributed" ? " and another scheme than khenous-laborde-renard and "
-                                                        "hager-hueeber-wohlmuth."
-                                                      : "."));
+      throw UserError(
+        head
+        + "no node can come into contact (no pair, nothing faces an obstacle, or supports hold all of them), so that "
+          "there is no mass to move. Set `Mass = consistent`, and another scheme than khenous-laborde-renard, "
+          "hager-hueeber-wohlmuth and reference, which always redistribute it.");
 
     const ContactStrip<dim> strip(discretization, surface);
+    check_that_mass_is_left(discretization, strip, head);
     build(discretization, strip);
 
     const double       smallest = MassSolver<dim>(discretization.matrices, {}).smallest_ratio();

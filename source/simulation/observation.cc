@@ -94,7 +94,7 @@ namespace signorini
     if (discretization.scene.exact_solution.given)
       latest_errors = errors.evaluate(state);
     double standard_kinetic = ledger.current().kinetic;
-    if (!discretization.matrices.standard_mass.empty())
+    if (discretization.scene.time.has_massless_contact_nodes())
       {
         Vector momentum = discretization.make_vector();
         discretization.matrices.apply_standard_mass(momentum, state.velocity);
@@ -169,7 +169,7 @@ namespace signorini
          << (relative_scale() > 0. ? 100. * largest_change / relative_scale() : 0.)
          << " % at most); largest unexplained part of a step "
          << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
-    if (!discretization.matrices.standard_mass.empty())
+    if (discretization.scene.time.has_massless_contact_nodes())
       text << "                    (with the mass of the scheme; with the consistent one it changed by "
            << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";
     if (first_contact >= 0.)

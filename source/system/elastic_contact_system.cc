@@ -218,7 +218,14 @@ namespace signorini
                              correction,
                              mass_correction));
     last_correction = correction;
-    mass_correction *= -1.; // the residual 0 - M c
+    // The residual is 0 - M c. Only held entries have a reaction; what is left in the others is the error of the solver.
+    const Vector residual = mass_correction;
+    mass_correction       = 0.;
+    for (unsigned int k = 0; k < predictor_active.size(); ++k)
+      if (const unsigned int i = coordinates.normal_entries()[k]; predictor_active[k])
+        mass_correction.local_element(i) = -residual.local_element(i);
+    for (const unsigned int i : coordinates.supported_entries())
+      mass_correction.local_element(i) = -residual.local_element(i);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
     return effort;
@@ -272,7 +279,7 @@ namespace signorini
   Vector ElasticContactSystem<dim>::solve_mass(const Vector &force)
   {
     // Nodes with mass have no contact frames: their supported entries are components.
-    if (!discretization.matrices.standard_mass.empty())
+    if (discretization.scene.time.has_massless_contact_nodes())
       return MassSolver<dim>(discretization.matrices, coordinates.supported_entries()).solve(force);
     prepare_mass();
     dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
@@ -298,6 +305,31 @@ namespace signorini
                  residual);
     coordinates.displacement_to_cartesian(result);
     return result;
+  }
+
+
+  template <int dim>
+  bool ElasticContactSystem<dim>::supports_move(const double start_time, const double end_time) const
+  {
+    const std::vector<double> start = coordinates.supported_values(start_time);
+    bool                      moved = false;
+    for (const double time : {0.5 * (start_time + end_time), end_time})
+      {
+        const std::vector<double> now = coordinates.supported_values(time);
+        for (unsigned int j = 0; j < now.size(); ++j)
+          moved = moved || std::abs(now[j] - start[j]) > 1e-13 * discretization.body_size();
+      }
+    return dealii::Utilities::MPI::max(static_cast<unsigned int>(moved), discretization.communicator()) > 0;
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::stop_at_supports(Vector &velocity) const
+  {
+    coordinates.rotate_to_frames(velocity); // supported entries are not relative
+    for (const unsigned int i : coordinates.supported_entries())
+      velocity.local_element(i) = 0.;
+    coordinates.rotate_from_frames(velocity);
   }
 
 

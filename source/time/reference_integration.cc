@@ -85,6 +85,10 @@ namespace signorini
   StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
   {
     using Integrator = dealii::SUNDIALS::ARKode<Motion>;
+    if (system.supports_move(state.time, state.time + tau))
+      throw UserError(
+        "Time/Scheme = reference does not follow supports that move, and a Dirichlet condition changes in time. Take "
+        "khenous-laborde-renard with `Newmark beta = 0.25` and a small step size instead.");
     Equation     equation(system, state, tau);
     const auto   massless = system.massless_entries();
     const Vector start    = state.displacement;
@@ -93,6 +97,7 @@ namespace signorini
     motion.block(0) = state.displacement;
     motion.block(1).reinit(state.velocity);
     motion.block(1).equ(tau, state.velocity);
+    system.stop_at_supports(motion.block(1));
     for (const unsigned int i : massless) // no part of the equation
       motion.block(1).local_element(i) = 0.;
     motion.collect_sizes();

@@ -108,6 +108,28 @@ TEST(MassStructure, RefusesWhatIsNotPositiveDefinite)
     EXPECT_NE(refusal(scene, construction).find("not positive definite"), std::string::npos) << construction;
 }
 
+TEST(MassStructure, MacroElementsBesideASupport)
+{
+  // The corner is held and no contact node, but it lies on the contact surface: it loses its mass like the others.
+  Scene<2> scene            = box_on_floor<2>(3);
+  scene.bodies[0].dirichlet = {{0, {{"0", "0"}}}};
+  const Redistributed<2> problem(scene, "macro-elements");
+  const auto            &matrices = problem.discretization.matrices;
+  const unsigned int     n =
+    dealii::Utilities::MPI::sum(static_cast<unsigned int>(matrices.massless_nodes.size()), MPI_COMM_WORLD);
+  EXPECT_EQ(n, problem.surface.n_global_nodes() + 1);
+  EXPECT_GT(MassSolver<2>(matrices, {}).smallest_ratio(), 0.05);
+}
+
+TEST(MassStructure, RefusesABodyOfContactNodesAlone)
+{
+  BodyDescription<2> body = box<2>();
+  body.repetitions        = {{3, 1}};
+  const auto scene        = contact_scene<2>(body, {sphere<2>(dealii::Point<2>(0.5, 0.5), 3., true)});
+  for (const std::string construction : {"zero", "extrapolation", "minimisation", "macro-elements"})
+    EXPECT_NE(refusal(scene, construction).find("no mass at all"), std::string::npos) << construction;
+}
+
 TEST(MassStructure, RefusesHangingNodesInMacroElements)
 {
   const auto scene = contact_scene<2>(box_with_hanging_nodes<2>(), {floor_at<2>(0.)}, {2});

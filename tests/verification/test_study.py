@@ -72,6 +72,7 @@ Bodies/bar/Repetitions = 1, 50; 1, 100
                               ("[study]\nscene = mistake.ini\nobserve = force_distance\n[variations]\na = 1\n", "needs a section [reference]"),
                               ("[study]\nscene = mistake.ini\nobserve = force_error\n[variations]\na = 1\n", "needs `exact force = ...`"),
                               ("[study]\nscene = mistake.ini\nexact force = 2*x\n[variations]\na = 1\n", "exact force = 2*x: x is not known"),
+                              ("[study]\nscene = mistake.ini\nobsreve = impulse\n[variations]\na = 1\n", "no key `obsreve`"),
                               ("[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\n", "[reference] is empty"),
                               ("[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\nb = 1\n", "needs the step size of each run"),
                               (f"[study]\nscene = {BAR}\n[variations]\nTime/Step size = 2e-3; 3e-3\n[reference]\nb = 1\n",
@@ -79,7 +80,7 @@ Bodies/bar/Repetitions = 1, 50; 1, 100
                               (f"[study]\nscene = {BAR}\n[variations]\na = 1\n[reference]\nTime/Step size = 2e-3\n",
                                "[reference] Time/Step size = 2e-3: the step size 0.003 of a run is no whole multiple of it")):
             result, _ = self.run_study("mistake", text)
-            self.assertEqual(result.returncode, 1)
+            self.assertEqual(result.returncode, 2)
             self.assertIn(message, result.stderr)
 
     def test_distance_from_a_reference(self):

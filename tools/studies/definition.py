@@ -14,6 +14,8 @@ from .observe import DISTANCES, OBSERVATIONS
 
 #: Sections without a name of their own.
 SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference")
+#: Keys of the section [study].
+KEYS = ("scene", "title", "geometry", "observe", "variants", "processes", "pressure at", "exact force")
 #: What a [variant NAME] says besides keys of the scene.
 WORDS = ("group", "paper")
 
@@ -68,6 +70,9 @@ class Study:
 
     def __init__(self, path, coarse=False):
         parser = read_ini(path)
+        for key in parser["study"] if parser.has_section("study") else ():
+            if key not in KEYS:
+                raise Mistake(f"{path}: [study] has no key `{key}`. Valid: {', '.join(KEYS)}.")
         if not parser.has_option("study", "scene"):
             raise Mistake(f"{path}: [study] needs `scene = ...`, the scene to vary.")
         self.path, self.name = path, path.stem

@@ -49,6 +49,8 @@ namespace signorini
 
     SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
+    bool   supports_move(double start_time, double end_time) const override;
+    void   stop_at_supports(Vector &velocity) const override;
     Vector support_part(const Vector &forces) const override;
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */

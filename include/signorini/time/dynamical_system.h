@@ -113,6 +113,12 @@ namespace signorini
      */
     virtual SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force);
 
+    /** Whether prescribed displacements change in a span of time. Collective. */
+    virtual bool supports_move(double /*start_time*/, double /*end_time*/) const { return false; }
+
+    /** Zero in the directions of supports: the velocity beside supports that stand still. */
+    virtual void stop_at_supports(Vector & /*velocity*/) const {}
+
     /** The part of nodal forces that acts in the directions of supports. Zero for systems without supports. */
     virtual Vector support_part(const Vector &forces) const
     {
