@@ -35,7 +35,7 @@ namespace signorini
                 "nonsmooth-generalized-alpha|backward-euler|moreau-jean|reference"),
       "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
       "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
-      "projection acts on the velocity, too; nodes in contact have no normal velocity. contact-implicit: "
+      "projection acts on the velocity, too; nodes that stay in contact have no normal velocity. contact-implicit: "
       "without a predictor; dissipative, contact forces oscillate. laursen-chawla: conserves energy, "
       "allows penetration. laursen-love: conserves energy by impulses, without penetration. "
       "khenous-laborde-renard: contact nodes have no mass; smooth contact forces. hager-hueeber-wohlmuth: "
@@ -86,7 +86,8 @@ namespace signorini
       "Predictor mass",
       "consistent",
       Selection("consistent|lumped"),
-      "Mass matrix of the projection in the predictor of contact-stabilized. lumped is cheaper "
+      "Mass matrix of the projection in the predictor of contact-stabilized and contact-stabilized-projected. lumped "
+      "is cheaper "
       "(node by node); with the consistent mass the scheme then loses more energy and is no longer sure "
       "never to gain any. No other scheme uses it.");
     prm.declare_entry(
@@ -193,8 +194,9 @@ namespace signorini
     if (time.predictor != "consistent" && time.scheme != "contact-stabilized"
         && time.scheme != "contact-stabilized-projected")
       in.fail("Predictor mass",
-              "only the scheme contact-stabilized has a predictor with a mass of its own, but Scheme = " + time.scheme
-                + ". Remove this key or set `Scheme = contact-stabilized`.");
+              "only contact-stabilized and contact-stabilized-projected have a predictor with a mass of its own, but "
+              "Scheme = "
+                + time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
     if (time.impulses != "common" && time.scheme != "laursen-love")
       in.fail("Impulses",
               "only the scheme laursen-love gives impulses, but Scheme = " + time.scheme

@@ -121,6 +121,23 @@ class Massless(check_history.SceneTest):
         for force, near in zip(run["contact_force"], other["contact_force"][::4]):
             self.assertLess(abs(force - near), 0.03 * peak)
 
+    def test_reference_and_supports(self):
+        """Supports that stand still stop a body that flies; those that move are refused."""
+        held = ["Bodies/bar/Dirichlet=3: 0; 0", "Time/End time=0.3", "Time/Scheme=reference", "Obstacles/wall/Point=0, -0.5"]
+        run = self.run_scene("bar_2d", "held", held)
+        self.expect_contact(run)
+        start = run["total_energy_modified"][1]
+        self.assertLess(max(abs(energy / start - 1) for energy in run["total_energy_modified"][1:]), 1e-5)
+        with self.assertRaisesRegex(AssertionError, "does not follow supports that move"):
+            self.run_scene("bar_2d", "moved", ["Bodies/bar/Dirichlet=3: 0; -0.1*sin(t)", *held[1:]])
+
+    def test_a_process_without_anything(self):
+        """Three processes, two cells: one of them owns no node."""
+        overrides = [KLR, "Bodies/bar/Repetitions=1, 2", "Bodies/bar/Upper corner=1, 2", "Time/End time=0.9", "Time/Step size=1e-2"]
+        one, three = (self.run_scene("bar_2d", f"tiny-{n}", overrides, n) for n in (1, 3))
+        self.expect_contact(one)
+        self.expect_same_history(one, three, 1e-8)
+
     def test_processes_agree(self):
         scenes = {"geometry_b_curved": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
                   "disc_2d": ["Bodies/disc/Refinements=4"]}

@@ -21,8 +21,8 @@ namespace signorini
    *
    *   E_new - E = r.d + 1/tau^2 c'M p - 1/(2 tau^2) c'M c,   all three terms <= 0,
    *
-   * and a node that stays in contact has no normal velocity: persistency, which no scheme of the paper combines with the sign of
-   * the energy. No penetration. The projection now acts as an impulse; the state's contact force r + M c / tau^2 contains it.
+   * and a node that stays in contact has no normal velocity (unless the projection of a neighbour pulls its p below the gap in this
+   * very step): persistency, which no scheme of the paper combines with the sign of the energy. No penetration. The projection now acts as an impulse; the state's contact force r + M c / tau^2 contains it.
    */
   class ProjectedContactStabilized : public TimeScheme
   {
