@@ -188,6 +188,13 @@ namespace signorini
            << " of these steps the equations of the single nodes were not solved; the common factor of\n"
            << "           `Time/Impulses = common` was taken instead. The energy is right, the share of each node is "
               "not.\n";
+    if (largest_residual > 1e-6 * largest_energy)
+      text << "  warning: a step changed the energy by " << largest_residual / largest_energy
+           << " of it without an explanation. "
+           << (discretization.scene.time.scheme == "reference"
+                 ? "Reduce `Reference tolerance` or the step size.\n"
+                 : "The solver was not accurate enough, or the\n           scheme is at fault: do not trust this run, "
+                   "and report it.\n");
     if (deepest > 1e-2 * discretization.body_size())
       text << "  warning: by the true geometry a contact node was " << deepest
            << " deep in an obstacle. Contact is linearised about the\n"

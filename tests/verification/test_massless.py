@@ -131,6 +131,12 @@ class Massless(check_history.SceneTest):
         with self.assertRaisesRegex(AssertionError, "does not follow supports that move"):
             self.run_scene("bar_2d", "moved", ["Bodies/bar/Dirichlet=3: 0; -0.1*sin(t)", *held[1:]])
 
+    def test_unexplained_energy_is_said_aloud(self):
+        for tolerance, warns in (("1e-2", True), ("1e-8", False)):
+            run = self.run_scene("bar_2d", f"tolerance-{tolerance}", ["Time/Scheme=reference", f"Time/Reference tolerance={tolerance}"])
+            log = (run.folder / "output" / "log.txt").read_text(encoding="utf-8")
+            self.assertEqual("without an explanation" in log, warns, tolerance)
+
     def test_a_process_without_anything(self):
         """Three processes, two cells: one of them owns no node."""
         overrides = [KLR, "Bodies/bar/Repetitions=1, 2", "Bodies/bar/Upper corner=1, 2", "Time/End time=0.9", "Time/Step size=1e-2"]
