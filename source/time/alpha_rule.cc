@@ -35,6 +35,14 @@ namespace signorini
   }
 
 
+  Vector AlphaRule::velocity_change(const Vector &acceleration, const Vector &new_acceleration, const double tau) const
+  {
+    Vector result = acceleration;
+    result.sadd(tau * (1. - gamma), tau * gamma, new_acceleration);
+    return result;
+  }
+
+
   Vector AlphaRule::right_hand_side(DynamicalSystem &system,
                                     const State     &state,
                                     const Vector    &acceleration,

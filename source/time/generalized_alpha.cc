@@ -18,12 +18,11 @@ namespace signorini
     Vector        r = solution.contact_reaction;
     r *= rule.reaction_weight(tau);
 
-    // a_new = (d - d_free)/(beta tau^2), v_new - v = tau [(1 - gamma) a + gamma a_new]
+    // a_new = (d - d_free)/(beta tau^2)
     Vector a_new = d;
     a_new -= d_free;
     a_new /= rule.beta * tau * tau;
-    Vector velocity_change = a;
-    velocity_change.sadd(tau * (1. - rule.gamma), tau * rule.gamma, a_new);
+    Vector velocity_change = rule.velocity_change(a, a_new, tau);
 
     StepReport report;
     report.corrector    = solution.effort;

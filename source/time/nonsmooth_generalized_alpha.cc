@@ -104,8 +104,7 @@ namespace signorini
     a_new -= d_free;
     a_new.add(-tau / 2., jump);
     a_new /= rule.beta * tau * tau;
-    Vector velocity_change = a;
-    velocity_change.sadd(tau * (1. - rule.gamma), tau * rule.gamma, a_new);
+    Vector velocity_change = rule.velocity_change(a, a_new, tau);
     velocity_change += jump;
 
     // Supports react to the jump, too, by an impulse of their own.

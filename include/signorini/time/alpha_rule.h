@@ -31,6 +31,9 @@ namespace signorini
     /** tau v + tau^2 (1/2 - beta) a: the increment without a_new. */
     Vector free_increment(const State &state, const Vector &acceleration, double step_size) const;
 
+    /** tau [(1 - gamma) a + gamma a_new]. */
+    Vector velocity_change(const Vector &acceleration, const Vector &new_acceleration, double step_size) const;
+
     /** b of (M + s A) d = b, the balance multiplied by beta tau^2 / (1 - alpha_m). */
     Vector right_hand_side(DynamicalSystem &system,
                            const State     &state,
