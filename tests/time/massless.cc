@@ -134,6 +134,8 @@ TEST(Massless, ContactConditionsAndEquilibriumAtTheEndOfEachStep)
           rest -= bar.state.contact_force;
           bar.system->add_load(rest, -1., bar.state.time);
           ASSERT_LT(rest.linfty_norm(), 1e-9);
+          for (const unsigned int i : bar.system->massless_entries())
+            ASSERT_EQ(bar.state.acceleration(i), 0.);
         }
     }
 }
