@@ -233,6 +233,47 @@ namespace signorini
 
 
   template <int dim>
+  SolveEffort ElasticContactSystem<dim>::stop_normal_motion(const Vector            &velocity,
+                                                            const std::vector<char> &held,
+                                                            Vector                  &correction,
+                                                            Vector                  &mass_correction)
+  {
+    correction      = discretization.make_vector();
+    mass_correction = correction;
+
+    const std::vector<double> normal_velocity = surface.relative_normal(velocity);
+    std::vector<unsigned int> fixed           = coordinates.supported_entries();
+    std::vector<double>       values(fixed.size(), 0.);
+    for (unsigned int k = 0; k < held.size(); ++k)
+      if (held[k])
+        {
+          fixed.push_back(coordinates.normal_entries()[k]);
+          values.push_back(-normal_velocity[k]);
+        }
+    SolveEffort        effort;
+    const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
+    effort.n_active           = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
+    if (effort.n_active == 0)
+      return effort;
+
+    dealii::TimerOutput::Scope scope(timer, "step: velocity of held nodes");
+    prepare_mass();
+    const Vector zero = discretization.make_vector();
+    Vector       residual(zero);
+    ActiveSet    none;
+    const double tolerance   = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
+    const auto   report      = solver.solve(
+      {*mass_operator, *mass_preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, residual);
+    effort.linear_iterations = report.linear_iterations;
+    for (const unsigned int i : fixed)
+      mass_correction.local_element(i) = -residual.local_element(i);
+    coordinates.displacement_to_cartesian(correction);
+    coordinates.force_to_cartesian(mass_correction);
+    return effort;
+  }
+
+
+  template <int dim>
   void ElasticContactSystem<dim>::prepare_mass()
   {
     if (mass_operator)

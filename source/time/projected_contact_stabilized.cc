@@ -4,8 +4,25 @@
 #include <signorini/time/projected_contact_stabilized.h>
 #include <signorini/time/trapezoidal_rule.h>
 
+#include <algorithm>
+
 namespace signorini
 {
+  namespace
+  {
+    /** The contact nodes that touched before the step and are held at its end. */
+    std::vector<char> staying(const DynamicalSystem &system, const NormalGap &gap, const std::vector<double> &reaction)
+    {
+      const double      touching = 1e-10 * system.length();
+      std::vector<char> result(gap.size());
+      std::transform(gap.begin(), gap.end(), reaction.begin(), result.begin(), [&](const double g, const double r) {
+        return g <= touching && r < 0.;
+      });
+      return result;
+    }
+  } // namespace
+
+
   StepReport ProjectedContactStabilized::advance(DynamicalSystem &system, State &state, const double tau)
   {
     StepReport      report;
@@ -38,6 +55,18 @@ namespace signorini
     Vector velocity_change = d;
     velocity_change -= p;
     velocity_change.sadd(2. / tau, 1. / tau, c);
+
+    // A neighbour that p stops pulls p of a held node below its gap, and leaves v_new.nu = -p.nu/tau there.
+    Vector v = state.velocity, stop, impulse;
+    v += velocity_change;
+    const SolveEffort effort =
+      system.stop_normal_motion(v, staying(system, gap, solution.normal_reaction), stop, impulse);
+    report.predictor.linear_iterations += effort.linear_iterations;
+    const Vector support_impulse = system.support_part(impulse);
+    report.work_predictor += impulse * v + 0.5 * (impulse * stop) - support_impulse * v;
+    report.work_support += support_impulse * v;
+    velocity_change += stop;
+    r.add(1. / tau, impulse, -1. / tau, support_impulse);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -81,6 +81,17 @@ namespace signorini
       effort.n_active = correction(0) < 0.;
       return effort;
     }
+
+    SolveEffort stop_normal_motion(const Vector            &velocity,
+                                   const std::vector<char> &held,
+                                   Vector                  &correction,
+                                   Vector                  &mass_correction) override
+    {
+      correction = mass_correction = make_vector();
+      correction(0)                = held[0] ? -velocity(0) : 0.;
+      mass_correction(0)           = mass * correction(0);
+      return {};
+    }
   };
 
   /** The complete state of given displacement and velocity. */

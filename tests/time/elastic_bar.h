@@ -143,6 +143,30 @@ namespace signorini
       return effort;
     }
 
+    SolveEffort stop_normal_motion(const Vector            &velocity,
+                                   const std::vector<char> &held,
+                                   Vector                  &correction,
+                                   Vector                  &mass_correction) override
+    {
+      correction = mass_correction = make_vector();
+      Eigen::MatrixXd matrix       = mass;
+      Eigen::VectorXd right        = Eigen::VectorXd::Zero(mass.rows());
+      const auto      prescribe    = [&](const unsigned int i, const double value) {
+        matrix.row(i).setZero();
+        matrix(i, i) = 1.;
+        right[i]     = value;
+      };
+      if (held[0])
+        prescribe(0, -velocity(0));
+      if (held[1])
+        prescribe(last(), -velocity(last()));
+      if (motion)
+        prescribe(mass.rows() / 2, 0.);
+      view(correction) = matrix.partialPivLu().solve(right);
+      apply_mass(mass_correction, correction);
+      return {};
+    }
+
     Vector support_part(const Vector &forces) const override
     {
       Vector             part   = make_vector();

@@ -44,6 +44,10 @@ namespace signorini
                         double           step_size,
                         Vector          &correction,
                         Vector          &mass_correction) override;
+    SolveEffort stop_normal_motion(const Vector            &velocity,
+                                   const std::vector<char> &held,
+                                   Vector                  &correction,
+                                   Vector                  &mass_correction) override;
 
     std::vector<unsigned int> massless_entries() const override;
 

@@ -102,6 +102,18 @@ namespace signorini
                                 Vector          &correction,
                                 Vector          &mass_correction) = 0;
 
+    /**
+     * L2 projection of a velocity onto those without normal velocity at some contact nodes: the correction c with minimal 1/2 c'Mc
+     * and [velocity + c].nu = 0 there, zero at supports.
+     * @param held            per contact node of this process: whether it shall have no normal velocity
+     * @param mass_correction M c, the impulses of these nodes and of supports
+     * @return effort; no active node means that no process holds any, and c = 0
+     */
+    virtual SolveEffort stop_normal_motion(const Vector            &velocity,
+                                           const std::vector<char> &held,
+                                           Vector                  &correction,
+                                           Vector                  &mass_correction) = 0;
+
     /** Entries of vectors (owned, local) that have no mass, whatever acts on them. */
     virtual std::vector<unsigned int> massless_entries() const { return {}; }
 
