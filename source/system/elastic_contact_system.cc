@@ -261,8 +261,8 @@ namespace signorini
     const Vector zero = discretization.make_vector();
     Vector       residual(zero);
     ActiveSet    none;
-    const double tolerance   = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
-    const auto   report      = solver.solve(
+    const double tolerance = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
+    const auto   report    = solver.solve(
       {*mass_operator, *mass_preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, residual);
     effort.linear_iterations = report.linear_iterations;
     for (const unsigned int i : fixed)

@@ -37,11 +37,12 @@ namespace
   }
 
   /** Contact nodes that touch at both ends of a step have no relative normal velocity. @return their number on this process */
-  unsigned int expect_no_motion_of_staying_nodes(const DynamicalSystem &system, const NormalGap &gap_before, const State &state)
+  unsigned int
+  expect_no_motion_of_staying_nodes(const DynamicalSystem &system, const NormalGap &gap_before, const State &state)
   {
-    const NormalGap    gap = system.normal_gap(state.displacement), approach = system.relative_normal(state.velocity);
-    const double       touching = 1e-10 * system.length();
-    unsigned int       n        = 0;
+    const NormalGap gap = system.normal_gap(state.displacement), approach = system.relative_normal(state.velocity);
+    const double    touching = 1e-10 * system.length();
+    unsigned int    n        = 0;
     for (unsigned int k = 0; k < gap.size(); ++k)
       if (gap_before[k] <= touching && gap[k] <= touching)
         {
@@ -85,7 +86,7 @@ namespace
     const bool   persistent    = scheme == "contact-stabilized-projected";
     double       largest_force = 0., work = 0.;
     unsigned int n_predicted = 0, n_staying = 0;
-    const auto   method      = make_time_scheme(scheme);
+    const auto   method = make_time_scheme(scheme);
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         const NormalGap  gap     = system.normal_gap(state.displacement);

@@ -15,14 +15,17 @@ namespace signorini
    *
    *   p = argmin { 1/2 (p - tau v)'M(p - tau v) : p.nu <= gap },
    *   (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r,   d.nu <= gap,
-   *   v_new = p/tau + 2/tau (d - p).
+   *   w = p/tau + 2/tau (d - p),
+   *   v_new = argmin { 1/2 (v - w)'M(v - w) : v.nu = 0 where a node touched before and is held at the end }.
    *
-   * With c = p - tau v the energy never grows,
+   * With c = p - tau v and s = v_new - w the energy never grows,
    *
-   *   E_new - E = r.d + 1/tau^2 c'M p - 1/(2 tau^2) c'M c,   all three terms <= 0,
+   *   E_new - E = r.d + 1/tau^2 c'M p - 1/(2 tau^2) c'M c - 1/2 s'M s,   all terms <= 0,
    *
-   * and a node that stays in contact has no normal velocity (unless the projection of a neighbour pulls its p below the gap in this
-   * very step): persistency, which no scheme of the paper combines with the sign of the energy. No penetration. The projection now acts as an impulse; the state's contact force r + M c / tau^2 contains it.
+   * and a node that stays in contact has no normal velocity: persistency, which no scheme of the paper combines with the sign of the
+   * energy. No penetration. In one dimension s = 0. With more contact nodes the mass couples them: stopping one pulls p of its neighbours below
+   * their gap, and w would be -p.nu/tau there. Both projections act as impulses; the state's contact force
+   * r + M c / tau^2 + M s / tau contains them.
    */
   class ProjectedContactStabilized : public TimeScheme
   {
