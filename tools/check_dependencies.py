@@ -15,13 +15,14 @@ MAY_USE = {
     "linear_algebra": {"base"},
     "scene": {"base"},
     "discretization": {"base", "linear_algebra", "scene"},
-    "contact": {"base", "linear_algebra", "scene", "discretization"},
-    "mass": {"base", "linear_algebra", "scene", "discretization", "contact"},
-    "variational_inequality": {"base", "linear_algebra"},
+    "friction": {"base"},
+    "contact": {"base", "linear_algebra", "scene", "discretization", "friction"},
+    "mass": {"base", "linear_algebra", "scene", "discretization", "friction", "contact"},
+    "variational_inequality": {"base", "linear_algebra", "friction"},
     "time": {"base"},
 }
 MAY_USE["system"] = set(MAY_USE)
-MAY_USE["diagnostics"] = {"base", "linear_algebra", "scene", "discretization", "contact", "time"}
+MAY_USE["diagnostics"] = {"base", "linear_algebra", "scene", "discretization", "friction", "contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics"}
 MAY_USE["simulation"] = set(MAY_USE)
 

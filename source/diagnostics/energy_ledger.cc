@@ -18,6 +18,7 @@ namespace signorini
     EnergyBooking booking;
     booking.contact   = report.work_contact;
     booking.predictor = report.work_predictor;
+    booking.friction  = report.work_friction;
     booking.scheme    = report.work_scheme;
     booking.external  = report.work_support;
     if (load != nullptr)

@@ -44,12 +44,11 @@ namespace signorini
                     + ") has no boundary id " + std::to_string(id) + ". Valid: " + join(valid) + ".");
     }
 
-    double parse_friction(const SectionReader &in)
+    FrictionDescription parse_friction(const SectionReader &in)
     {
-      const double coefficient = in.number("Friction coefficient");
-      if (coefficient != 0.)
+      if (in.number("Friction coefficient") != 0.)
         in.fail("Friction coefficient", "friction is not available in this version. Set it to 0.");
-      return coefficient;
+      return {};
     }
   } // namespace
 
@@ -87,7 +86,7 @@ namespace signorini
           }
         else
           pair.obstacle = index_of(obstacles, name.partner);
-        pair.friction_coefficient = parse_friction(in.section(pair.name));
+        pair.friction = parse_friction(in.section(pair.name));
         pairs.push_back(pair);
       }
     return pairs;

@@ -5,6 +5,7 @@
 #define signorini_contact_contact_node_h
 
 #include <signorini/contact/surface_face.h>
+#include <signorini/friction/friction_law.h>
 
 namespace signorini
 {
@@ -26,6 +27,13 @@ namespace signorini
      * gap / transmission.
      */
     double transmission = 1.;
+    /** Law of friction in nodal forces; without any() the node slides freely. */
+    FrictionLaw friction;
+    /**
+     * Which directions of the frame are measured relative to the other side: the normal if there are partners, and with friction the
+     * tangents, too, except those that a support holds.
+     */
+    std::array<bool, dim> relative{};
     /** Smallest distance to the other side anywhere around the node, negative where the surfaces overlap. */
     double clearance = 0.;
 

@@ -21,6 +21,8 @@ namespace signorini
     double      newmark_gamma       = 0.5;
     double      reference_tolerance = 1e-8;     ///< parameter of reference
     std::string impulses            = "common"; ///< of laursen-love: common | per node
+    bool        stop_sticking_nodes = true;     ///< of contact-stabilized(-projected): see doc/friction.md
+    std::string start               = "given";  ///< given | equilibrium
     double      step_size           = 0.;       ///< tau > 0
     double      end_time            = 0.;       ///< T > 0; the number of steps is T/tau rounded to the nearest integer
     /** Whether the mass has no entries at contact nodes. */

@@ -4,6 +4,7 @@
 #ifndef signorini_time_dynamical_system_h
 #define signorini_time_dynamical_system_h
 
+#include <signorini/base/contact_status.h>
 #include <signorini/base/types.h>
 
 #include <vector>
@@ -34,6 +35,7 @@ namespace signorini
     const Vector    &displacement; ///< u at the start
     double           start_time;
     double           step_size;
+    double           force_factor = 0.; ///< nodal forces times this are reactions: tau^2/2 for the trapezoidal rule
   };
 
   /** The increment and the generalised forces that hold the constraints, all in Cartesian components. */
@@ -44,7 +46,10 @@ namespace signorini
     Vector support_reaction; ///< (K d - b) in the entries of supports
     /** The contact reaction as one number per contact node that this process owns, compression < 0; zero where open. */
     std::vector<double> normal_reaction;
-    SolveEffort         effort;
+    ActiveSet           status;    ///< per contact node that this process owns
+    Vector      friction_reaction; ///< like the contact reaction, in tangential directions; empty without friction
+    Vector      slip;              ///< relative tangential increments of closed contact nodes; empty without friction
+    SolveEffort effort;
   };
 
   /**

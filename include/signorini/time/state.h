@@ -4,21 +4,35 @@
 #ifndef signorini_time_state_h
 #define signorini_time_state_h
 
+#include <signorini/base/contact_status.h>
 #include <signorini/base/types.h>
 
 namespace signorini
 {
+  /** Friction at the end of a step and what it has done so far. Empty without friction. */
+  struct FrictionState
+  {
+    Vector              force;            ///< the tangential part of the contact force
+    Vector              slip;             ///< of the last step: relative tangential increments of closed contact nodes
+    Vector              accumulated_slip; ///< sum of these increments since the start
+    std::vector<double> slip_path;        ///< sum of their lengths, per contact node of this process
+    ActiveSet           status;           ///< of the last step, per contact node of this process
+
+    bool any() const { return force.size() > 0; }
+  };
+
   /** The motion at one instant. The products with M and A are kept, because both the next step and the ledger need them. */
   struct State
   {
-    unsigned int step = 0; ///< number of accepted steps
-    double       time = 0.;
-    Vector       displacement;   ///< u
-    Vector       velocity;       ///< v
-    Vector       contact_force;  ///< r: nodal forces of contact on the bodies, r.nu <= 0; zero at the start
-    Vector       momentum;       ///< M v
-    Vector       internal_force; ///< A u
-    Vector       acceleration;   ///< a; empty unless the scheme needs it
+    unsigned int  step = 0; ///< number of accepted steps
+    double        time = 0.;
+    Vector        displacement;   ///< u
+    Vector        velocity;       ///< v
+    Vector        contact_force;  ///< r: nodal forces of contact and friction on the bodies, r.nu <= 0
+    Vector        momentum;       ///< M v
+    Vector        internal_force; ///< A u
+    Vector        acceleration;   ///< a; empty unless the scheme needs it
+    FrictionState friction;
   };
 } // namespace signorini
 

@@ -19,6 +19,7 @@ namespace signorini
     SolveEffort predictor;
     double      work_contact   = 0.; ///< change of energy by contact forces
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
+    double      work_friction  = 0.; ///< change of energy by friction
     double      work_support   = 0.; ///< work of the reactions at prescribed displacements
     double      work_scheme =
       0.; ///< change of energy by the rule of integration itself (numerical dissipation, <= 0 in the mean)

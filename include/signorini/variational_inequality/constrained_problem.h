@@ -4,6 +4,7 @@
 #ifndef signorini_variational_inequality_constrained_problem_h
 #define signorini_variational_inequality_constrained_problem_h
 
+#include <signorini/base/contact_status.h>
 #include <signorini/linear_algebra/linear_operator.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
 
@@ -43,9 +44,6 @@ namespace signorini
     unsigned int n_active              = 0;     ///< on all processes
     bool         fallback              = false; ///< the guaranteed method had to finish the work
   };
-
-  /** For each bounded entry whether it is held at its bound. */
-  using ActiveSet = std::vector<char>;
 } // namespace signorini
 
 #endif

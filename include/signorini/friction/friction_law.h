@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_friction_friction_law_h
+#define signorini_friction_friction_law_h
+
+#include <algorithm>
+#include <limits>
+
+namespace signorini
+{
+  /**
+   * How much tangential force a contact node bears under a normal force n > 0 (compression),
+   *
+   *   bound(n) = min(constant + coefficient n, cap):
+   *
+   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone). Below the bound the node sticks; at the bound it
+   * slips, and the force is opposite to the slip. All are forces of a node, not stresses.
+   */
+  struct FrictionLaw
+  {
+    double coefficient = 0.; ///< mu, no unit
+    double constant    = 0.;
+    double cap         = std::numeric_limits<double>::infinity();
+
+    /** False if the node never bears a tangential force. */
+    bool any() const { return coefficient > 0. || constant > 0.; }
+
+    /** Zero without compression. */
+    double bound(const double normal_force) const
+    {
+      return normal_force > 0. ? std::min(constant + coefficient * normal_force, cap) : 0.;
+    }
+
+    /** A generalised derivative of the bound. */
+    double slope(const double normal_force) const
+    {
+      return normal_force > 0. && constant + coefficient * normal_force < cap ? coefficient : 0.;
+    }
+
+    /** The law of forces that are multiplied by a factor. */
+    FrictionLaw scaled(const double factor) const { return {coefficient, factor * constant, factor * cap}; }
+  };
+} // namespace signorini
+
+#endif
