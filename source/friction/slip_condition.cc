@@ -1,4 +1,57 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/friction/friction_law.h>
+#include <signorini/friction/slip_condition.h>
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace signorini
+{
+  bool sticks(const FrictionLaw &law, const NodeForces &node, const double stiffness)
+  {
+    // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
+    constexpr double round_off = 1e-13;
+    const double     bound     = law.bound(node.normal);
+    return bound > 0. && (node.tangential + stiffness * node.slip).norm() <= bound * (1. + round_off);
+  }
+
+
+  SlipCondition
+  linearise_slip(const FrictionLaw &law, const NodeForces &node, const double stiffness, const unsigned int n_tangents)
+  {
+    const double        bound = law.bound(node.normal);
+    const TangentVector y     = node.tangential + stiffness * node.slip;
+    const double        size  = y.norm();
+    SlipCondition       condition{TangentVector::Zero(), TangentMatrix::Zero(), TangentVector::Zero()};
+    if (size == 0.)
+      return condition;
+
+    const TangentVector direction = y / size;
+    condition.force               = bound * direction;
+    condition.coupling            = law.slope(node.normal) * direction;
+    if (n_tangents == 1 || bound == 0. || size <= bound)
+      return condition; // the direction cannot change, or its change is of no use
+
+    const double        force = node.tangential.norm(), ratio = bound / size;
+    const double        cosine   = force > 0. ? node.tangential.dot(y) / (force * size) : 0.;
+    const double        damping  = cosine < 0. ? 1. / (1. - cosine * std::min(force / bound, 1.)) : 1.;
+    const TangentMatrix identity = TangentMatrix::Identity();
+    const TangentMatrix turning =
+      damping * ratio * (identity - node.tangential * direction.transpose() / std::max(bound, force));
+    const TangentMatrix inverse = (identity - turning).inverse();
+    condition.force             = (inverse * (condition.force - turning * node.tangential)).eval();
+    condition.coupling          = (inverse * condition.coupling).eval();
+    condition.stiffness         = stiffness * inverse * turning;
+    return condition;
+  }
+
+
+  TangentVector slip_force(const FrictionLaw &law, const NodeForces &node)
+  {
+    const TangentVector &along = node.slip.norm() > 0. ? node.slip : node.tangential;
+    const double         size  = along.norm();
+    return size > 0. ? TangentVector(law.bound(node.normal) / size * along) : along;
+  }
+} // namespace signorini

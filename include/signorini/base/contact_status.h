@@ -8,12 +8,23 @@
 
 namespace signorini
 {
-  /** What a contact node does in a step: anything but open (zero) is held at its bound. Without friction, closed nodes slip. */
+  /** What a contact node does in a step. Without friction, closed nodes slip. */
   namespace contact_status
   {
     constexpr char open  = 0; ///< no force
     constexpr char slip  = 1; ///< held in the normal direction; friction, if any, is at its bound
     constexpr char stick = 2; ///< held in all directions relative to the other side
+    constexpr char hang  = 3; ///< held in the tangential directions only: possible with Tresca's friction
+
+    inline bool is_closed(const char status)
+    {
+      return status == slip || status == stick;
+    }
+
+    inline bool sticks(const char status)
+    {
+      return status == stick || status == hang;
+    }
   } // namespace contact_status
 
   /** The status of each contact node (bounded entry). */

@@ -14,7 +14,7 @@ namespace signorini
    *
    *   bound(n) = min(constant + coefficient n, cap):
    *
-   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone). Below the bound the node sticks; at the bound it
+   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone; it asks for no normal force at all). Below the bound the node sticks; at the bound it
    * slips, and the force is opposite to the slip. All are forces of a node, not stresses.
    */
   struct FrictionLaw
@@ -26,10 +26,9 @@ namespace signorini
     /** False if the node never bears a tangential force. */
     bool any() const { return coefficient > 0. || constant > 0.; }
 
-    /** Zero without compression. */
     double bound(const double normal_force) const
     {
-      return normal_force > 0. ? std::min(constant + coefficient * normal_force, cap) : 0.;
+      return std::min(constant + coefficient * std::max(normal_force, 0.), cap);
     }
 
     /** A generalised derivative of the bound. */

@@ -4,9 +4,9 @@
 #ifndef signorini_variational_inequality_constrained_problem_h
 #define signorini_variational_inequality_constrained_problem_h
 
-#include <signorini/base/contact_status.h>
 #include <signorini/linear_algebra/linear_operator.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
+#include <signorini/variational_inequality/frictional_contact.h>
 
 #include <vector>
 
@@ -19,6 +19,8 @@ namespace signorini
    *
    * Its conditions of optimality with the residual s = b - K x: s_i = 0 in free entries; in bounded entries s_i >= 0,
    * x_i <= g_i, s_i (g_i - x_i) = 0 (s_i is the multiplier); in fixed entries s_j is minus the reaction.
+   * With friction there is no function to minimise: the force t = s_t of a closed node, with the normal force n = s_i, has |t| <= b(n), and
+   * |t| = b(n) along the slip where the slip is not zero (Coulomb's law; a quasi-variational inequality).
    * All indices are local; a process lists the entries that it owns.
    */
   struct ConstrainedProblem
@@ -34,6 +36,10 @@ namespace signorini
     double tolerance;
     /** A bound counts as violated beyond this. Absolute, a length. */
     double bound_tolerance;
+    /** Friction in the tangential entries of the bounded nodes, which are neither bounded nor fixed; empty: none. */
+    const Friction &friction = no_friction;
+
+    static inline const Friction no_friction = {};
   };
 
   /** What a solver did. */

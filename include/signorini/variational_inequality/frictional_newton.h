@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_variational_inequality_frictional_newton_h
+#define signorini_variational_inequality_frictional_newton_h
+
+#include <signorini/variational_inequality/constrained_solver.h>
+#include <signorini/variational_inequality/slip_system.h>
+#include <signorini/variational_inequality/tresca_fixed_point.h>
+
+namespace signorini
+{
+  /**
+   * Semismooth Newton method for contact with Coulomb friction: the primal-dual active set method, in which closed nodes also stick or slip.
+   * Open nodes are free; sticking ones are held in all entries; slipping ones are held along the normal, and along the tangents they
+   * obey their linearised law, which makes these rows of the matrix unsymmetric (SlipSystem). Nothing is penalised or regularised. Without
+   * slip the linear systems are symmetric and solved by conjugate gradients.
+   *
+   * If statuses come back or the iterations are used up, TrescaFixedPoint finishes the work.
+   */
+  class FrictionalNewton : public ConstrainedSolver
+  {
+  public:
+    struct Parameters
+    {
+      unsigned int maximum_iterations        = 50;
+      unsigned int maximum_linear_iterations = 10000;
+      double       rough_reduction           = 1e-2; ///< of the error in a linear solve while statuses still change
+    };
+
+    explicit FrictionalNewton(const Parameters &parameters)
+      : parameters(parameters)
+    {
+    }
+
+    SolveReport
+    solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual) override;
+
+  private:
+    const Parameters    parameters;
+    ConjugateGradients  conjugate_gradients;
+    SlipSystem          slip;
+    TrescaFixedPoint    fallback;
+    Vector              correction, product;
+    std::vector<double> stiffness; ///< of each node: the mean of the diagonal over its entries
+
+    /** Put the fixed and held entries to their values and compute the residual. */
+    void start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual);
+    /** The semismooth Newton update of the statuses. @return number of changes on all processes */
+    unsigned int
+    update(const ConstrainedProblem &problem, ActiveSet &status, const Vector &solution, const Vector &residual) const;
+    /** Move entries that are held from now on to their values and update the residual. */
+    void hold(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution, Vector &residual);
+    void set_mask(const ConstrainedProblem &problem, const ActiveSet &status);
+    void linearise(const ConstrainedProblem &problem,
+                   const ActiveSet          &status,
+                   const Vector             &solution,
+                   const Vector             &residual);
+    /** Solve the linear system. @return iterations; zero if everything was balanced before */
+    ConjugateGradients::Report
+    step(const ConstrainedProblem &problem, Vector &solution, Vector &residual, double reduction);
+  };
+} // namespace signorini
+
+#endif

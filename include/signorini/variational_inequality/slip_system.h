@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_variational_inequality_slip_system_h
+#define signorini_variational_inequality_slip_system_h
+
+#include <signorini/linear_algebra/gmres.h>
+#include <signorini/variational_inequality/constrained_problem.h>
+
+namespace signorini
+{
+  /**
+   * The linear system of a Newton step in which some nodes slip: below the rows of K x + forces = b, the tangential rows of these nodes
+   * contain their linearised law (SlipCondition),
+   *
+   *   (K x)_t + t + Q dx_t + q dn = b_t,    dn = -(K dx)_n.
+   *
+   * The matrix K is not modified; these rows get their terms behind each product. The preconditioner is that of K; directions that slip
+   * makes stiff (a small slip that is about to turn) are scaled down in it. Solved by GMRES.
+   */
+  class SlipSystem
+  {
+  public:
+    void clear() { slipping.clear(); }
+
+    /**
+     * @param normal    bounded entry of the node
+     * @param node      must outlive the system
+     * @param stiffness of the node in K, for the scaling
+     */
+    void add(unsigned int normal, const FrictionNode &node, const SlipCondition &condition, double stiffness);
+
+    /** Agree with the other processes; to be called after the last add(). Collective. */
+    void finish(MPI_Comm communicator);
+
+    /** Whether a node slips with friction, and whether the direction of a slip may turn, on any process. */
+    bool any() const { return any_slip; }
+    bool any_turning() const { return may_turn; }
+
+    /**
+     * Solve for the correction dx, in the free entries of the problem's preconditioner.
+     * @param residual   b - K x on entry, b - K (x + dx) on exit
+     * @param tolerance, reduction  see ConjugateGradients
+     */
+    ConjugateGradients::Report solve(const ConstrainedProblem &problem,
+                                     Vector                   &residual,
+                                     Vector                   &correction,
+                                     double                    tolerance,
+                                     double                    reduction,
+                                     unsigned int              maximum_iterations);
+
+    /** Norm of what was unbalanced at the start of the last solve. */
+    double initial_norm() const { return gmres.initial_norm(); }
+
+  private:
+    struct Node
+    {
+      unsigned int        normal;
+      const FrictionNode *friction;
+      SlipCondition       condition;
+      TangentMatrix       scaling; ///< of the preconditioner
+    };
+    std::vector<Node> slipping;
+    bool              any_slip = false, may_turn = false;
+    Gmres             gmres;
+    Vector            scaled, unbalanced;
+  };
+
+  /** The tangential entries of a node. */
+  TangentVector tangential_entries(const FrictionNode &node, const Vector &vector);
+  void          add_to_tangential_entries(const FrictionNode &node, const TangentVector &values, Vector &vector);
+} // namespace signorini
+
+#endif

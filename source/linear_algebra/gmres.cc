@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/gmres.h>
+#include <signorini/linear_algebra/vector_kernels.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Room for entry j of a basis, like a given vector. */
+    Vector &place(std::vector<Vector> &basis, const unsigned int j, const Vector &like)
+    {
+      if (basis.size() <= j)
+        basis.resize(j + 1);
+      if (basis[j].size() == 0 || basis[j].get_partitioner() != like.get_partitioner())
+        basis[j].reinit(like, true);
+      return basis[j];
+    }
+  } // namespace
+
+
+  ConjugateGradients::Report Gmres::solve(const Operator    &matrix,
+                                          const Operator    &inverse_of_preconditioner,
+                                          Vector            &correction,
+                                          Vector            &residual,
+                                          const double       tolerance,
+                                          const double       reduction,
+                                          const unsigned int maximum_iterations)
+  {
+    ConjugateGradients::Report report;
+    correction.reinit(residual);
+    Vector &first = place(preconditioned, 0, residual);
+    inverse_of_preconditioner(first, residual);
+    double norm       = std::sqrt(std::max(0., dot(residual, first)));
+    norm_at_start     = norm;
+    const double goal = std::max(tolerance, reduction * norm);
+    while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
+      {
+        const double       before = norm;
+        const unsigned int done   = cycle(matrix,
+                                        inverse_of_preconditioner,
+                                        correction,
+                                        residual,
+                                        goal,
+                                        maximum_iterations - report.iterations,
+                                        norm);
+        report.iterations += done;
+        if (done == 0 || (norm > goal && norm > 0.99 * before)) // stagnates: the caller judges the result
+          break;
+      }
+    return report;
+  }
+
+
+  unsigned int Gmres::cycle(const Operator    &matrix,
+                            const Operator    &inverse_of_preconditioner,
+                            Vector            &correction,
+                            Vector            &residual,
+                            const double       goal,
+                            const unsigned int maximum_iterations,
+                            double            &norm)
+  {
+    const unsigned int m = std::min(n_basis, maximum_iterations);
+    Eigen::MatrixXd    H = Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg matrix, then triangular by rotations
+    Eigen::MatrixXd    original = H;
+    Eigen::VectorXd    g        = Eigen::VectorXd::Zero(m + 1);
+    std::vector<Eigen::JacobiRotation<double>> rotations;
+
+    place(basis, 0, residual).equ(1. / norm, residual);
+    inverse_of_preconditioner(place(preconditioned, 0, residual), basis[0]);
+    g[0]           = norm;
+    unsigned int j = 0;
+    for (; j < m && norm > goal; ++j)
+      {
+        Vector &next = place(basis, j + 1, residual);
+        matrix(next, preconditioned[j]);
+        for (unsigned int i = 0; i <= j; ++i)
+          {
+            original(i, j) = dot(next, preconditioned[i]);
+            next.add(-original(i, j), basis[i]);
+          }
+        Vector &z = place(preconditioned, j + 1, residual);
+        inverse_of_preconditioner(z, next);
+        original(j + 1, j) = std::sqrt(std::max(0., dot(next, z)));
+        H.col(j)           = original.col(j);
+        for (unsigned int i = 0; i < j; ++i)
+          H.col(j).applyOnTheLeft(i, i + 1, rotations[i].adjoint());
+        rotations.emplace_back();
+        rotations.back().makeGivens(H(j, j), H(j + 1, j));
+        H.col(j).applyOnTheLeft(j, j + 1, rotations.back().adjoint());
+        g.applyOnTheLeft(j, j + 1, rotations.back().adjoint());
+        norm = std::abs(g[j + 1]);
+        if (original(j + 1, j) <= 1e-14 * original.col(j).norm()) // the space is exhausted
+          {
+            original(j + 1, j) = 1.; // what is left acts on held entries only, and is not normalised
+            ++j;
+            break;
+          }
+        next /= original(j + 1, j);
+        z /= original(j + 1, j);
+      }
+    if (j == 0)
+      return 0;
+
+    const Eigen::VectorXd y =
+      H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
+    const Eigen::VectorXd change = original.topLeftCorner(j + 1, j) * y; // J x in the basis
+    for (unsigned int i = 0; i < j; ++i)
+      correction.add(y[i], preconditioned[i]);
+    for (unsigned int i = 0; i <= j; ++i)
+      residual.add(-change[i], basis[i]);
+    return j;
+  }
+} // namespace signorini

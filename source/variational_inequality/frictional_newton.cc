@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/variational_inequality/frictional_newton.h>
+#include <signorini/variational_inequality/node_stiffness.h>
+#include <signorini/variational_inequality/status_record.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Move the entries of node k that its status holds to their values. @return whether any moved */
+    bool move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, const std::size_t k, Vector &solution)
+    {
+      bool       moved = false;
+      const auto move  = [&](const unsigned int i, const double value) {
+        moved                     = moved || solution.local_element(i) != value;
+        solution.local_element(i) = value;
+      };
+      if (contact_status::is_closed(status[k]))
+        move(problem.bounded_entries[k], problem.upper_bounds[k]);
+      if (contact_status::sticks(status[k]))
+        for (unsigned int j = 0; j < problem.friction[k].entries.size(); ++j)
+          move(problem.friction[k].entries[j], -problem.friction[k].past[j]);
+      return moved;
+    }
+  } // namespace
+
+
+  SolveReport
+  FrictionalNewton::solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
+  {
+    SolveReport  report;
+    StatusRecord record(solution);
+    bool         accurate  = false;
+    double       reduction = parameters.rough_reduction, last_norm = 0.;
+
+    stiffness = node_stiffness(problem);
+    start(problem, status, solution, residual);
+    while (report.active_set_iterations < parameters.maximum_iterations)
+      {
+        ++report.active_set_iterations;
+        set_mask(problem, status);
+        linearise(problem, status, solution, residual);
+        const auto linear = step(problem, solution, residual, reduction);
+        report.linear_iterations += linear.iterations;
+        if (!linear.converged)
+          break;
+
+        if (update(problem, status, solution, residual) == 0)
+          {
+            if (linear.iterations == 0)
+              {
+                report.n_active = record.n_closed(status);
+                return report;
+              }
+            // The statuses stand. If no slip turns, the law is linear, and the next solve is the last one.
+            const double progress = last_norm > 0. ? slip.initial_norm() / last_norm : 1.;
+            reduction =
+              slip.any_turning() && !accurate ? std::min(parameters.rough_reduction, progress * progress) : 0.;
+          }
+        else
+          {
+            if (!record.is_new(status))
+              {
+                if (accurate)
+                  break; // a cycle, and not for want of accuracy
+                accurate = true;
+                record.forget();
+              }
+            reduction = accurate ? 0. : parameters.rough_reduction;
+            hold(problem, status, solution, residual);
+          }
+        last_norm = slip.any() ? slip.initial_norm() : 0.;
+      }
+
+    const SolveReport effort = report;
+    report                   = fallback.solve(problem, status, solution, residual);
+    report.linear_iterations += effort.linear_iterations;
+    report.active_set_iterations += effort.active_set_iterations;
+    report.fallback = true;
+    return report;
+  }
+
+
+  void FrictionalNewton::start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
+  {
+    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
+    for (std::size_t k = 0; k < status.size(); ++k)
+      {
+        if (problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
+          status[k] = contact_status::open; // a guess from elsewhere
+        else if (contact_status::sticks(status[k]) && problem.friction[k].entries.empty())
+          status[k] = contact_status::slip;
+        move_to_values(problem, status, k, solution);
+      }
+    problem.matrix.vmult(residual, solution);
+    residual.sadd(-1., 1., problem.right_hand_side);
+  }
+
+
+  unsigned int FrictionalNewton::update(const ConstrainedProblem &problem,
+                                        ActiveSet                &status,
+                                        const Vector             &solution,
+                                        const Vector             &residual) const
+  {
+    unsigned int n_changes = 0;
+    for (std::size_t k = 0; k < status.size(); ++k)
+      {
+        const unsigned int  i    = problem.bounded_entries[k];
+        const FrictionNode &node = problem.friction[k];
+        const char          old  = status[k];
+        const double        beyond = solution.local_element(i) - problem.upper_bounds[k];
+        const bool was    = contact_status::is_closed(old);
+        const bool closed = was ? residual.local_element(i) >= 0. : beyond > problem.bound_tolerance;
+        status[k]         = closed ? contact_status::slip : contact_status::open;
+        if (node.law.any() && !node.entries.empty())
+          {
+            NodeForces forces = node_forces(node, i, closed && was, solution, residual);
+            if (closed && !was)
+              forces.normal = stiffness[k] * beyond; // about what will hold it
+            if (sticks(node.law, forces, stiffness[k]))
+              status[k] = closed ? contact_status::stick : contact_status::hang;
+          }
+        n_changes += (status[k] != old);
+      }
+    return dealii::Utilities::MPI::sum(n_changes, solution.get_mpi_communicator());
+  }
+
+
+  void FrictionalNewton::hold(const ConstrainedProblem &problem,
+                              const ActiveSet          &status,
+                              Vector                   &solution,
+                              Vector                   &residual)
+  {
+    correction           = solution;
+    unsigned int n_moved = 0;
+    for (std::size_t k = 0; k < status.size(); ++k)
+      n_moved += move_to_values(problem, status, k, solution);
+    if (dealii::Utilities::MPI::sum(n_moved, solution.get_mpi_communicator()) == 0)
+      return; // entries were only released: the solution is as it was
+    correction.sadd(-1., 1., solution);
+    product.reinit(solution, true);
+    problem.matrix.vmult(product, correction);
+    residual -= product;
+  }
+
+
+  void FrictionalNewton::set_mask(const ConstrainedProblem &problem, const ActiveSet &status)
+  {
+    Mask mask(problem.right_hand_side.locally_owned_size(), 0);
+    for (const unsigned int j : problem.fixed_entries)
+      mask[j] = 1;
+    for (std::size_t k = 0; k < status.size(); ++k)
+      {
+        if (contact_status::is_closed(status[k]))
+          mask[problem.bounded_entries[k]] = 1;
+        if (contact_status::sticks(status[k]))
+          for (const unsigned int i : problem.friction[k].entries)
+            mask[i] = 1;
+      }
+    problem.preconditioner.set_mask(mask);
+  }
+
+
+  void FrictionalNewton::linearise(const ConstrainedProblem &problem,
+                                   const ActiveSet          &status,
+                                   const Vector             &solution,
+                                   const Vector             &residual)
+  {
+    slip.clear();
+    for (std::size_t k = 0; k < status.size(); ++k)
+      if (!contact_status::sticks(status[k]) && !problem.friction[k].entries.empty())
+        {
+          const FrictionNode &node   = problem.friction[k];
+          const unsigned int  i      = problem.bounded_entries[k];
+          const NodeForces    forces =
+            node_forces(node, i, contact_status::is_closed(status[k]), solution, residual);
+          if (node.law.bound(forces.normal) > 0.)
+            slip.add(i, node, linearise_slip(node.law, forces, stiffness[k], node.entries.size()), stiffness[k]);
+        }
+    slip.finish(solution.get_mpi_communicator());
+  }
+
+
+  ConjugateGradients::Report FrictionalNewton::step(const ConstrainedProblem &problem,
+                                                    Vector                   &solution,
+                                                    Vector                   &residual,
+                                                    const double              reduction)
+  {
+    if (!slip.any())
+      return conjugate_gradients.solve(problem.matrix,
+                                       problem.preconditioner,
+                                       solution,
+                                       residual,
+                                       problem.tolerance,
+                                       reduction,
+                                       parameters.maximum_linear_iterations);
+    const auto report = slip.solve(
+      problem, residual, correction, problem.tolerance, reduction, parameters.maximum_linear_iterations);
+    solution += correction;
+    return report;
+  }
+} // namespace signorini

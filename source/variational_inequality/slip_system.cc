@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/variational_inequality/slip_system.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace signorini
+{
+  namespace
+  {
+    /** (I + sym(Q)/c)^(-1/2), where negative curvature is left out. */
+    TangentMatrix scaling_of(const TangentMatrix &slip_stiffness, const double stiffness)
+    {
+      const Eigen::SelfAdjointEigenSolver<TangentMatrix> eigen((slip_stiffness + slip_stiffness.transpose())
+                                                               / (2. * stiffness));
+      const TangentVector scales = (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
+      return eigen.eigenvectors() * scales.asDiagonal() * eigen.eigenvectors().transpose();
+    }
+  } // namespace
+
+
+  TangentVector tangential_entries(const FrictionNode &node, const Vector &vector)
+  {
+    TangentVector values = TangentVector::Zero();
+    for (unsigned int j = 0; j < node.entries.size(); ++j)
+      values[j] = vector.local_element(node.entries[j]);
+    return values;
+  }
+
+
+  void add_to_tangential_entries(const FrictionNode &node, const TangentVector &values, Vector &vector)
+  {
+    for (unsigned int j = 0; j < node.entries.size(); ++j)
+      vector.local_element(node.entries[j]) += values[j];
+  }
+
+
+  void SlipSystem::add(const unsigned int   normal,
+                       const FrictionNode  &node,
+                       const SlipCondition &condition,
+                       const double         stiffness)
+  {
+    slipping.push_back({normal, &node, condition, scaling_of(condition.stiffness, stiffness)});
+  }
+
+
+  void SlipSystem::finish(const MPI_Comm communicator)
+  {
+    unsigned int most = 0; // 1: slip, 2: slip that may turn
+    for (const Node &node : slipping)
+      most = std::max(most, node.condition.stiffness.norm() > 0. ? 2u : 1u);
+    most     = dealii::Utilities::MPI::max(most, communicator);
+    any_slip = most > 0;
+    may_turn = most > 1;
+  }
+
+
+  ConjugateGradients::Report SlipSystem::solve(const ConstrainedProblem &problem,
+                                               Vector                   &residual,
+                                               Vector                   &correction,
+                                               const double              tolerance,
+                                               const double              reduction,
+                                               const unsigned int        maximum_iterations)
+  {
+    const auto scale = [&](Vector &vector) {
+      for (const Node &node : slipping)
+        {
+          const TangentVector values = tangential_entries(*node.friction, vector);
+          add_to_tangential_entries(*node.friction, node.scaling * values - values, vector);
+        }
+    };
+    const auto precondition = [&](Vector &destination, const Vector &source) {
+      scaled = source;
+      scale(scaled);
+      problem.preconditioner.vmult(destination, scaled);
+      scale(destination);
+    };
+    const auto jacobian = [&](Vector &destination, const Vector &source) {
+      problem.matrix.vmult(destination, source);
+      for (const Node &node : slipping)
+        add_to_tangential_entries(*node.friction,
+                                  node.condition.stiffness * tangential_entries(*node.friction, source)
+                                    - node.condition.coupling * destination.local_element(node.normal),
+                                  destination);
+    };
+
+    unbalanced = residual;
+    for (const Node &node : slipping)
+      add_to_tangential_entries(*node.friction, -node.condition.force, unbalanced);
+    const auto report =
+      gmres.solve(jacobian, precondition, correction, unbalanced, tolerance, reduction, maximum_iterations);
+    // The new b - K x is what is unbalanced plus the forces by the linearised law.
+    for (const Node &node : slipping)
+      {
+        const double change_of_normal = unbalanced.local_element(node.normal) - residual.local_element(node.normal);
+        add_to_tangential_entries(*node.friction,
+                                  node.condition.force
+                                    + node.condition.stiffness * tangential_entries(*node.friction, correction)
+                                    + node.condition.coupling * change_of_normal,
+                                  unbalanced);
+      }
+    residual.swap(unbalanced);
+    return report;
+  }
+} // namespace signorini

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/variational_inequality/node_stiffness.h>
+#include <signorini/variational_inequality/slip_system.h>
+#include <signorini/variational_inequality/status_record.h>
+#include <signorini/variational_inequality/tresca_minimisation.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    using dealii::Utilities::MPI::sum;
+
+    /** The method at a point x with the residual b - K x. */
+    class Descent
+    {
+    public:
+      Descent(const ConstrainedProblem &problem, const std::vector<double> &bounds, Vector &solution, Vector &residual)
+        : problem(problem)
+        , bounds(bounds)
+        , solution(solution)
+        , residual(residual)
+        , stiffness(node_stiffness(problem))
+        , diagonal(solution)
+        , target(solution)
+        , direction(solution)
+        , product(solution)
+        , is_fixed(solution.locally_owned_size(), 0)
+      {
+        problem.matrix.diagonal(diagonal);
+        for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+          {
+            solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
+            is_fixed[problem.fixed_entries[j]]               = 1;
+          }
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            double &normal = solution.local_element(problem.bounded_entries[k]);
+            normal         = std::min(normal, problem.upper_bounds[k]);
+          }
+        problem.matrix.vmult(residual, solution);
+        residual.sadd(-1., 1., problem.right_hand_side);
+      }
+
+      /** A step against the gradient in the metric of the diagonal, with bounds and friction taken exactly, shortened to the minimum of J. */
+      void proximal_step()
+      {
+        target = solution;
+        for (unsigned int i = 0; i < is_fixed.size(); ++i)
+          if (!is_fixed[i])
+            target.local_element(i) += residual.local_element(i) / diagonal.local_element(i);
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            clip_normal(k);
+            if (!has_friction(k))
+              continue;
+            const NodeForces    node = forces(k);
+            const TangentVector free = node.slip + node.tangential / stiffness[k];
+            const double        size = free.norm(), lost = bounds[k] / stiffness[k];
+            set_slip(k, size > lost ? TangentVector((1. - lost / size) * free) : TangentVector(TangentVector::Zero()));
+          }
+        move();
+      }
+
+      /** @return iterations of the linear solver; zero if x is the minimum among the points with these statuses */
+      unsigned int newton_step(const ActiveSet &status, const unsigned int maximum_iterations)
+      {
+        Mask mask = is_fixed;
+        slip.clear();
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            if (contact_status::is_closed(status[k]))
+              mask[problem.bounded_entries[k]] = 1;
+            if (!has_friction(k))
+              continue;
+            if (rests(k))
+              for (const unsigned int i : problem.friction[k].entries)
+                mask[i] = 1;
+            else
+              slip.add(problem.bounded_entries[k], problem.friction[k], condition(k), stiffness[k]);
+          }
+        slip.finish(solution.get_mpi_communicator());
+        problem.preconditioner.set_mask(mask);
+        product           = residual;
+        const auto report = slip.solve(problem, product, direction, problem.tolerance, 1e-2, maximum_iterations);
+        if (report.iterations == 0)
+          return 0;
+        target = solution;
+        target += direction;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            clip_normal(k);
+            if (!has_friction(k) || rests(k))
+              continue;
+            // No further than to the kink of |slip|: whether to go beyond is for the proximal step to say.
+            const TangentVector before = forces(k).slip;
+            if (before.dot(before + tangential_entries(problem.friction[k], direction)) < 0.)
+              set_slip(k, TangentVector::Zero());
+          }
+        move();
+        return report.iterations;
+      }
+
+      /** What holds each node at x. @return whether a held node wants to be released, on any process */
+      bool find_status(ActiveSet &status) const
+      {
+        unsigned int wrong = 0;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            const unsigned int i      = problem.bounded_entries[k];
+            const bool closed = solution.local_element(i) >= problem.upper_bounds[k] && residual.local_element(i) >= 0.;
+            if (has_friction(k) && rests(k))
+              status[k] = closed ? contact_status::stick : contact_status::hang;
+            else
+              status[k] = closed ? contact_status::slip : contact_status::open;
+            wrong += has_friction(k) && forces(k).slip.norm() == 0. && !rests(k);
+          }
+        return sum(wrong, solution.get_mpi_communicator()) > 0;
+      }
+
+    private:
+      const ConstrainedProblem  &problem;
+      const std::vector<double> &bounds;
+      Vector                    &solution, &residual;
+      const std::vector<double>  stiffness;
+      Vector                     diagonal, target, direction, product;
+      Mask                       is_fixed;
+      SlipSystem                 slip;
+
+      bool has_friction(const std::size_t k) const { return bounds[k] > 0. && !problem.friction[k].entries.empty(); }
+
+      NodeForces forces(const std::size_t k) const
+      {
+        return node_forces(problem.friction[k], problem.bounded_entries[k], true, solution, residual);
+      }
+
+      /** Whether the node has no slip and its force is not beyond the bound. */
+      bool rests(const std::size_t k) const
+      {
+        const NodeForces node = forces(k);
+        return node.slip.norm() == 0. && node.tangential.norm() <= bounds[k] * (1. + 1e-13);
+      }
+
+      /** Force and stiffness of the term b |slip|; at a kink that the node wants to leave, the direction is that of its force. */
+      SlipCondition condition(const std::size_t k) const
+      {
+        const NodeForces    node  = forces(k);
+        const double        size  = node.slip.norm();
+        const TangentVector along = size > 0. ? node.slip : node.tangential;
+        const TangentVector unit  = along / along.norm();
+        TangentMatrix       curvature = TangentMatrix::Zero();
+        if (size > 0. && problem.friction[k].entries.size() > 1)
+          curvature = bounds[k] / size * (TangentMatrix::Identity() - unit * unit.transpose());
+        return {bounds[k] * unit, curvature, TangentVector::Zero()};
+      }
+
+      void clip_normal(const std::size_t k)
+      {
+        double &normal = target.local_element(problem.bounded_entries[k]);
+        normal         = std::min(normal, problem.upper_bounds[k]);
+      }
+
+      void set_slip(const std::size_t k, const TangentVector &value)
+      {
+        const FrictionNode &node = problem.friction[k];
+        for (unsigned int j = 0; j < node.entries.size(); ++j)
+          target.local_element(node.entries[j]) = value[j] - node.past[j];
+      }
+
+      /** To the minimum of J on the segment from x to the target; entries that reach a bound or a kink are there exactly. */
+      void move()
+      {
+        direction = target;
+        direction -= solution;
+        problem.matrix.vmult(product, direction);
+        const double length = step_length(dot(residual, direction), dot(direction, product));
+        if (length == 1.)
+          solution = target;
+        else
+          solution.add(length, direction);
+        residual.add(-length, product);
+      }
+
+      /** The zero of the derivative of J, which grows along the segment. */
+      double step_length(const double linear, const double curvature) const
+      {
+        const auto derivative = [&](const double length) {
+          double friction = 0.;
+          for (std::size_t k = 0; k < bounds.size(); ++k)
+            if (has_friction(k))
+              {
+                const TangentVector change = tangential_entries(problem.friction[k], direction);
+                const TangentVector slip   = forces(k).slip + length * change;
+                const double        size   = slip.norm();
+                friction += bounds[k] * (size > 0. ? slip.dot(change) / size : -change.norm());
+              }
+          return length * curvature - linear + sum(friction, solution.get_mpi_communicator());
+        };
+        if (derivative(1.) <= 0.)
+          return 1.;
+        double low = 0., high = 1.;
+        for (unsigned int n = 0; n < 50; ++n)
+          {
+            const double middle                     = 0.5 * (low + high);
+            (derivative(middle) < 0. ? low : high) = middle;
+          }
+        return low;
+      }
+    };
+  } // namespace
+
+
+  SolveReport TrescaMinimisation::solve(const ConstrainedProblem  &problem,
+                                        const std::vector<double> &bounds,
+                                        ActiveSet                 &status,
+                                        Vector                    &solution,
+                                        Vector                    &residual)
+  {
+    Descent     descent(problem, bounds, solution, residual);
+    SolveReport report;
+    while (report.active_set_iterations < maximum_iterations)
+      {
+        ++report.active_set_iterations;
+        const bool         unsettled = descent.find_status(status);
+        const unsigned int effort    = descent.newton_step(status, 10000);
+        report.linear_iterations += effort + 1;
+        if (effort == 0 && !unsettled)
+          {
+            report.n_active = StatusRecord(solution).n_closed(status);
+            return report;
+          }
+        descent.proximal_step();
+      }
+    throw RunError("The inequality of this step was not solved to its tolerance: the minimisation with given bounds of "
+                   "friction did not converge. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
+  }
+} // namespace signorini

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// Contact with Coulomb friction on small dense matrices. In 2d all statuses of all nodes are tried: the solvers find the only solution. In 3d
+// Newton's method and the fixed point of Tresca's friction end at the same point, which obeys Coulomb's law in every node, does not depend on the
+// choice of the tangents, and not on the units of force and length.
+
+#include <signorini/variational_inequality/frictional_newton.h>
+#include <signorini/variational_inequality/primal_dual_active_set.h>
+
+#include "dense_problem.h"
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+
+namespace
+{
+  /** n nodes with one normal and n_tangents tangential entries each, then two free entries. */
+  struct FrictionalProblem : DenseProblem
+  {
+    Friction friction;
+  };
+
+  FrictionalProblem random_frictional(const unsigned int n, const unsigned int n_tangents, const FrictionLaw &law, const unsigned int seed)
+  {
+    std::mt19937                           generator(seed);
+    std::uniform_real_distribution<double> number(-1., 1.);
+    const unsigned int                     size = n * (1 + n_tangents) + 2;
+    const Eigen::MatrixXd                  B = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return number(generator); });
+    FrictionalProblem                      problem;
+    // As in a time step: a mass and some coupling.
+    problem.matrix = Eigen::MatrixXd::Identity(size, size) + 0.6 / size * B * B.transpose();
+    problem.right_hand_side = 1.2 * Eigen::VectorXd::NullaryExpr(size, [&] { return number(generator); });
+    for (unsigned int k = 0; k < n; ++k)
+      {
+        const unsigned int first = k * (1 + n_tangents);
+        problem.right_hand_side[first] += 1.;
+        problem.bounded_entries.push_back(first);
+        problem.upper_bounds.push_back(0.3 * number(generator));
+        FrictionNode node{{}, law};
+        for (unsigned int j = 0; j < n_tangents; ++j)
+          node.entries.push_back(first + 1 + j);
+        problem.friction.push_back(node);
+      }
+    return problem;
+  }
+
+  struct FrictionalAnswer
+  {
+    SolveReport     report;
+    ActiveSet       status;
+    Eigen::VectorXd solution, residual;
+  };
+
+  FrictionalAnswer solve(ConstrainedSolver &solver, const FrictionalProblem &data, const bool exact = true)
+  {
+    const DenseOperator   matrix(data.matrix);
+    const Eigen::MatrixXd diagonal = data.matrix.diagonal().asDiagonal();
+    DenseInverse          preconditioner(exact ? data.matrix : diagonal);
+    Vector                x(data.matrix.rows()), residual(x);
+    FrictionalAnswer      answer;
+    answer.status.assign(data.bounded_entries.size(), contact_status::open);
+    answer.report   = solver.solve({matrix,
+                                    preconditioner,
+                                    to_vector(data.right_hand_side),
+                                    data.bounded_entries,
+                                    data.upper_bounds,
+                                    data.fixed_entries,
+                                    data.fixed_values,
+                                    1e-12,
+                                    1e-13,
+                                    data.friction},
+                                 answer.status,
+                                 x,
+                                 residual);
+    answer.solution = to_eigen(x);
+    answer.residual = to_eigen(residual);
+    return answer;
+  }
+
+  NodeForces forces_at(const FrictionalProblem &problem, const FrictionalAnswer &answer, const unsigned int k)
+  {
+    return node_forces(problem.friction[k],
+                       problem.bounded_entries[k],
+                       contact_status::is_closed(answer.status[k]),
+                       to_vector(answer.solution),
+                       to_vector(answer.residual));
+  }
+
+  void expect_coulomb(const FrictionalProblem &problem, const FrictionalAnswer &answer)
+  {
+    const Eigen::VectorXd residual = problem.right_hand_side - problem.matrix * answer.solution;
+    EXPECT_LT((residual - answer.residual).lpNorm<Eigen::Infinity>(), 1e-11);
+    for (unsigned int i = residual.size() - 2; i < residual.size(); ++i)
+      EXPECT_NEAR(residual[i], 0., 1e-11);
+    for (unsigned int k = 0; k < problem.bounded_entries.size(); ++k)
+      {
+        const NodeForces node  = forces_at(problem, answer, k);
+        const double     gap   = problem.upper_bounds[k] - answer.solution[problem.bounded_entries[k]];
+        const double     bound = problem.friction[k].law.bound(node.normal), size = node.slip.norm();
+        EXPECT_GE(gap, -1e-12) << k;
+        EXPECT_GE(node.normal, -1e-11) << k;
+        EXPECT_NEAR(gap * node.normal, 0., 1e-11) << k;
+        EXPECT_LE(node.tangential.norm(), bound + 1e-10) << k;
+        if (size > 1e-9)
+          {
+            EXPECT_LT((node.tangential - bound / size * node.slip).norm(), 1e-9) << "along the slip, node " << k;
+          }
+        if (contact_status::sticks(answer.status[k]))
+          {
+            EXPECT_EQ(size, 0.) << k;
+          }
+        if (contact_status::is_closed(answer.status[k]))
+          {
+            EXPECT_EQ(gap, 0.) << k;
+          }
+        else
+          {
+            EXPECT_NEAR(answer.residual[problem.bounded_entries[k]], 0., 1e-11) << k;
+          }
+      }
+  }
+
+  /** Try open, stick, slip to either side in each node (one tangent); @return all solutions. */
+  std::vector<Eigen::VectorXd> brute_force(const FrictionalProblem &problem)
+  {
+    const unsigned int           n = problem.friction.size(), size = problem.matrix.rows();
+    const double                 mu = problem.friction[0].law.coefficient;
+    std::vector<Eigen::VectorXd> solutions;
+    for (unsigned int code = 0; code < std::pow(4, n); ++code)
+      {
+        Eigen::MatrixXd  K = problem.matrix;
+        Eigen::VectorXd  b = problem.right_hand_side;
+        std::vector<int> what(n);
+        for (unsigned int k = 0, rest = code; k < n; ++k, rest /= 4)
+          {
+            what[k]           = rest % 4;
+            const int  normal = problem.bounded_entries[k], tangent = normal + 1;
+            const auto set    = [&](const int row, const double value) {
+              K.row(row).setZero();
+              K(row, row) = 1.;
+              b[row]      = value;
+            };
+            if (what[k] >= 2) // t = +- mu n
+              {
+                const double sign = what[k] == 2 ? 1. : -1.;
+                K.row(tangent) -= sign * mu * problem.matrix.row(normal);
+                b[tangent] -= sign * mu * problem.right_hand_side[normal];
+              }
+            if (what[k] >= 1)
+              set(normal, problem.upper_bounds[k]);
+            if (what[k] == 1)
+              set(tangent, 0.);
+          }
+        const Eigen::VectorXd x = K.partialPivLu().solve(b), s = problem.right_hand_side - problem.matrix * x;
+        bool                  good = true;
+        for (unsigned int k = 0; k < n; ++k)
+          {
+            const int normal = problem.bounded_entries[k], tangent = normal + 1;
+            good = good && (what[k] == 0 ? x[normal] <= problem.upper_bounds[k] : s[normal] >= 0.);
+            good = good && (what[k] != 1 || std::abs(s[tangent]) <= mu * s[normal]);
+            good = good && (what[k] < 2 || (what[k] == 2 ? 1. : -1.) * x[tangent] >= 0.);
+          }
+        if (good)
+          solutions.push_back(x);
+      }
+    EXPECT_EQ(problem.matrix.rows(), static_cast<int>(size));
+    return solutions;
+  }
+
+  const FrictionalNewton::Parameters parameters;
+} // namespace
+
+TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
+{
+  unsigned int n_stick = 0, n_slip = 0, n_open = 0, n_iterations = 0, n_fallbacks = 0;
+  for (unsigned int seed = 0; seed < 60; ++seed)
+    {
+      SCOPED_TRACE(seed);
+      const auto problem   = random_frictional(4, 1, {0.1 + 0.01 * seed, 0.}, seed);
+      const auto solutions = brute_force(problem);
+      ASSERT_EQ(solutions.size(), 1u);
+      FrictionalNewton newton(parameters);
+      TrescaFixedPoint fixed_point;
+      for (const bool exact : {true, false})
+        for (ConstrainedSolver *solver : {static_cast<ConstrainedSolver *>(&newton), static_cast<ConstrainedSolver *>(&fixed_point)})
+          {
+            SCOPED_TRACE(std::string(solver == &newton ? "Newton" : "fixed point") + (exact ? "" : ", diagonal"));
+            const FrictionalAnswer answer = solve(*solver, problem, exact);
+            EXPECT_LT((answer.solution - solutions[0]).lpNorm<Eigen::Infinity>(), 1e-10);
+            expect_coulomb(problem, answer);
+          }
+      const auto answer = solve(newton, problem);
+      n_iterations += answer.report.active_set_iterations;
+      n_fallbacks += answer.report.fallback;
+      for (const char status : answer.status)
+        ++(status == contact_status::stick ? n_stick : status == contact_status::slip ? n_slip : n_open);
+    }
+  EXPECT_TRUE(n_stick > 20 && n_slip > 20 && n_open > 20) << n_stick << " " << n_slip << " " << n_open;
+  EXPECT_LT(n_iterations, 60 * 8u);
+  EXPECT_EQ(n_fallbacks, 0u);
+}
+
+TEST(Friction, SolversAgreeInThreeDimensions)
+{
+  unsigned int n_stick = 0, n_slip = 0, n_iterations = 0, n_fallbacks = 0;
+  for (unsigned int seed = 0; seed < 60; ++seed)
+    {
+      SCOPED_TRACE(seed);
+      const FrictionLaw law = seed % 3 == 0 ? FrictionLaw{0.3, 0.} :
+                              seed % 3 == 1 ? FrictionLaw{0., 0.4} :
+                                              FrictionLaw{0.8, 0., 0.5};
+      const auto        problem = random_frictional(5, 2, law, seed);
+      FrictionalNewton  newton(parameters);
+      TrescaFixedPoint  fixed_point;
+      const auto        answer = solve(newton, problem);
+      n_iterations += answer.report.active_set_iterations;
+      n_fallbacks += answer.report.fallback;
+      expect_coulomb(problem, answer);
+      const auto other = solve(fixed_point, problem, false);
+      EXPECT_LT((answer.solution - other.solution).lpNorm<Eigen::Infinity>(), 1e-9);
+      expect_coulomb(problem, other);
+      EXPECT_EQ(answer.status, other.status);
+      for (const char status : answer.status)
+        ++(contact_status::sticks(status) ? n_stick : n_slip);
+    }
+  EXPECT_TRUE(n_stick > 20 && n_slip > 20) << n_stick << " " << n_slip;
+  EXPECT_LT(n_iterations, 60 * 10u);
+  EXPECT_EQ(n_fallbacks, 0u);
+}
+
+TEST(Friction, DoesNotDependOnTangents)
+{
+  const auto         problem = random_frictional(5, 2, {0.4, 0.}, 7);
+  FrictionalProblem  turned  = problem;
+  const unsigned int size    = problem.matrix.rows();
+  Eigen::MatrixXd    Q       = Eigen::MatrixXd::Identity(size, size);
+  for (unsigned int k = 0; k < 5; ++k)
+    Q.block<2, 2>(3 * k + 1, 3 * k + 1) = Eigen::Rotation2Dd(0.3 + k).toRotationMatrix();
+  turned.matrix          = Q.transpose() * problem.matrix * Q;
+  turned.right_hand_side = Q.transpose() * problem.right_hand_side;
+  FrictionalNewton solver(parameters);
+  const auto       answer = solve(solver, problem, true), other = solve(solver, turned, true);
+  EXPECT_LT((answer.solution - Q * other.solution).lpNorm<Eigen::Infinity>(), 1e-11);
+  EXPECT_EQ(answer.report.active_set_iterations, other.report.active_set_iterations);
+}
+
+TEST(Friction, WithoutCoefficientIsFrictionless)
+{
+  const auto       problem = random_frictional(6, 2, {0., 0.}, 3);
+  FrictionalNewton solver(parameters);
+  PrimalDualActiveSet frictionless({});
+  FrictionalProblem   none = problem;
+  none.friction.clear();
+  EXPECT_LT((solve(solver, problem).solution - solve(frictionless, none).solution).lpNorm<Eigen::Infinity>(), 1e-11);
+}
+
+TEST(Friction, VeryRoughNodesAreGlued)
+{
+  auto problem = random_frictional(6, 2, {1e6, 0.}, 5), glued = problem;
+  FrictionalNewton solver(parameters);
+  const auto       answer = solve(solver, problem);
+  for (unsigned int k = 0; k < 6; ++k)
+    if (answer.status[k] != contact_status::open)
+      {
+        EXPECT_EQ(answer.status[k], contact_status::stick);
+        for (const unsigned int i : problem.friction[k].entries)
+          {
+            glued.fixed_entries.push_back(i);
+            glued.fixed_values.push_back(0.);
+          }
+      }
+  EXPECT_GE(glued.fixed_entries.size(), 4u);
+  glued.friction.clear();
+  PrimalDualActiveSet frictionless({});
+  EXPECT_LT((answer.solution - solve(frictionless, glued).solution).lpNorm<Eigen::Infinity>(), 1e-11);
+}
+
+TEST(Friction, PastSlipSetsTheDirection)
+{
+  // Far along a direction, the force of a closed node points along it.
+  auto problem = random_frictional(4, 2, {0.5, 0.}, 2);
+  for (FrictionNode &node : problem.friction)
+    node.past = {6e5, 8e5};
+  FrictionalNewton solver(parameters);
+  const auto       answer = solve(solver, problem);
+  for (unsigned int k = 0; k < 4; ++k)
+    {
+      const NodeForces node = forces_at(problem, answer, k);
+      EXPECT_LT((node.tangential - 0.5 * node.normal * Eigen::Vector2d(0.6, 0.8)).norm(), 1e-5);
+    }
+}
