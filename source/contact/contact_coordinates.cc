@@ -2,6 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/contact/contact_coordinates.h>
+#include <signorini/contact/contact_frame.h>
+
+#include <set>
 
 namespace signorini
 {
@@ -21,21 +24,25 @@ namespace signorini
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         normals.push_back(dim * node.node);
-        if (!node.partners.empty())
-          relative.push_back(dim * node.node);
         frames[node.node] = node.frame;
       }
     for (const auto &[node, components] : supports.nodes())
       {
-        const Frame &frame = frames.emplace(node, identity).first->second;
+        const auto row = rows_along_axes<dim>(frames.emplace(node, identity).first->second);
         for (unsigned int c = 0; c < dim; ++c)
-          if (components[c] != Supports<dim>::none)
-            for (unsigned int row = 0; row < dim; ++row)
-              if (std::abs(frame[dim * row + c]) == 1.)
-                {
-                  supported.push_back(dim * node + row);
-                  support_sources.emplace_back(components[c], discretization.node_positions[node], c);
-                }
+          if (components[c] != Supports<dim>::none && row[c] < dim)
+            {
+              supported.push_back(dim * node + row[c]);
+              support_sources.emplace_back(components[c], discretization.node_positions[node], c);
+            }
+      }
+    const std::set<unsigned int> held(supported.begin(), supported.end());
+    for (const ContactNode<dim> &node : owned_contact_nodes)
+      {
+        tangential.emplace_back();
+        for (unsigned int entry = dim * node.node + 1; entry < dim * (node.node + 1); ++entry)
+          if (node.friction.any() && held.count(entry) == 0)
+            tangential.back().push_back(entry);
       }
   }
 
@@ -88,8 +95,8 @@ namespace signorini
     if (!node_coupling.any())
       return;
     const std::vector<double> motion = node_coupling.partner_motion(vector);
-    for (std::size_t k = 0; k < motion.size(); ++k)
-      vector.local_element(normals[k]) += factor * motion[k];
+    for (std::size_t r = 0; r < motion.size(); ++r)
+      vector.local_element(relative_entries()[r]) += factor * motion[r];
   }
 
 
@@ -99,7 +106,7 @@ namespace signorini
     if (!node_coupling.any())
       return;
     std::vector<double> forces;
-    for (const unsigned int entry : normals)
+    for (const unsigned int entry : relative_entries())
       forces.push_back(factor * vector.local_element(entry));
     node_coupling.add_to_partners(forces, vector);
   }

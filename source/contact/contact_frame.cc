@@ -77,10 +77,25 @@ namespace signorini
   }
 
 
+  template <int dim>
+  std::array<unsigned int, dim> rows_along_axes(const std::array<double, dim * dim> &frame)
+  {
+    std::array<unsigned int, dim> rows;
+    rows.fill(dim);
+    for (unsigned int row = 0; row < dim; ++row)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (std::abs(frame[dim * row + c]) == 1.)
+          rows[c] = row;
+    return rows;
+  }
+
+
   template std::array<double, 4> contact_frame(const Tensor<1, 2> &);
   template std::array<double, 9> contact_frame(const Tensor<1, 3> &);
   template bool
   contact_frame_with_supports<2>(const Tensor<1, 2> &, const std::array<bool, 2> &, std::array<double, 4> &);
   template bool
   contact_frame_with_supports<3>(const Tensor<1, 3> &, const std::array<bool, 3> &, std::array<double, 9> &);
+  template std::array<unsigned int, 2> rows_along_axes<2>(const std::array<double, 4> &);
+  template std::array<unsigned int, 3> rows_along_axes<3>(const std::array<double, 9> &);
 } // namespace signorini

@@ -44,9 +44,12 @@ namespace signorini
       if (!contact_node.partners.empty())
         {
           row_of[contact_node.node] = rows.size();
-          std::array<double, dim> normal;
-          std::copy_n(contact_node.frame.begin(), dim, normal.begin());
-          rows.push_back({global_node(contact_node.node), normal, contact_node.partners, {}});
+          ContactRow<dim> &row      = rows.emplace_back();
+          row.node                  = global_node(contact_node.node);
+          row.partners              = contact_node.partners;
+          for (unsigned int k = 0; k < dim; ++k)
+            if (contact_node.relative[k])
+              std::copy_n(contact_node.frame.begin() + dim * k, dim, row.directions.emplace_back().begin());
         }
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)

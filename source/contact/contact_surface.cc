@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/mortar_coupling.h>
+#include <signorini/contact/nodal_friction.h>
 #include <signorini/contact/overlap.h>
 
 #include <algorithm>
@@ -52,6 +53,7 @@ namespace signorini
     std::stable_sort(contact_nodes.begin(),
                      contact_nodes.end(),
                      [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
+    assign_friction(discretization, supports, contact_nodes);
     node_coupling = std::make_unique<NodeCoupling<dim>>(contact_nodes, discretization.matrices.pattern.partitioner);
     check_that_pairs_are_disjoint();
     n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
@@ -180,13 +182,30 @@ namespace signorini
   template <int dim>
   std::vector<double> ContactSurface<dim>::relative_normal(const Vector &motion) const
   {
-    std::vector<double> result = node_coupling->partner_motion(motion);
+    const auto          opposite = node_coupling->partner_displacement(motion);
+    std::vector<double> result;
+    result.reserve(contact_nodes.size());
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
         double own = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           own += contact_nodes[k].frame[c] * motion.local_element(dim * contact_nodes[k].node + c);
-        result[k] = own - result[k];
+        result.push_back(own - contact_nodes[k].normal() * opposite[k]);
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> ContactSurface<dim>::relative_tangential(const Vector &motion) const
+  {
+    std::vector<Tensor<1, dim>> result = node_coupling->partner_displacement(motion);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      {
+        const Tensor<1, dim> normal = contact_nodes[k].normal();
+        for (unsigned int c = 0; c < dim; ++c)
+          result[k][c] = motion.local_element(dim * contact_nodes[k].node + c) - result[k][c];
+        result[k] -= (result[k] * normal) * normal;
       }
     return result;
   }
@@ -217,22 +236,16 @@ namespace signorini
   {
     if (!node_coupling->any())
       return 0.;
-    const auto opposite = node_coupling->partner_displacement(displacement);
-    double     largest  = 0.;
+    const auto sliding = relative_tangential(displacement);
+    double     largest = 0.;
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
-        const ContactNode<dim> &node = contact_nodes[k];
-        Tensor<1, dim>          relative;
+        const ContactNode<dim> &node  = contact_nodes[k];
         double                  force = 0.;
         for (unsigned int c = 0; c < dim; ++c)
-          {
-            relative[c] = displacement.local_element(dim * node.node + c) - opposite[k][c];
-            force += node.frame[c] * contact_force.local_element(dim * node.node + c);
-          }
+          force += node.frame[c] * contact_force.local_element(dim * node.node + c);
         if (!node.partners.empty() && force < 0.)
-          largest = std::max(largest,
-                             (relative - (relative * node.normal()) * node.normal()).norm()
-                               / std::pow(node.weight, 1. / (dim - 1)));
+          largest = std::max(largest, sliding[k].norm() / std::pow(node.weight, 1. / (dim - 1)));
       }
     return Utilities::MPI::max(largest, discretization.communicator());
   }

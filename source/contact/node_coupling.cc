@@ -24,10 +24,17 @@ namespace signorini
     ghost_values.resize(partners->n_ghost_indices());
     import_storage.resize(partners->n_import_indices());
 
+    relative_start.assign(1, 0);
     row_start.assign(1, 0);
     for (const ContactNode<dim> &node : nodes)
       {
-        normals.push_back(node.normal());
+        for (unsigned int row = 0; row < dim; ++row)
+          if (node.relative[row])
+            {
+              relative.push_back(dim * node.node + row);
+              directions.push_back(node.direction(row));
+            }
+        relative_start.push_back(relative.size());
         for (const auto &[partner, weight] : node.partners)
           entries.emplace_back(partners->global_to_local(dim * partner), weight);
         row_start.push_back(entries.size());
@@ -53,7 +60,7 @@ namespace signorini
   template <int dim>
   std::vector<Tensor<1, dim>> NodeCoupling<dim>::partner_displacement(const Vector &u) const
   {
-    std::vector<Tensor<1, dim>> result(normals.size());
+    std::vector<Tensor<1, dim>> result(row_start.size() - 1);
     if (!has_partners)
       return result;
     std::vector<MPI_Request> requests;
@@ -63,7 +70,7 @@ namespace signorini
                                             make_array_view(ghost_values),
                                             requests);
     partners->export_to_ghosted_array_finish(make_array_view(ghost_values), requests);
-    for (std::size_t k = 0; k < normals.size(); ++k)
+    for (std::size_t k = 0; k < result.size(); ++k)
       for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
         {
           const auto &[entry, weight] = entries[j];
@@ -81,9 +88,10 @@ namespace signorini
   {
     const std::vector<Tensor<1, dim>> displacement = partner_displacement(u);
     std::vector<double>               result;
-    result.reserve(normals.size());
-    for (std::size_t k = 0; k < normals.size(); ++k)
-      result.push_back(normals[k] * displacement[k]);
+    result.reserve(relative.size());
+    for (std::size_t k = 0; k < displacement.size(); ++k)
+      for (unsigned int r = relative_start[k]; r < relative_start[k + 1]; ++r)
+        result.push_back(directions[r] * displacement[k]);
     return result;
   }
 
@@ -91,32 +99,42 @@ namespace signorini
   template <int dim>
   void NodeCoupling<dim>::add_to_partners(const std::vector<double> &forces, Vector &f) const
   {
-    scatter(forces, f, [](const double coefficient) { return coefficient; });
+    scatter(f, [&](const std::size_t k, const double weight, double *sum) {
+      for (unsigned int r = relative_start[k]; r < relative_start[k + 1]; ++r)
+        for (unsigned int c = 0; c < dim; ++c)
+          sum[c] += weight * directions[r][c] * forces[r];
+    });
   }
 
 
   template <int dim>
-  void NodeCoupling<dim>::add_squares_to_partners(const std::vector<double> &values, Vector &d) const
+  void NodeCoupling<dim>::add_blocks_to_partners(const std::vector<std::array<double, dim * dim>> &blocks,
+                                                 Vector                                           &d) const
   {
-    scatter(values, d, [](const double coefficient) { return coefficient * coefficient; });
+    scatter(d, [&](const std::size_t k, const double weight, double *sum) {
+      for (unsigned int r = relative_start[k]; r < relative_start[k + 1]; ++r)
+        for (unsigned int s = relative_start[k]; s < relative_start[k + 1]; ++s)
+          for (unsigned int c = 0; c < dim; ++c)
+            sum[c] += (weight * directions[r][c]) * (weight * directions[s][c])
+                      * blocks[k][dim * (relative[r] % dim) + relative[s] % dim];
+    });
   }
 
 
   template <int dim>
-  template <typename Power>
-  void NodeCoupling<dim>::scatter(const std::vector<double> &values, Vector &target, const Power &power) const
+  template <typename Add>
+  void NodeCoupling<dim>::scatter(Vector &target, const Add &add) const
   {
     if (!has_partners)
       return;
     std::fill(ghost_values.begin(), ghost_values.end(), 0.);
-    for (std::size_t k = 0; k < normals.size(); ++k)
+    for (std::size_t k = 0; k + 1 < row_start.size(); ++k)
       for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
         {
           const auto &[entry, weight] = entries[j];
-          double *sum =
-            entry < n_owned_entries ? target.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
-          for (unsigned int c = 0; c < dim; ++c)
-            sum[c] += power(weight * normals[k][c]) * values[k];
+          add(k,
+              weight,
+              entry < n_owned_entries ? target.begin() + entry : ghost_values.data() + (entry - n_owned_entries));
         }
     std::vector<MPI_Request> requests;
     partners->import_from_ghosted_array_start(

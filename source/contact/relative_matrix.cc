@@ -37,8 +37,24 @@ namespace signorini
     template <int dim>
     struct LocalRow
     {
-      SmallVector<dim>                             normal;
+      std::vector<SmallVector<dim>>                directions;
       std::vector<std::pair<unsigned int, double>> partners;
+
+      /** The relative part of the rows, Pi K, and of the columns, K Pi, of a block. */
+      SmallMatrix<dim> project_rows(const SmallMatrix<dim> &block) const
+      {
+        SmallMatrix<dim> result = SmallMatrix<dim>::Zero();
+        for (const SmallVector<dim> &direction : directions)
+          result += direction * (direction.transpose() * block);
+        return result;
+      }
+      SmallMatrix<dim> project_columns(const SmallMatrix<dim> &block) const
+      {
+        SmallMatrix<dim> result = SmallMatrix<dim>::Zero();
+        for (const SmallVector<dim> &direction : directions)
+          result += block * direction * direction.transpose();
+        return result;
+      }
     };
 
 
@@ -131,9 +147,9 @@ namespace signorini
         if (const auto blocks = stiffness.find(p); blocks != stiffness.end())
           for (const auto &[q, block] : blocks->second)
             {
-              const SmallMatrix<dim> normal_part = row.normal * (row.normal.transpose() * block);
+              const SmallMatrix<dim> relative = row.project_rows(block);
               for (const auto &[l, weight] : row.partners)
-                add<dim>(product, l, q, weight * normal_part);
+                add<dim>(product, l, q, weight * relative);
             }
       for (const auto &[l, blocks] : product)
         for (const auto &[q, block] : blocks)
@@ -144,10 +160,10 @@ namespace signorini
               add<dim>(result, q, l, block.transpose());
             if (const auto row = contact_rows.find(q); row != contact_rows.end())
               {
-                const SmallMatrix<dim> normal_part = block * row->second.normal * row->second.normal.transpose();
+                const SmallMatrix<dim> relative = row->second.project_columns(block);
                 for (const auto &[m, weight] : row->second.partners)
                   if (l <= m)
-                    add<dim>(result, l, m, weight * normal_part);
+                    add<dim>(result, l, m, weight * relative);
               }
           }
       return result;
@@ -180,7 +196,8 @@ namespace signorini
     for (const ContactRow<dim> &row : rows)
       {
         LocalRow<dim> &local = contact_rows[local_node(row.node)];
-        local.normal         = Eigen::Map<const SmallVector<dim>>(row.normal.data());
+        for (const auto &direction : row.directions)
+          local.directions.push_back(Eigen::Map<const SmallVector<dim>>(direction.data()));
         for (const auto &[partner, weight] : row.partners)
           local.partners.emplace_back(local_node(partner), weight);
       }

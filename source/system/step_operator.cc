@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 namespace signorini
 {
   template <int dim>
@@ -48,17 +50,18 @@ namespace signorini
         for (unsigned int c = 0; c < dim; ++c)
           destination.local_element(dim * node + c) = block(c, c);
       }
-    std::vector<double> normal_entries;
+    std::vector<std::array<double, dim * dim>> contact_blocks;
     for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
       {
         const Eigen::Map<const Block> frame(contact_node.frame.data());
         const Block                   block = frame * block_of(contact_node.node) * frame.transpose();
         for (unsigned int c = 0; c < dim; ++c)
           destination.local_element(dim * contact_node.node + c) = block(c, c);
-        normal_entries.push_back(block(0, 0));
+        contact_blocks.emplace_back();
+        std::copy_n(block.data(), dim * dim, contact_blocks.back().begin());
       }
     // Partners move contact nodes along; products of different contact nodes are left out.
-    coordinates.coupling().add_squares_to_partners(normal_entries, destination);
+    coordinates.coupling().add_blocks_to_partners(contact_blocks, destination);
   }
 
 

@@ -11,13 +11,14 @@ namespace signorini
 {
   /**
    * The transformation u = T w between Cartesian components u and contact coordinates w, in which a contact node p has its
-   * displacements along the tangents and, along the normal, its displacement *relative to the other side*,
+   * displacements along the directions e_{p,k} of its frame: normal and tangents. Where two bodies meet, the normal one is *relative to
+   * the other side*, and so are the tangential ones that friction acts on (ContactNode::relative),
    *
-   *   w_{p,nu} = nu_p.(u_p - sum_l P_pl u_l),
+   *   w_{p,k} = e_{p,k}.(u_p - sum_l P_pl u_l),
    *
-   * so that contact is a bound on this single entry (Krause and Walloth 2012, section 2; there the tangential components are relative,
-   * too, which matters only with friction). T touches contact nodes and their partners only. At rigid obstacles P is
-   * absent and T orthogonal; with two bodies displacements and forces transform differently:
+   * so that contact is a bound on a single entry, and the slip of a node a few entries (Krause and Walloth 2012, section 2; there the
+   * tangential entries are always relative, which is the same problem without friction). T touches contact nodes and their partners
+   * only. At rigid obstacles P is absent and T orthogonal; with two bodies displacements and forces transform differently:
    *
    *   u = T w,    K in contact coordinates is T'K T,    forces f in contact coordinates are T'f.
    *
@@ -53,8 +54,14 @@ namespace signorini
     /** The normal entry of each contact node, in the order of the surface. */
     const std::vector<unsigned int> &normal_entries() const { return normals; }
 
-    /** Those of them that are relative to another body. */
-    const std::vector<unsigned int> &relative_entries() const { return relative; }
+    /** All entries that are relative to another body. */
+    const std::vector<unsigned int> &relative_entries() const { return node_coupling.relative_entries(); }
+
+    /**
+     * The tangential entries of each contact node on which friction acts, in the order of the surface: none without friction, and none that
+     * a support holds.
+     */
+    const std::vector<std::vector<unsigned int>> &tangential_entries() const { return tangential; }
 
     /** The owned contact nodes. */
     std::vector<unsigned int> contact_nodes() const;
@@ -74,17 +81,18 @@ namespace signorini
   private:
     using Frame = typename NodeFrames<dim>::Frame;
 
-    const Supports<dim>                 &supports;
-    const std::vector<ContactNode<dim>> &owned_contact_nodes;
-    const NodeCoupling<dim>             &node_coupling;
-    std::map<unsigned int, Frame>        frames;
-    std::vector<unsigned int>            normals, relative, supported;
+    const Supports<dim>                   &supports;
+    const std::vector<ContactNode<dim>>   &owned_contact_nodes;
+    const NodeCoupling<dim>               &node_coupling;
+    std::map<unsigned int, Frame>          frames;
+    std::vector<unsigned int>              normals, supported;
+    std::vector<std::vector<unsigned int>> tangential;
     std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
       support_sources; ///< condition, point, component
 
-    /** Normal entries += factor nu.(P u); the partners of contact nodes are in Cartesian components. */
+    /** Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian components. */
     void add_partner_motion(Vector &vector, double factor) const;
-    /** The entries of partners += factor P'(nu f_nu). */
+    /** The entries of partners += factor P'(sum of e f over the relative entries f). */
     void add_to_partners(Vector &vector, double factor) const;
   };
 } // namespace signorini

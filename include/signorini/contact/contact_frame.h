@@ -22,6 +22,10 @@ namespace signorini
   bool contact_frame_with_supports(const dealii::Tensor<1, dim>  &normal,
                                    const std::array<bool, dim>   &held,
                                    std::array<double, dim * dim> &frame);
+
+  /** For each Cartesian component the row of a frame that is its axis, up to the sign; dim where there is none. */
+  template <int dim>
+  std::array<unsigned int, dim> rows_along_axes(const std::array<double, dim * dim> &frame);
 } // namespace signorini
 
 #endif

@@ -37,12 +37,15 @@ namespace signorini
     /** Smallest distance to the other side anywhere around the node, negative where the surfaces overlap. */
     double clearance = 0.;
 
-    dealii::Tensor<1, dim> normal() const
+    dealii::Tensor<1, dim> normal() const { return direction(0); }
+
+    /** A row of the frame. */
+    dealii::Tensor<1, dim> direction(const unsigned int row) const
     {
-      dealii::Tensor<1, dim> nu;
+      dealii::Tensor<1, dim> result;
       for (unsigned int c = 0; c < dim; ++c)
-        nu[c] = frame[c];
-      return nu;
+        result[c] = frame[dim * row + c];
+      return result;
     }
   };
 } // namespace signorini

@@ -16,16 +16,16 @@ namespace signorini
   template <int dim>
   struct ContactRow
   {
-    dealii::types::global_dof_index node; ///< global node
-    std::array<double, dim>         normal;
-    NodeWeights                     partners;
+    dealii::types::global_dof_index      node;       ///< global node
+    std::vector<std::array<double, dim>> directions; ///< those of its frame that are relative
+    NodeWeights                          partners;
     std::vector<dealii::types::global_dof_index>
       neighbours; ///< nodes that the stiffness couples with it, itself included
 
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &node &normal &partners &neighbours;
+      archive &node &directions &partners &neighbours;
     }
   };
 

@@ -42,6 +42,12 @@ namespace signorini
     /** [u].nu per node, of displacements or velocities. Collective. */
     std::vector<double> relative_normal(const Vector &motion) const;
 
+    /**
+     * The tangential part of [u] per node, in Cartesian components, of displacements or velocities: the slip, where friction acts. Like the
+     * bound it is larger than the motion of the body by the factor `transmission`. Collective.
+     */
+    std::vector<dealii::Tensor<1, dim>> relative_tangential(const Vector &motion) const;
+
     /** gamma = g - [u].nu, the bound that is left for increments. Collective. */
     std::vector<double> normal_gap(const Vector &displacement) const;
 

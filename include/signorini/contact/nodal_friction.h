@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_nodal_friction_h
+#define signorini_contact_nodal_friction_h
+
+#include <signorini/contact/contact_node.h>
+#include <signorini/discretization/supports.h>
+
+namespace signorini
+{
+  /**
+   * Give each contact node the law of friction of its pair, evaluated at the node and in forces of the node (stresses times weight),
+   * and find out which of its directions are relative: ContactNode::friction and ContactNode::relative. Collective.
+   * @throws UserError where a coefficient or a bound is negative or not finite
+   */
+  template <int dim>
+  void assign_friction(const Discretization<dim>     &discretization,
+                       const Supports<dim>           &supports,
+                       std::vector<ContactNode<dim>> &nodes);
+} // namespace signorini
+
+#endif

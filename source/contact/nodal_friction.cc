@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/expressions.h>
+#include <signorini/base/user_error.h>
+#include <signorini/contact/contact_frame.h>
+#include <signorini/contact/nodal_friction.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** A number of the law of a pair as a function of the place, and what is wrong with it. */
+    template <int dim>
+    class LawExpression
+    {
+    public:
+      LawExpression(const std::string &head, const std::string &text)
+        : head(head + " '" + text + "'")
+        , function(make_function<dim, 1>({{text}}))
+      {
+      }
+
+      double at(const Point<dim> &place)
+      {
+        const double value = function->value(place);
+        if (!(value >= 0. && std::isfinite(value)))
+          {
+            std::ostringstream message;
+            message << head << " is " << value << " at (" << place
+                    << "). Write an expression that is a number >= 0 on the whole contact surface.";
+            complaint = complaint.empty() ? message.str() : std::min(complaint, message.str());
+          }
+        return value;
+      }
+
+      /** All processes throw the same, if any has a complaint. Collective. */
+      void check(const MPI_Comm communicator) const
+      {
+        std::string first;
+        for (const std::string &message : Utilities::MPI::all_gather(communicator, complaint))
+          if (!message.empty())
+            first = first.empty() ? message : std::min(first, message);
+        if (!first.empty())
+          throw UserError(first);
+      }
+
+    private:
+      const std::string                          head;
+      const std::unique_ptr<FunctionParser<dim>> function;
+      std::string                                complaint;
+    };
+
+
+    template <int dim>
+    void assign_law_of_pair(const Discretization<dim>     &discretization,
+                            const unsigned int             pair,
+                            std::vector<ContactNode<dim>> &nodes)
+    {
+      const PairDescription     &description = discretization.scene.pairs[pair];
+      const FrictionDescription &friction    = description.friction;
+      const std::string          head = discretization.scene.file_name + ": Contact/Pairs = " + description.name + ": ";
+      LawExpression<dim>         coefficient(head + "the coefficient of friction", friction.coefficient),
+        bound(head + "the bound of the friction stress", friction.bound);
+      for (ContactNode<dim> &node : nodes)
+        if (node.pair == pair)
+          {
+            if (friction.law == "tresca")
+              node.friction.constant = bound.at(node.position) * node.weight;
+            else
+              {
+                node.friction.coefficient = coefficient.at(node.position);
+                if (!friction.bound.empty())
+                  node.friction.cap = bound.at(node.position) * node.weight;
+              }
+          }
+      coefficient.check(discretization.communicator());
+      bound.check(discretization.communicator());
+    }
+
+
+    /** Supports prescribe displacements of the node itself. */
+    template <int dim>
+    std::array<bool, dim> relative_directions(const ContactNode<dim> &node, const Supports<dim> &supports)
+    {
+      std::array<bool, dim> relative{};
+      if (node.partners.empty())
+        return relative;
+      relative[0] = true;
+      for (unsigned int k = 1; k < dim; ++k)
+        relative[k] = node.friction.any();
+      if (const auto support = supports.nodes().find(node.node); support != supports.nodes().end())
+        {
+          const auto row = rows_along_axes<dim>(node.frame);
+          for (unsigned int c = 0; c < dim; ++c)
+            if (support->second[c] != Supports<dim>::none && row[c] < dim)
+              relative[row[c]] = false;
+        }
+      return relative;
+    }
+  } // namespace
+
+
+  template <int dim>
+  void assign_friction(const Discretization<dim>     &discretization,
+                       const Supports<dim>           &supports,
+                       std::vector<ContactNode<dim>> &nodes)
+  {
+    const auto &pairs = discretization.scene.pairs;
+    for (unsigned int pair = 0; pair < pairs.size(); ++pair)
+      if (pairs[pair].friction.any)
+        assign_law_of_pair(discretization, pair, nodes);
+    for (ContactNode<dim> &node : nodes)
+      node.relative = relative_directions(node, supports);
+  }
+
+
+  template void assign_friction(const Discretization<2> &, const Supports<2> &, std::vector<ContactNode<2>> &);
+  template void assign_friction(const Discretization<3> &, const Supports<3> &, std::vector<ContactNode<3>> &);
+} // namespace signorini

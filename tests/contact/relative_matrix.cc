@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// Two ways to the matrix T'(a M + b A)T of two bodies in contact: products, and entries for preconditioners. They agree, whichever
+// directions are relative: with friction, without, with friction on a part of the surface, and where a support holds a tangent.
+
+#include "two_bodies.h"
+
+#include <signorini/contact/relative_matrix.h>
+#include <signorini/system/step_operator.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace signorini;
+using namespace signorini::tests;
+
+namespace
+{
+  template <int dim>
+  dealii::Point<dim> corner(const double lateral, const double height)
+  {
+    dealii::Point<dim> result;
+    for (unsigned int c = 0; c < dim - 1; ++c)
+      result[c] = lateral;
+    result[dim - 1] = height;
+    return result;
+  }
+
+  template <int dim>
+  std::array<unsigned int, dim> cells(const unsigned int n)
+  {
+    std::array<unsigned int, dim> result;
+    result.fill(n);
+    return result;
+  }
+
+  /** Meshes that match: then every partner belongs to a single contact node. */
+  template <int dim>
+  Scene<dim> matching(const std::string &coefficient)
+  {
+    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner<dim>(0., 0.), corner<dim>(1., 1.), cells<dim>(2)),
+                                    block<dim>("master", corner<dim>(0., -1.), corner<dim>(1., 0.), cells<dim>(2)));
+    scene.pairs[0].friction = {"coulomb", coefficient, "", coefficient != "0"};
+    return scene;
+  }
+
+  /** A small master, so that some nodes of the slave carry no multiplier. */
+  template <int dim>
+  Scene<dim> irregular(const std::string &coefficient)
+  {
+    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner<dim>(0., 0.), corner<dim>(1., 1.), cells<dim>(3)),
+                                    block<dim>("master", corner<dim>(0.4, -1.), corner<dim>(1.3, -0.1), cells<dim>(2)));
+    scene.pairs[0].friction = {"coulomb", coefficient, "", coefficient != "0"};
+    return scene;
+  }
+
+  template <int dim>
+  void expect_exact_diagonal(const Scene<dim> &scene, const double angle)
+  {
+    const TwoBodies<dim>    bodies(scene, turn<dim>(angle));
+    const StepOperator<dim> matrix(bodies.discretization.matrices, bodies.coordinates, 2., 0.3);
+    Vector                  diagonal = bodies.discretization.make_vector(), unit = diagonal, product = diagonal;
+    matrix.diagonal(diagonal);
+    const double scale = diagonal.linfty_norm();
+    for (unsigned int i = 0; i < unit.size(); ++i)
+      {
+        const bool is_owned = unit.in_local_range(i);
+        unit                = 0.;
+        if (is_owned)
+          unit(i) = 1.;
+        matrix.vmult(product, unit);
+        if (is_owned)
+          EXPECT_NEAR(diagonal(i), product(i), 1e-13 * scale) << "entry " << i << " at angle " << angle;
+      }
+  }
+
+  /** R S'(a M + b A)S R' = T'(a M + b A)T with the rotation R to the frames. */
+  template <int dim>
+  void expect_same_products(const Scene<dim> &scene, const double angle)
+  {
+    const TwoBodies<dim>       bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
+    const auto                &matrices = bodies.discretization.matrices;
+    const StepOperator<dim>    product_form(matrices, bodies.coordinates, 2., 0.3);
+    const ElasticMatrices<dim> entries = relative_matrix(matrices, bodies.coordinates, 2., 0.3);
+
+    const Vector w        = irregular_field(bodies.discretization, 5.);
+    Vector       expected = bodies.discretization.make_vector();
+    product_form.vmult(expected, w);
+    Vector v(entries.pattern.partitioner), found(v);
+    v.copy_locally_owned_data_from(w);
+    bodies.coordinates.rotate_from_frames(v);
+    entries.apply(found, v, 0., 1.);
+    bodies.coordinates.rotate_to_frames(found);
+    const double scale = expected.linfty_norm();
+    for (unsigned int i = 0; i < expected.locally_owned_size(); ++i)
+      EXPECT_NEAR(found.local_element(i), expected.local_element(i), 1e-13 * scale) << "entry " << i;
+  }
+
+  // None, everywhere, on a part of the surface.
+  const std::array<std::string, 3> coefficients{{"0", "0.3", "max(0, x - 0.4)"}};
+} // namespace
+
+TEST(RelativeMatrix, DiagonalIsExactOnMatchingMeshes)
+{
+  for (const std::string &coefficient : coefficients)
+    {
+      SCOPED_TRACE(coefficient);
+      for (const double angle : {0., 0.7})
+        expect_exact_diagonal(matching<2>(coefficient), angle);
+      expect_exact_diagonal(matching<3>(coefficient), 0.7);
+    }
+  Scene<3> supported            = matching<3>("0.3");
+  supported.bodies[0].dirichlet = {{0, {{"-", "0", "-"}}}};
+  expect_exact_diagonal(supported, 0.);
+}
+
+TEST(RelativeMatrix, EntriesGiveTheProducts)
+{
+  for (const std::string &coefficient : coefficients)
+    {
+      SCOPED_TRACE(coefficient);
+      for (const double angle : {0., 0.7})
+        {
+          expect_same_products(irregular<2>(coefficient), angle);
+          expect_same_products(irregular<3>(coefficient), angle);
+        }
+    }
+  Scene<3> supported            = irregular<3>("0.3");
+  supported.bodies[0].dirichlet = {{1, {{"-", "0", "-"}}}};
+  expect_same_products(supported, 0.);
+}
