@@ -43,7 +43,8 @@ namespace signorini
                                                 scene.time.newmark_beta,
                                                 scene.time.newmark_gamma,
                                                 scene.time.reference_tolerance,
-                                                scene.time.impulses == "per node"});
+                                                scene.time.impulses == "per node",
+                                                scene.time.stop_sticking_nodes});
     FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
     Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
     observation.start(state);

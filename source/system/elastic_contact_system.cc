@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/vector_kernels.h>
-#include <signorini/mass/mass_solver.h>
 #include <signorini/system/elastic_contact_system.h>
+#include <signorini/variational_inequality/frictional_newton.h>
+#include <signorini/variational_inequality/primal_dual_active_set.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -15,6 +17,16 @@ namespace signorini
     SolveEffort effort_of(const SolveReport &report)
     {
       return {report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
+    }
+
+    /** Without friction, none of its cost. */
+    std::unique_ptr<ConstrainedSolver> make_solver(const bool with_friction, const SolverParameters &parameters)
+    {
+      const unsigned int n_sets = parameters.maximum_active_set_iterations,
+                         n_linear = parameters.maximum_linear_iterations;
+      if (with_friction)
+        return std::make_unique<FrictionalNewton>(FrictionalNewton::Parameters{n_sets, n_linear});
+      return std::make_unique<PrimalDualActiveSet>(PrimalDualActiveSet::Parameters{n_sets, n_linear});
     }
   } // namespace
 
@@ -30,11 +42,10 @@ namespace signorini
     , coordinates(coordinates)
     , loads(loads)
     , timer(timer)
-    , solver({discretization.scene.solver.maximum_active_set_iterations,
-              discretization.scene.solver.maximum_linear_iterations})
-    , active(surface.nodes().size(), 0)
-    , predictor_active(active)
-    , last_correction(discretization.make_vector())
+    , mass_problems(discretization, surface, coordinates, timer)
+    , friction(coordinates, discretization.communicator())
+    , solver(make_solver(friction.any(), discretization.scene.solver))
+    , active(surface.nodes().size(), contact_status::open)
   {
   }
 
@@ -128,11 +139,16 @@ namespace signorini
     // A node that the guess drives into the obstacle is expected to touch.
     for (unsigned int k = 0; k < active.size(); ++k)
       if (increment.local_element(coordinates.normal_entries()[k]) > problem.bounds[k])
-        active[k] = 1;
+        active[k] = std::max(active[k], contact_status::slip);
+
+    Friction friction_of_nodes;
+    if (friction.any())
+      friction_of_nodes = friction.of_step(
+        problem.force_factor, problem.bounds, 1e-10 * discretization.body_size(), problem.further_reaction);
 
     Vector residual = discretization.make_vector();
     solution.effort =
-      effort_of(solver.solve({*step_operator,
+      effort_of(solver->solve({*step_operator,
                               *step_preconditioner,
                               right_hand_side,
                               coordinates.normal_entries(),
@@ -140,7 +156,8 @@ namespace signorini
                               coordinates.supported_entries(),
                               prescribed,
                               solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
-                              1e-12 * discretization.body_size()},
+                              1e-12 * discretization.body_size(),
+                              friction_of_nodes},
                              active,
                              increment,
                              residual));
@@ -151,135 +168,21 @@ namespace signorini
     solution.support_reaction = solution.contact_reaction;
     solution.normal_reaction.assign(active.size(), 0.);
     for (unsigned int k = 0; k < active.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
+      if (const unsigned int i = coordinates.normal_entries()[k]; contact_status::is_closed(active[k]))
         solution.contact_reaction.local_element(i) = solution.normal_reaction[k] = -residual.local_element(i);
     for (const unsigned int i : coordinates.supported_entries())
       solution.support_reaction.local_element(i) = -residual.local_element(i);
+    solution.status = active;
+    std::replace(solution.status.begin(), solution.status.end(), contact_status::hang, contact_status::open);
+    if (friction.any())
+      {
+        friction.extract(friction_of_nodes, active, increment, residual, solution);
+        coordinates.force_to_cartesian(solution.friction_reaction);
+      }
 
     coordinates.displacement_to_cartesian(increment);
     coordinates.force_to_cartesian(solution.contact_reaction);
     coordinates.force_to_cartesian(solution.support_reaction);
-  }
-
-
-  template <int dim>
-  SolveEffort ElasticContactSystem<dim>::project(const Vector    &free_increment,
-                                                 const NormalGap &bounds,
-                                                 const double     step_size,
-                                                 Vector          &correction,
-                                                 Vector          &mass_correction)
-  {
-    correction      = discretization.make_vector();
-    mass_correction = correction;
-
-    // The bound of the correction is what is left of the gap after the free increment.
-    NormalGap  left         = surface.relative_normal(free_increment);
-    const auto bound_length = 1e-12 * discretization.body_size();
-    bool       admissible   = true;
-    for (unsigned int k = 0; k < left.size(); ++k)
-      {
-        left[k]    = bounds[k] - left[k];
-        admissible = admissible && left[k] >= -bound_length;
-      }
-    if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
-      return SolveEffort();
-    dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
-
-    if (discretization.scene.time.predictor == "lumped")
-      {
-        SolveEffort effort;
-        for (unsigned int k = 0; k < left.size(); ++k)
-          if (left[k] < 0.)
-            {
-              correction.local_element(coordinates.normal_entries()[k]) = left[k];
-              ++effort.n_active;
-            }
-        effort.n_active = dealii::Utilities::MPI::sum(effort.n_active, discretization.communicator());
-        coordinates.rotate_from_frames(correction); // obstacles only
-        apply_mass(mass_correction, correction);
-        return effort;
-      }
-
-    prepare_mass();
-    correction                     = last_correction; // in contact coordinates
-    const Vector              zero = discretization.make_vector();
-    const std::vector<double> held(coordinates.supported_entries().size(), 0.);
-    const SolveEffort         effort =
-      effort_of(solver.solve({*mass_operator,
-                              *mass_preconditioner,
-                              zero,
-                              coordinates.normal_entries(),
-                              left,
-                              coordinates.supported_entries(),
-                              held,
-                              discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
-                              bound_length},
-                             predictor_active,
-                             correction,
-                             mass_correction));
-    last_correction = correction;
-    // The residual is 0 - M c. Only held entries have a reaction; what is left in the others is the error of the solver.
-    const Vector residual = mass_correction;
-    mass_correction       = 0.;
-    for (unsigned int k = 0; k < predictor_active.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k]; predictor_active[k])
-        mass_correction.local_element(i) = -residual.local_element(i);
-    for (const unsigned int i : coordinates.supported_entries())
-      mass_correction.local_element(i) = -residual.local_element(i);
-    coordinates.displacement_to_cartesian(correction);
-    coordinates.force_to_cartesian(mass_correction);
-    return effort;
-  }
-
-
-  template <int dim>
-  SolveEffort ElasticContactSystem<dim>::stop_normal_motion(const Vector            &velocity,
-                                                            const std::vector<char> &held,
-                                                            Vector                  &correction,
-                                                            Vector                  &mass_correction)
-  {
-    correction      = discretization.make_vector();
-    mass_correction = correction;
-
-    const std::vector<double> normal_velocity = surface.relative_normal(velocity);
-    std::vector<unsigned int> fixed           = coordinates.supported_entries();
-    std::vector<double>       values(fixed.size(), 0.);
-    for (unsigned int k = 0; k < held.size(); ++k)
-      if (held[k])
-        {
-          fixed.push_back(coordinates.normal_entries()[k]);
-          values.push_back(-normal_velocity[k]);
-        }
-    SolveEffort        effort;
-    const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
-    effort.n_active           = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
-    if (effort.n_active == 0)
-      return effort;
-
-    dealii::TimerOutput::Scope scope(timer, "step: velocity of held nodes");
-    prepare_mass();
-    const Vector zero = discretization.make_vector();
-    Vector       residual(zero);
-    ActiveSet    none;
-    const double tolerance = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
-    const auto   report    = solver.solve(
-      {*mass_operator, *mass_preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, residual);
-    effort.linear_iterations = report.linear_iterations;
-    for (const unsigned int i : fixed)
-      mass_correction.local_element(i) = -residual.local_element(i);
-    coordinates.displacement_to_cartesian(correction);
-    coordinates.force_to_cartesian(mass_correction);
-    return effort;
-  }
-
-
-  template <int dim>
-  void ElasticContactSystem<dim>::prepare_mass()
-  {
-    if (mass_operator)
-      return;
-    mass_operator       = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
-    mass_preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
   }
 
 
@@ -312,39 +215,6 @@ namespace signorini
     for (unsigned int k = 0; k < forces.size(); ++k)
       result.local_element(coordinates.normal_entries()[k]) = forces[k];
     coordinates.force_to_cartesian(result);
-    return result;
-  }
-
-
-  template <int dim>
-  Vector ElasticContactSystem<dim>::solve_mass(const Vector &force)
-  {
-    // Nodes with mass have no contact frames: their supported entries are components.
-    if (discretization.scene.time.has_massless_contact_nodes())
-      return MassSolver<dim>(discretization.matrices, coordinates.supported_entries()).solve(force);
-    prepare_mass();
-    dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
-    Vector                     right_hand_side = force, result = discretization.make_vector(), residual = result;
-    coordinates.force_to_contact(right_hand_side);
-    const std::vector<double> held(coordinates.supported_entries().size(), 0.);
-    ActiveSet                 none;
-    // The error is one of velocity: its kinetic energy shall be small compared with that of the response.
-    mass_preconditioner->set_mask(Mask(result.locally_owned_size(), 0));
-    mass_preconditioner->vmult(residual, right_hand_side);
-    const double size = std::sqrt(std::max(0., dot(residual, right_hand_side)));
-    solver.solve({*mass_operator,
-                  *mass_preconditioner,
-                  right_hand_side,
-                  {},
-                  {},
-                  coordinates.supported_entries(),
-                  held,
-                  1e-13 * size,
-                  0.},
-                 none,
-                 result,
-                 residual);
-    coordinates.displacement_to_cartesian(result);
     return result;
   }
 

@@ -14,7 +14,7 @@ namespace signorini
     system.add_load(b, tau * tau, end_time);
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({tau * tau, b, gap, state.displacement, state.time, tau}, solution);
+    system.solve({tau * tau, b, gap, state.displacement, state.time, tau, tau * tau}, solution);
     const Vector &d = solution.increment;
 
     Vector r = solution.contact_reaction;
@@ -36,6 +36,7 @@ namespace signorini
     system.apply_stiffness(products, d);
     report.work_scheme -= 0.5 * (products * d);
 
+    report.work_friction = trapezoidal_rule::record_friction(state, solution, 1. / (tau * tau), r);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -76,6 +76,7 @@ namespace signorini
         report.work_contact += alpha * (alpha * kappa / 2. - omega);
         r.add(alpha / tau, impulses);
       }
+    report.work_friction = trapezoidal_rule::record_friction(state, solution, 2. / (tau * tau), r);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -13,16 +13,23 @@ namespace signorini
     b.add(tau * tau / 4., state.contact_force);
 
     const NormalGap         gap      = system.normal_gap(state.displacement);
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
-    const Vector           &d        = solution.increment;
-
+    IncrementSolution       solution;
     // Only half of the new force enters the balance, hence the factor 4 rather than 2.
+    system.solve({tau * tau / 4., b, gap, state.displacement, state.time, tau, tau * tau / 4.}, solution);
+    const Vector &d = solution.increment;
+
     Vector r = solution.contact_reaction;
     r *= 4. / (tau * tau);
 
     StepReport report;
     report.corrector    = solution.effort;
     report.work_contact = 0.5 * (state.contact_force * d + r * d);
+    if (state.friction.any())
+      {
+        report.work_friction = 0.5 * (state.friction.force * d);
+        report.work_contact -= report.work_friction;
+      }
+    report.work_friction += 0.5 * trapezoidal_rule::record_friction(state, solution, 4. / (tau * tau), r);
     report.work_support = trapezoidal_rule::support_work(solution, tau);
 
     // v_new - v = 2/tau (d - tau v)

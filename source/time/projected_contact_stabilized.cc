@@ -4,25 +4,8 @@
 #include <signorini/time/projected_contact_stabilized.h>
 #include <signorini/time/trapezoidal_rule.h>
 
-#include <algorithm>
-
 namespace signorini
 {
-  namespace
-  {
-    /** The contact nodes that touched before the step and are held at its end. */
-    std::vector<char> staying(const DynamicalSystem &system, const NormalGap &gap, const std::vector<double> &reaction)
-    {
-      const double      touching = 1e-10 * system.length();
-      std::vector<char> result(gap.size());
-      std::transform(gap.begin(), gap.end(), reaction.begin(), result.begin(), [&](const double g, const double r) {
-        return g <= touching && r < 0.;
-      });
-      return result;
-    }
-  } // namespace
-
-
   StepReport ProjectedContactStabilized::advance(DynamicalSystem &system, State &state, const double tau)
   {
     StepReport      report;
@@ -34,7 +17,10 @@ namespace signorini
 
     Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
     b += mass_c;
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    // Friction belongs to all of the normal force, r + M c / tau^2.
+    Vector projection_reaction = mass_c;
+    projection_reaction *= 0.5;
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap, &projection_reaction);
     const Vector           &d        = solution.increment;
 
     // Supports react to the projection, too; what they do is work from outside.
@@ -57,16 +43,17 @@ namespace signorini
     velocity_change.sadd(2. / tau, 1. / tau, c);
 
     // A neighbour that p stops pulls p of a held node below its gap, and leaves v_new.nu = -p.nu/tau there.
-    Vector v = state.velocity, stop, impulse;
-    v += velocity_change;
-    const SolveEffort effort =
-      system.stop_normal_motion(v, staying(system, gap, solution.normal_reaction), stop, impulse);
-    report.predictor.linear_iterations += effort.linear_iterations;
-    const Vector support_impulse = system.support_part(impulse);
-    report.work_predictor += impulse * v + 0.5 * (impulse * stop) - support_impulse * v;
-    report.work_support += support_impulse * v;
-    velocity_change += stop;
-    r.add(1. / tau, impulse, -1. / tau, support_impulse);
+    Vector velocity = state.velocity;
+    velocity += velocity_change;
+    const ActiveSet held    = trapezoidal_rule::staying_nodes(system, gap, solution, true, stop_sticking_nodes);
+    const auto      stopped = trapezoidal_rule::stop(system, velocity, held);
+    velocity_change += stopped.correction;
+    r.add(1. / tau, stopped.mass_correction);
+    report.work_predictor += stopped.work;
+    report.work_support += stopped.work_support;
+    report.predictor.linear_iterations += stopped.effort.linear_iterations;
+
+    report.work_friction = trapezoidal_rule::record_friction(state, solution, 2. / (tau * tau), r);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -40,9 +40,9 @@ namespace signorini
     if (name == "contact-implicit")
       return std::make_unique<ContactImplicitNewmark>();
     if (name == "contact-stabilized")
-      return std::make_unique<ContactStabilizedNewmark>();
+      return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes);
     if (name == "contact-stabilized-projected")
-      return std::make_unique<ProjectedContactStabilized>();
+      return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes);
     if (name == "hht-alpha")
       return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
     if (name == "generalized-alpha")

@@ -82,10 +82,10 @@ namespace signorini
       return effort;
     }
 
-    SolveEffort stop_normal_motion(const Vector            &velocity,
-                                   const std::vector<char> &held,
-                                   Vector                  &correction,
-                                   Vector                  &mass_correction) override
+    SolveEffort stop_relative_motion(const Vector    &velocity,
+                                     const ActiveSet &held,
+                                     Vector          &correction,
+                                     Vector          &mass_correction) override
     {
       correction = mass_correction = make_vector();
       correction(0)                = held[0] ? -velocity(0) : 0.;

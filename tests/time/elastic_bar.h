@@ -143,10 +143,10 @@ namespace signorini
       return effort;
     }
 
-    SolveEffort stop_normal_motion(const Vector            &velocity,
-                                   const std::vector<char> &held,
-                                   Vector                  &correction,
-                                   Vector                  &mass_correction) override
+    SolveEffort stop_relative_motion(const Vector    &velocity,
+                                     const ActiveSet &held,
+                                     Vector          &correction,
+                                     Vector          &mass_correction) override
     {
       correction = mass_correction = make_vector();
       Eigen::MatrixXd matrix       = mass;

@@ -6,10 +6,10 @@
 
 #include <signorini/discretization/loads.h>
 #include <signorini/system/increment_forecast.h>
+#include <signorini/system/mass_problems.h>
 #include <signorini/system/massless_equilibrium.h>
-#include <signorini/system/preconditioners.h>
-#include <signorini/time/dynamical_system.h>
-#include <signorini/variational_inequality/primal_dual_active_set.h>
+#include <signorini/system/step_friction.h>
+#include <signorini/variational_inequality/constrained_solver.h>
 
 #include <deal.II/base/timer.h>
 
@@ -37,17 +37,23 @@ namespace signorini
     NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
     Vector      normal_forces(const std::vector<double> &forces) const override;
     double      length() const override { return discretization.body_size(); }
-    Vector      solve_mass(const Vector &force) override;
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
+    Vector      solve_mass(const Vector &force) override { return mass_problems.solve(force); }
     SolveEffort project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double           step_size,
                         Vector          &correction,
-                        Vector          &mass_correction) override;
-    SolveEffort stop_normal_motion(const Vector            &velocity,
-                                   const std::vector<char> &held,
-                                   Vector                  &correction,
-                                   Vector                  &mass_correction) override;
+                        Vector          &mass_correction) override
+    {
+      return mass_problems.project(free_increment, bounds, step_size, energy_scale, correction, mass_correction);
+    }
+    SolveEffort stop_relative_motion(const Vector    &velocity,
+                                     const ActiveSet &held,
+                                     Vector          &correction,
+                                     Vector          &mass_correction) override
+    {
+      return mass_problems.stop_relative_motion(velocity, held, energy_scale, correction, mass_correction);
+    }
 
     std::vector<unsigned int> massless_entries() const override;
 
@@ -76,16 +82,16 @@ namespace signorini
     double                                    energy_scale     = 0.;
     double                                    stiffness_factor = -1.; ///< of the preconditioner at hand
     std::string                               chosen_preconditioner;
-    std::unique_ptr<StepOperator<dim>>        step_operator, mass_operator;
-    std::unique_ptr<MaskedPreconditioner>     step_preconditioner, mass_preconditioner;
+    std::unique_ptr<StepOperator<dim>>        step_operator;
+    std::unique_ptr<MaskedPreconditioner>     step_preconditioner;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
-    PrimalDualActiveSet                       solver;
-    ActiveSet                                 active, predictor_active;
-    Vector                                    last_correction;
+    MassProblems<dim>                         mass_problems;
+    const StepFriction<dim>                   friction;
+    std::unique_ptr<ConstrainedSolver>        solver;
+    ActiveSet                                 active;
     IncrementForecast                         forecast;
 
     void prepare(double stiffness_factor, double step_size);
-    void prepare_mass();
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
     double
     solver_tolerance(double step_size, const Vector &right_hand_side, const MaskedPreconditioner &preconditioner) const;

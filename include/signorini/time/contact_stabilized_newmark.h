@@ -23,11 +23,24 @@ namespace signorini
    *
    * No penetration. The normal velocity of a node that stays in contact is frozen at its value before the impact. The reaction of
    * the projection is not part of the contact force.
+   *
+   * With friction this is Algorithm 7 of the paper, with the force of friction in (43) as well, where the printed equation drops it; its work is
+   * a third term <= 0. A node that stops slipping keeps a tangential velocity that changes its sign in every step: it has no tangential
+   * predictor. `stop_sticking_nodes` takes it: the step ends with the velocity that is closest in M and zero along the tangents at nodes that
+   * touched before and stick. This projection can only take energy (booked with friction).
    */
   class ContactStabilizedNewmark : public TimeScheme
   {
   public:
+    explicit ContactStabilizedNewmark(const bool stop_sticking_nodes = true)
+      : stop_sticking_nodes(stop_sticking_nodes)
+    {
+    }
+
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const bool stop_sticking_nodes;
   };
 } // namespace signorini
 

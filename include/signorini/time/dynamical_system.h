@@ -36,6 +36,8 @@ namespace signorini
     double           start_time;
     double           step_size;
     double           force_factor = 0.; ///< nodal forces times this are reactions: tau^2/2 for the trapezoidal rule
+    /** Reactions of contact that act in the step besides those of this problem, and to which friction is entitled, too; null: none. */
+    const Vector *further_reaction = nullptr;
   };
 
   /** The increment and the generalised forces that hold the constraints, all in Cartesian components. */
@@ -46,6 +48,7 @@ namespace signorini
     Vector support_reaction; ///< (K d - b) in the entries of supports
     /** The contact reaction as one number per contact node that this process owns, compression < 0; zero where open. */
     std::vector<double> normal_reaction;
+    std::vector<double> slip_length; ///< length of `slip` per contact node
     ActiveSet           status;    ///< per contact node that this process owns
     Vector      friction_reaction; ///< like the contact reaction, in tangential directions; empty without friction
     Vector      slip;              ///< relative tangential increments of closed contact nodes; empty without friction
@@ -108,16 +111,16 @@ namespace signorini
                                 Vector          &mass_correction) = 0;
 
     /**
-     * L2 projection of a velocity onto those without normal velocity at some contact nodes: the correction c with minimal 1/2 c'Mc
-     * and [velocity + c].nu = 0 there, zero at supports.
-     * @param held            per contact node of this process: whether it shall have no normal velocity
+     * L2 projection of a velocity onto those without relative velocity at some contact nodes: the correction c with minimal 1/2 c'Mc
+     * and [velocity + c] = 0 there, zero at supports.
+     * @param held            per contact node of this process: closed ones lose their normal velocity, sticking ones the tangential one
      * @param mass_correction M c, the impulses of these nodes and of supports
      * @return effort; no active node means that no process holds any, and c = 0
      */
-    virtual SolveEffort stop_normal_motion(const Vector            &velocity,
-                                           const std::vector<char> &held,
-                                           Vector                  &correction,
-                                           Vector                  &mass_correction) = 0;
+    virtual SolveEffort stop_relative_motion(const Vector    &velocity,
+                                             const ActiveSet &held,
+                                             Vector          &correction,
+                                             Vector          &mass_correction) = 0;
 
     /** Entries of vectors (owned, local) that have no mass, whatever acts on them. */
     virtual std::vector<unsigned int> massless_entries() const { return {}; }

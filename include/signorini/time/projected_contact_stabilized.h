@@ -30,7 +30,15 @@ namespace signorini
   class ProjectedContactStabilized : public TimeScheme
   {
   public:
+    explicit ProjectedContactStabilized(const bool stop_sticking_nodes = true)
+      : stop_sticking_nodes(stop_sticking_nodes)
+    {
+    }
+
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const bool stop_sticking_nodes;
   };
 } // namespace signorini
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_mass_problems_h
+#define signorini_system_mass_problems_h
+
+#include <signorini/system/preconditioners.h>
+#include <signorini/time/dynamical_system.h>
+#include <signorini/variational_inequality/primal_dual_active_set.h>
+
+#include <deal.II/base/timer.h>
+
+namespace signorini
+{
+  /**
+   * Everything that is solved with the mass matrix alone: projections of increments and velocities, and accelerations. Operator and
+   * preconditioner are made when they are first needed, and live as long as the mesh. The functions are those of DynamicalSystem.
+   */
+  template <int dim>
+  class MassProblems
+  {
+  public:
+    MassProblems(const Discretization<dim>     &discretization,
+                 const ContactSurface<dim>     &surface,
+                 const ContactCoordinates<dim> &coordinates,
+                 dealii::TimerOutput           &timer);
+
+    /** @param energy_scale of the motion: the kinetic energy of an error is small compared with it */
+    SolveEffort project(const Vector    &free_increment,
+                        const NormalGap &bounds,
+                        double           step_size,
+                        double           energy_scale,
+                        Vector          &correction,
+                        Vector          &mass_correction);
+
+    SolveEffort stop_relative_motion(const Vector    &velocity,
+                                     const ActiveSet &held,
+                                     double           energy_scale,
+                                     Vector          &correction,
+                                     Vector          &mass_correction);
+
+    Vector solve(const Vector &force);
+
+  private:
+    const Discretization<dim>     &discretization;
+    const ContactSurface<dim>     &surface;
+    const ContactCoordinates<dim> &coordinates;
+    dealii::TimerOutput           &timer;
+
+    std::unique_ptr<StepOperator<dim>>    mass;
+    std::unique_ptr<MaskedPreconditioner> preconditioner;
+    PrimalDualActiveSet                   solver;
+    ActiveSet                             projected; ///< nodes that the last projection held
+    Vector                                last_correction;
+
+    void prepare();
+    /** The projection node by node with the lumped mass: obstacles only. */
+    SolveEffort project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);
+    /** The entries `fixed` of `vector`; zero elsewhere. All others hold the error of the solver only. */
+    void keep_only(const std::vector<unsigned int> &fixed, Vector &vector) const;
+  };
+} // namespace signorini
+
+#endif

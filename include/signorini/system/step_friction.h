@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_step_friction_h
+#define signorini_system_step_friction_h
+
+#include <signorini/contact/contact_coordinates.h>
+#include <signorini/time/dynamical_system.h>
+#include <signorini/variational_inequality/frictional_contact.h>
+
+namespace signorini
+{
+  /** Between the friction of contact nodes and the problem of a step: laws in the scale of its matrix, forces and slip from its solution. */
+  template <int dim>
+  class StepFriction
+  {
+  public:
+    /** Collective. */
+    StepFriction(const ContactCoordinates<dim> &coordinates, MPI_Comm communicator);
+
+    /** Whether any contact node of any process has friction. */
+    bool any() const { return has_friction; }
+
+    /**
+     * The friction of the bounded entries of a step. Tresca's friction acts at nodes that touch when the step begins.
+     * @param factor   reactions per nodal force
+     * @param bounds   of the step
+     * @param touching distance below which a node touches
+     * @param further_reaction  see IncrementProblem; null: none
+     */
+    Friction of_step(double factor, const NormalGap &bounds, double touching, const Vector *further_reaction) const;
+
+    /**
+     * The friction in a solution.
+     * @param increment, residual in contact coordinates
+     * @param solution  gets friction_reaction (in contact coordinates), slip (Cartesian) and slip_length
+     */
+    void extract(const Friction    &friction,
+                 const ActiveSet   &status,
+                 const Vector      &increment,
+                 const Vector      &residual,
+                 IncrementSolution &solution) const;
+
+  private:
+    const ContactCoordinates<dim> &coordinates;
+    bool                           has_friction;
+  };
+} // namespace signorini
+
+#endif

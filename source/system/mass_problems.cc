@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/mass/mass_solver.h>
+#include <signorini/system/mass_problems.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  template <int dim>
+  MassProblems<dim>::MassProblems(const Discretization<dim>     &discretization,
+                                  const ContactSurface<dim>     &surface,
+                                  const ContactCoordinates<dim> &coordinates,
+                                  dealii::TimerOutput           &timer)
+    : discretization(discretization)
+    , surface(surface)
+    , coordinates(coordinates)
+    , timer(timer)
+    , solver({discretization.scene.solver.maximum_active_set_iterations,
+              discretization.scene.solver.maximum_linear_iterations})
+    , projected(surface.nodes().size(), 0)
+    , last_correction(discretization.make_vector())
+  {
+  }
+
+
+  template <int dim>
+  void MassProblems<dim>::prepare()
+  {
+    if (mass)
+      return;
+    mass           = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
+    preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
+  }
+
+
+  template <int dim>
+  SolveEffort MassProblems<dim>::project(const Vector    &free_increment,
+                                         const NormalGap &bounds,
+                                         const double     step_size,
+                                         const double     energy_scale,
+                                         Vector          &correction,
+                                         Vector          &mass_correction)
+  {
+    correction      = discretization.make_vector();
+    mass_correction = correction;
+
+    // The bound of the correction is what is left of the gap after the free increment.
+    NormalGap  left         = surface.relative_normal(free_increment);
+    const auto bound_length = 1e-12 * discretization.body_size();
+    bool       admissible   = true;
+    for (unsigned int k = 0; k < left.size(); ++k)
+      {
+        left[k]    = bounds[k] - left[k];
+        admissible = admissible && left[k] >= -bound_length;
+      }
+    if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
+      return SolveEffort();
+    dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
+    if (discretization.scene.time.predictor == "lumped")
+      return project_node_by_node(left, correction, mass_correction);
+
+    prepare();
+    correction                     = last_correction; // in contact coordinates
+    const Vector              zero = discretization.make_vector();
+    std::vector<unsigned int> held = coordinates.supported_entries();
+    const std::vector<double> nothing(held.size(), 0.);
+    const SolveReport         report = solver.solve({*mass,
+                                                     *preconditioner,
+                                                     zero,
+                                                     coordinates.normal_entries(),
+                                                     left,
+                                                     coordinates.supported_entries(),
+                                                     nothing,
+                                                     discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
+                                                     bound_length},
+                                            projected,
+                                            correction,
+                                            mass_correction);
+    last_correction = correction;
+    for (unsigned int k = 0; k < projected.size(); ++k)
+      if (projected[k])
+        held.push_back(coordinates.normal_entries()[k]);
+    mass_correction *= -1.; // the residual is 0 - M c
+    keep_only(held, mass_correction);
+    coordinates.displacement_to_cartesian(correction);
+    coordinates.force_to_cartesian(mass_correction);
+    return {report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
+  }
+
+
+  template <int dim>
+  SolveEffort
+  MassProblems<dim>::project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction)
+  {
+    SolveEffort effort;
+    for (unsigned int k = 0; k < left.size(); ++k)
+      if (left[k] < 0.)
+        {
+          correction.local_element(coordinates.normal_entries()[k]) = left[k];
+          ++effort.n_active;
+        }
+    effort.n_active = dealii::Utilities::MPI::sum(effort.n_active, discretization.communicator());
+    coordinates.rotate_from_frames(correction);
+    discretization.matrices.apply_mass(mass_correction, correction);
+    return effort;
+  }
+
+
+  template <int dim>
+  SolveEffort MassProblems<dim>::stop_relative_motion(const Vector    &velocity,
+                                                      const ActiveSet &held,
+                                                      const double     energy_scale,
+                                                      Vector          &correction,
+                                                      Vector          &mass_correction)
+  {
+    correction      = discretization.make_vector();
+    mass_correction = correction;
+
+    std::vector<unsigned int> fixed = coordinates.supported_entries();
+    for (unsigned int k = 0; k < held.size(); ++k)
+      {
+        if (contact_status::is_closed(held[k]))
+          fixed.push_back(coordinates.normal_entries()[k]);
+        if (contact_status::sticks(held[k]))
+          fixed.insert(fixed.end(),
+                       coordinates.tangential_entries()[k].begin(),
+                       coordinates.tangential_entries()[k].end());
+      }
+    SolveEffort        effort;
+    const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
+    effort.n_active           = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
+    if (effort.n_active == 0)
+      return effort;
+
+    dealii::TimerOutput::Scope scope(timer, "step: velocity of held nodes");
+    prepare();
+    Vector relative_velocity = velocity;
+    coordinates.displacement_to_contact(relative_velocity);
+    std::vector<double> values(coordinates.supported_entries().size(), 0.);
+    for (std::size_t j = values.size(); j < fixed.size(); ++j)
+      values.push_back(-relative_velocity.local_element(fixed[j]));
+
+    const Vector zero = discretization.make_vector();
+    ActiveSet    none;
+    const double tolerance = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
+    effort.linear_iterations =
+      solver.solve({*mass, *preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, mass_correction)
+        .linear_iterations;
+    mass_correction *= -1.; // the residual is 0 - M c
+    keep_only(fixed, mass_correction);
+    coordinates.displacement_to_cartesian(correction);
+    coordinates.force_to_cartesian(mass_correction);
+    return effort;
+  }
+
+
+  template <int dim>
+  void MassProblems<dim>::keep_only(const std::vector<unsigned int> &fixed, Vector &vector) const
+  {
+    const Vector all = vector;
+    vector           = 0.;
+    for (const unsigned int i : fixed)
+      vector.local_element(i) = all.local_element(i);
+  }
+
+
+  template <int dim>
+  Vector MassProblems<dim>::solve(const Vector &force)
+  {
+    // Nodes with mass have no contact frames: their supported entries are components.
+    if (discretization.scene.time.has_massless_contact_nodes())
+      return MassSolver<dim>(discretization.matrices, coordinates.supported_entries()).solve(force);
+    prepare();
+    dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
+    Vector                     right_hand_side = force, result = discretization.make_vector(), residual = result;
+    coordinates.force_to_contact(right_hand_side);
+    const std::vector<double> held(coordinates.supported_entries().size(), 0.);
+    ActiveSet                 none;
+    // The error is one of velocity: its kinetic energy shall be small compared with that of the response.
+    preconditioner->set_mask(Mask(result.locally_owned_size(), 0));
+    preconditioner->vmult(residual, right_hand_side);
+    const double size = std::sqrt(std::max(0., dot(residual, right_hand_side)));
+    solver.solve(
+      {*mass, *preconditioner, right_hand_side, {}, {}, coordinates.supported_entries(), held, 1e-13 * size, 0.},
+      none,
+      result,
+      residual);
+    coordinates.displacement_to_cartesian(result);
+    return result;
+  }
+
+
+  template class MassProblems<2>;
+  template class MassProblems<3>;
+} // namespace signorini
