@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/contact_diagnostics.h>
+#include <signorini/diagnostics/node_friction.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -26,17 +27,26 @@ namespace signorini
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
-        const ContactNode<dim> &node  = surface.nodes()[k];
-        const double            force = normal_force(node, state.contact_force);
+        const ContactNode<dim> &node     = surface.nodes()[k];
+        const double            force    = normal_force(node, state.contact_force);
+        const NodeFriction<dim> friction = node_friction(surface, state.friction, k);
         summary.normal_force += std::abs(node.transmission * force);
+        summary.friction_force += node.transmission * friction.force.norm();
         for (unsigned int c = 0; c < dim; ++c)
-          summary.resultant[c] += node.transmission * force * node.frame[c];
+          summary.resultant[c] += node.transmission * (force * node.frame[c] + friction.force[c]);
         summary.n_active += (force != 0.);
+        summary.n_stick += (force != 0. && friction.status == contact_status::stick);
+        summary.n_slip += (force != 0. && friction.status == contact_status::slip);
+        summary.max_slip        = std::max(summary.max_slip, friction.slip_path);
         summary.max_tension     = std::max(summary.max_tension, force);
         summary.max_penetration = std::max(summary.max_penetration, -gap[k]);
       }
     summary.normal_force          = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
     summary.n_active              = dealii::Utilities::MPI::sum(summary.n_active, communicator);
+    summary.friction_force        = dealii::Utilities::MPI::sum(summary.friction_force, communicator);
+    summary.n_stick               = dealii::Utilities::MPI::sum(summary.n_stick, communicator);
+    summary.n_slip                = dealii::Utilities::MPI::sum(summary.n_slip, communicator);
+    summary.max_slip              = dealii::Utilities::MPI::max(summary.max_slip, communicator);
     summary.max_tension           = dealii::Utilities::MPI::max(summary.max_tension, communicator);
     summary.max_penetration       = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
     summary.geometric_penetration = surface.geometric_penetration(state.displacement);

@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/diagnostics/contact_diagnostics.h>
+#include <signorini/diagnostics/node_friction.h>
 #include <signorini/diagnostics/probe.h>
 
 #include <deal.II/base/mpi.h>
@@ -44,22 +45,27 @@ namespace signorini
   {
     const std::vector<double> displacement = surface.relative_normal(state.displacement),
                               velocity     = surface.relative_normal(state.velocity);
-    std::array<double, 5> values{};
+    ProbeReading reading;
     if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
         const ContactNode<dim> &contact_node = surface.nodes()[node];
-        const double            force        = -normal_force(contact_node, state.contact_force);
+        const NodeFriction<dim> friction     = node_friction(surface, state.friction, node);
         const double            scale        = 1. / contact_node.transmission;
-        values                               = {{scale * (contact_node.gap - displacement[node]),
-                                                 scale * displacement[node],
-                                                 scale * velocity[node],
-                                                 force / contact_node.weight,
-                                                 force}};
-        for (double &value : values)
-          value += 0.; // no negative zero in tables
+        // Zero is added: there is no negative zero in tables.
+        reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;
+        reading.normal_displacement = scale * displacement[node] + 0.;
+        reading.normal_velocity     = scale * velocity[node] + 0.;
+        reading.normal_force        = -normal_force(contact_node, state.contact_force) + 0.;
+        reading.pressure            = reading.normal_force / contact_node.weight;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            reading.tangential_force[c] = friction.force[c] + 0.;
+            reading.slip[c]             = friction.accumulated_slip[c] + 0.;
+          }
+        reading.slip_path = friction.slip_path;
+        reading.status    = friction.status;
       }
-    values = Utilities::MPI::broadcast(communicator, values, owner);
-    return {values[0], values[1], values[2], values[3], values[4]};
+    return Utilities::MPI::broadcast(communicator, reading, owner);
   }
 
 

@@ -36,9 +36,11 @@ namespace signorini
                                               "contact_force_x",
                                               "contact_force_y",
                                               "contact_force_z",
+                                              "friction_force",
                                               "active_nodes",
                                               "stick_nodes",
                                               "slip_nodes",
+                                              "max_slip",
                                               "max_penetration",
                                               "geometric_penetration",
                                               "active_set_iterations",
@@ -56,9 +58,20 @@ namespace signorini
                                                     "relative_displacement_error",
                                                     "relative_velocity_error"};
 
+    const std::vector<std::string> probe_columns =
+      {"time", "gap", "normal_displacement", "normal_velocity", "pressure", "normal_force"};
+
+    const std::vector<std::string> friction_columns = {"tangential_force_x",
+                                                       "tangential_force_y",
+                                                       "tangential_force_z",
+                                                       "slip_x",
+                                                       "slip_y",
+                                                       "slip_z",
+                                                       "slip_path",
+                                                       "status"};
+
     std::vector<double> values_of(const HistoryRow &row)
     {
-      const double no_nodes = 0.; // friction is not there to make nodes stick or slip
       return {static_cast<double>(row.state.step),
               row.state.time,
               row.step_size,
@@ -88,9 +101,11 @@ namespace signorini
               row.contact.resultant[0],
               row.contact.resultant[1],
               row.contact.resultant[2],
+              row.contact.friction_force,
               static_cast<double>(row.contact.n_active),
-              no_nodes,
-              no_nodes,
+              static_cast<double>(row.contact.n_stick),
+              static_cast<double>(row.contact.n_slip),
+              row.contact.max_slip,
               row.contact.max_penetration,
               row.contact.geometric_penetration,
               static_cast<double>(row.report.corrector.active_set_iterations),
@@ -107,19 +122,22 @@ namespace signorini
   template <int dim>
   History<dim>::History(const std::string             &directory,
                         const bool                     with_errors,
+                        const bool                     with_friction,
                         const std::vector<Probe<dim>> &probes,
                         const MPI_Comm                 communicator)
     : with_errors(with_errors)
+    , with_friction(with_friction)
   {
     std::vector<std::string> names = columns;
     if (with_errors)
       names.insert(names.end(), error_columns.begin(), error_columns.end());
     history = std::make_unique<CsvTable>(directory + "/history.csv", names, communicator);
+    names   = probe_columns;
+    if (with_friction)
+      names.insert(names.end(), friction_columns.begin(), friction_columns.end());
     for (const Probe<dim> &probe : probes)
-      probe_tables.push_back(std::make_unique<CsvTable>(
-        directory + "/probe_" + probe.name() + ".csv",
-        std::vector<std::string>{"time", "gap", "normal_displacement", "normal_velocity", "pressure", "normal_force"},
-        communicator));
+      probe_tables.push_back(
+        std::make_unique<CsvTable>(directory + "/probe_" + probe.name() + ".csv", names, communicator));
   }
 
 
@@ -142,12 +160,16 @@ namespace signorini
   template <int dim>
   void History<dim>::write_probe(const unsigned int probe, const double time, const ProbeReading &reading)
   {
-    probe_tables[probe]->write_row({time,
-                                    reading.gap,
-                                    reading.normal_displacement,
-                                    reading.normal_velocity,
-                                    reading.pressure,
-                                    reading.normal_force});
+    std::vector<double> values = {
+      time, reading.gap, reading.normal_displacement, reading.normal_velocity, reading.pressure, reading.normal_force};
+    if (with_friction)
+      {
+        values.insert(values.end(), reading.tangential_force.begin(), reading.tangential_force.end());
+        values.insert(values.end(), reading.slip.begin(), reading.slip.end());
+        values.push_back(reading.slip_path);
+        values.push_back(reading.status);
+      }
+    probe_tables[probe]->write_row(values);
   }
 
 

@@ -2,7 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/contact_diagnostics.h>
+#include <signorini/diagnostics/node_friction.h>
 #include <signorini/output/surface_patches.h>
+#include <signorini/scene/has_friction.h>
 
 #include <algorithm>
 
@@ -10,10 +12,24 @@ namespace signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    const std::array<const char *, 3> friction_vectors = {{"CSHEAR", "CSLIP", "CSLIP_INCREMENT"}};
+
+    /** A hanging node has the mean of the status of its neighbours: it sticks if all of them do. */
+    double shown_status(const double pressure, const double status)
+    {
+      const double mixed = contact_status::stick - 1e-6;
+      return pressure <= 0. ? contact_status::open : status < mixed ? contact_status::slip : contact_status::stick;
+    }
+  } // namespace
+
+
   template <int dim>
   SurfacePatches<dim>::SurfacePatches(const Discretization<dim> &discretization, const ContactSurface<dim> &surface)
     : discretization(discretization)
     , surface(surface)
+    , with_friction(has_friction(discretization.scene.pairs))
   {
   }
 
@@ -21,13 +37,15 @@ namespace signorini
   template <int dim>
   void SurfacePatches<dim>::build(const State &state, const Vector &displacement, const Vector &velocity)
   {
-    const Vector contact = discretization.interpolate_hanging_nodes(contact_values(state));
+    Fields fields{displacement, velocity, discretization.interpolate_hanging_nodes(contact_values(state)), {}, {}};
+    if (with_friction)
+      add_friction(state, fields);
     patches.clear();
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (surface.contains(cell, f))
           {
-            patches.push_back(make_patch(cell, f, displacement, velocity, contact));
+            patches.push_back(make_patch(cell, f, fields));
             patches.back().patch_index = patches.size() - 1;
           }
   }
@@ -55,31 +73,53 @@ namespace signorini
 
 
   template <int dim>
+  void SurfacePatches<dim>::add_friction(const State &state, Fields &fields) const
+  {
+    Vector              status = discretization.make_vector();
+    std::vector<Vector> vectors(friction_vectors.size(), status);
+    for (unsigned int k = 0; k < surface.nodes().size(); ++k)
+      {
+        const ContactNode<dim>             &node     = surface.nodes()[k];
+        const NodeFriction<dim>             friction = node_friction(surface, state.friction, k);
+        const std::array<Tensor<1, dim>, 3> shown    = {
+             {friction.force / node.weight, friction.accumulated_slip, friction.slip}};
+        status.local_element(dim * node.node) = friction.status;
+        for (unsigned int i = 0; i < shown.size(); ++i)
+          for (unsigned int c = 0; c < dim; ++c)
+            vectors[i].local_element(dim * node.node + c) = shown[i][c];
+      }
+    fields.status = discretization.interpolate_hanging_nodes(status);
+    for (const Vector &vector : vectors)
+      fields.friction.push_back(discretization.interpolate_hanging_nodes(vector));
+  }
+
+
+  template <int dim>
   typename SurfacePatches<dim>::Patch
   SurfacePatches<dim>::make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
                                   const unsigned int                                    face,
-                                  const Vector                                         &displacement,
-                                  const Vector                                         &velocity,
-                                  const Vector                                         &contact) const
+                                  const Fields                                         &fields) const
   {
     Patch patch;
     patch.n_subdivisions = 1;
     patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
-    patch.data.reinit(2 * dim + 3, cell->face(face)->n_vertices());
+    patch.data.reinit((2 + fields.friction.size()) * dim + 3, cell->face(face)->n_vertices());
     for (const unsigned int v : cell->face(face)->vertex_indices())
       {
         patch.vertices[v] = cell->face(face)->vertex(v);
         for (unsigned int c = 0; c < dim; ++c)
           {
             const auto dof         = cell->face(face)->vertex_dof_index(v, c);
-            patch.data(c, v)       = displacement(dof);
-            patch.data(dim + c, v) = velocity(dof);
+            patch.data(c, v)       = fields.displacement(dof);
+            patch.data(dim + c, v) = fields.velocity(dof);
+            for (unsigned int i = 0; i < fields.friction.size(); ++i)
+              patch.data((2 + i) * dim + 3 + c, v) = fields.friction[i](dof);
           }
         const auto   dof           = cell->face(face)->vertex_dof_index(v, 0);
-        const double pressure      = contact(dof);
+        const double pressure      = fields.contact(dof);
         patch.data(2 * dim, v)     = pressure;
-        patch.data(2 * dim + 1, v) = contact(dof + 1);
-        patch.data(2 * dim + 2, v) = pressure > 0. ? 1. : 0.;
+        patch.data(2 * dim + 1, v) = fields.contact(dof + 1);
+        patch.data(2 * dim + 2, v) = shown_status(pressure, with_friction ? fields.status(dof) : 0.);
       }
     return patch;
   }
@@ -93,6 +133,9 @@ namespace signorini
       names.insert(names.end(), dim, name);
     for (const char *name : {"CPRESS", "COPEN", "CSTATUS"})
       names.push_back(name);
+    if (with_friction)
+      for (const char *name : friction_vectors)
+        names.insert(names.end(), dim, name);
     return names;
   }
 
@@ -103,7 +146,13 @@ namespace signorini
   SurfacePatches<dim>::get_nonscalar_data_ranges() const
   {
     const auto vector = DataComponentInterpretation::component_is_part_of_vector;
-    return {{0, dim - 1, "displacement", vector}, {dim, 2 * dim - 1, "velocity", vector}};
+    std::vector<
+      std::tuple<unsigned int, unsigned int, std::string, DataComponentInterpretation::DataComponentInterpretation>>
+      ranges = {{0, dim - 1, "displacement", vector}, {dim, 2 * dim - 1, "velocity", vector}};
+    if (with_friction)
+      for (unsigned int i = 0; i < friction_vectors.size(); ++i)
+        ranges.emplace_back((2 + i) * dim + 3, (3 + i) * dim + 2, friction_vectors[i], vector);
+    return ranges;
   }
 
 

@@ -115,6 +115,22 @@ namespace signorini
       }
   }
 
+  std::optional<double> constant_value(const std::string &expression)
+  {
+    try
+      {
+        const MuteStandardError        mute;
+        const std::vector<std::string> components = {expression};
+        dealii::FunctionParser<1>      function;
+        function.initialize("the_variable_that_nobody_uses", components, {{"pi", dealii::numbers::PI}});
+        return function.value(dealii::Point<1>());
+      }
+    catch (const dealii::ExceptionBase &)
+      {
+        return std::nullopt;
+      }
+  }
+
   template <int dim>
   std::array<std::string, dim> read_expressions(const SectionReader                   &in,
                                                 const std::string                     &key,

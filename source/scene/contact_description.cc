@@ -44,20 +44,21 @@ namespace signorini
                     + ") has no boundary id " + std::to_string(id) + ". Valid: " + join(valid) + ".");
     }
 
-    FrictionDescription parse_friction(const SectionReader &in)
+    /** Points of the surface of the slave, for trying expressions. */
+    template <int dim>
+    std::vector<dealii::Point<dim>> slave_points(const PairDescription &pair, const BodyDescription<dim> &body)
     {
-      if (in.number("Friction coefficient") != 0.)
-        in.fail("Friction coefficient", "friction is not available in this version. Set it to 0.");
-      return {};
+      std::vector<dealii::Point<dim>> points;
+      for (const auto id : pair.slave_boundary_ids.empty() ? boundary_ids(body) : pair.slave_boundary_ids)
+        for (const dealii::Point<dim> &point : boundary_points(body, id))
+          points.push_back(point);
+      return points;
     }
   } // namespace
 
   void declare_pair(dealii::ParameterHandler &prm)
   {
-    prm.declare_entry("Friction coefficient",
-                      "0",
-                      dealii::Patterns::Double(),
-                      "Coefficient of friction (no unit). Only 0 in this version.");
+    declare_friction(prm);
   }
 
   template <int dim>
@@ -86,7 +87,8 @@ namespace signorini
           }
         else
           pair.obstacle = index_of(obstacles, name.partner);
-        pair.friction = parse_friction(in.section(pair.name));
+        pair.friction =
+          parse_friction<dim>(in.section(pair.name), scene.time.scheme, slave_points(pair, scene.bodies[pair.slave]));
         pairs.push_back(pair);
       }
     return pairs;

@@ -3,6 +3,7 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/scene/apply_statements.h>
+#include <signorini/scene/check_expressions.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/scene/sections.h>
 
@@ -36,6 +37,20 @@ namespace signorini
                 "or remove the probes.");
       for (const std::string &name : names)
         scene.probes.push_back(parse_probe<dim>(in.section(name), name));
+    }
+
+    /** An equilibrium is found from the undeformed bodies, and a displacement would be lost without a word. */
+    template <int dim>
+    void check_start(const SectionReader &in, const Scene<dim> &scene)
+    {
+      if (scene.time.start != "equilibrium")
+        return;
+      for (const BodyDescription<dim> &body : scene.bodies)
+        for (const std::string &expression : body.initial_displacement)
+          if (constant_value(expression) != 0.)
+            in.section(body.name).fail("Initial displacement",
+                                       "does not fit `Time/Start = equilibrium`, where the loads determine the "
+                                       "displacement. Remove this key, or set `Time/Start = given`.");
     }
 
     /** All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on where it lies. */
@@ -87,6 +102,7 @@ namespace signorini
     scene.time             = parse_time(in.section("Time"));
     for (const std::string &name : names.bodies)
       scene.bodies.push_back(parse_body<dim>(in.section("Bodies").section(name), name));
+    check_start(in.section("Bodies"), scene);
     for (const std::string &name : names.obstacles)
       scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
     scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);

@@ -97,6 +97,20 @@ namespace signorini
       "How laursen-love shares the impulses that give lost energy back. common: along the contact forces, "
       "from one equation. per node: each contact node gets back what it has lost, from coupled equations; "
       "takes more time. No other scheme uses it.");
+    prm.declare_entry(
+      "Stop sticking nodes",
+      "true",
+      Bool(),
+      "With friction, contact-stabilized and contact-stabilized-projected: whether nodes that stick and "
+      "stay in contact lose their tangential velocity at the end of a step. Without that it alternates "
+      "in sign from step to step. No other scheme uses it.");
+    prm.declare_entry(
+      "Start",
+      "given",
+      Selection("given|equilibrium"),
+      "How the run begins. given: with the initial displacement of the bodies. equilibrium: with the static "
+      "equilibrium under the loads and the contact of time 0; rigid motions that nothing holds stay "
+      "free. The initial velocity counts in both.");
     prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
     prm.declare_entry("End time",
                       "0",
@@ -167,11 +181,13 @@ namespace signorini
     time.reference_tolerance = in.number("Reference tolerance");
     if (!(time.reference_tolerance >= 1e-12 && time.reference_tolerance <= 1e-2))
       in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
-    time.newmark_beta    = in.number("Newmark beta");
-    time.newmark_gamma   = in.number("Newmark gamma");
-    time.hht_alpha       = in.number("HHT alpha");
-    time.spectral_radius = in.number("Spectral radius");
-    time.impulses        = in.text("Impulses");
+    time.newmark_beta        = in.number("Newmark beta");
+    time.newmark_gamma       = in.number("Newmark gamma");
+    time.hht_alpha           = in.number("HHT alpha");
+    time.spectral_radius     = in.number("Spectral radius");
+    time.impulses            = in.text("Impulses");
+    time.start               = in.text("Start");
+    time.stop_sticking_nodes = in.flag("Stop sticking nodes");
     if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
       in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
     if (!(time.spectral_radius >= 0. && time.spectral_radius <= 1.))
@@ -196,6 +212,11 @@ namespace signorini
       in.fail("Predictor mass",
               "only contact-stabilized and contact-stabilized-projected have a predictor with a mass of its own, but "
               "Scheme = "
+                + time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
+    if (!time.stop_sticking_nodes && time.scheme != "contact-stabilized"
+        && time.scheme != "contact-stabilized-projected")
+      in.fail("Stop sticking nodes",
+              "only contact-stabilized and contact-stabilized-projected stop nodes that stick, but Scheme = "
                 + time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
     if (time.impulses != "common" && time.scheme != "laursen-love")
       in.fail("Impulses",

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/scene/has_friction.h>
 #include <signorini/simulation/observation.h>
 
 #include <cmath>
@@ -19,7 +20,11 @@ namespace signorini
     , surface(surface)
     , loads(loads)
     , probes(make_probes(discretization, surface))
-    , history(directory, discretization.scene.exact_solution.given, probes, discretization.communicator())
+    , history(directory,
+              discretization.scene.exact_solution.given,
+              has_friction(discretization.scene.pairs),
+              probes,
+              discretization.communicator())
     , errors(discretization)
     , velocity_zigzags(probes.size())
     , clock(discretization.communicator(), false)
@@ -69,6 +74,9 @@ namespace signorini
     n_impulse_iterations += report.impulse_iterations;
     n_common_impulses += report.common_impulses;
     impulse += step_size * contact_now.normal_force;
+    work_friction += booking.friction;
+    most_sticking       = std::max(most_sticking, contact_now.n_stick);
+    most_slipping       = std::max(most_slipping, contact_now.n_slip);
     largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
     deepest             = std::max(deepest, contact_now.geometric_penetration);
     farthest_sliding    = std::max(farthest_sliding, contact_now.sliding);
@@ -180,6 +188,10 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
+    if (has_friction(discretization.scene.pairs))
+      text << "  friction          dissipated " << -work_friction + 0. << ", at most " << most_sticking
+           << " nodes sticking, " << most_slipping << " slipping, largest accumulated slip " << contact_now.max_slip
+           << "\n";
     if (n_impulse_solves > 0)
       text << "  impulses          of single nodes in " << n_impulse_solves << " steps, "
            << static_cast<double>(n_impulse_iterations) / n_impulse_solves << " iterations each\n";

@@ -41,13 +41,19 @@ signorini::Scene<dim> box_above_floor()
 template <int dim>
 struct BoxAboveFloor
 {
-  BoxAboveFloor()
-    : scene(box_above_floor<dim>())
+  explicit BoxAboveFloor(const bool friction = false)
+    : scene(with_friction(box_above_floor<dim>(), friction))
     , discretization(scene, MPI_COMM_WORLD)
   {
     discretization.assemble();
     supports = std::make_unique<signorini::Supports<dim>>(discretization);
     surface  = std::make_unique<signorini::ContactSurface<dim>>(discretization, *supports);
+  }
+
+  static signorini::Scene<dim> with_friction(signorini::Scene<dim> scene, const bool friction)
+  {
+    scene.pairs[0].friction.any = friction;
+    return scene;
   }
 
   signorini::Scene<dim>                           scene;

@@ -95,6 +95,8 @@ namespace
     const std::string surface = folder.name + "/fields/surface_000007.pvtu";
     for (const char *field : {"displacement", "velocity", "CPRESS", "COPEN", "CSTATUS"})
       EXPECT_TRUE(names(surface, field)) << field;
+    for (const char *field : {"CSHEAR", "CSLIP", "CSLIP_INCREMENT"})
+      EXPECT_FALSE(names(surface, field)) << field;
   }
 } // namespace
 
@@ -102,6 +104,20 @@ TEST(FieldOutput, TwoMoments)
 {
   write_two_moments<2>();
   write_two_moments<3>();
+}
+
+TEST(FieldOutput, VectorsOfFriction)
+{
+  const ScratchFolder    folder;
+  const BoxAboveFloor<2> box(true);
+  FieldOutput<2>         output(box.discretization, *box.surface, folder.name);
+  output.write(state_at_rest(box.discretization));
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string surface = folder.name + "/fields/surface_000000.pvtu";
+  for (const char *field : {"CSTATUS", "CSHEAR", "CSLIP", "CSLIP_INCREMENT"})
+    EXPECT_TRUE(names(surface, field)) << field;
+  const auto components = attributes(surface, "NumberOfComponents");
+  EXPECT_EQ(std::count(components.begin(), components.end(), "3"), 6) << "points, motion and the three vectors";
 }
 
 // Pictures of an earlier run must not pass for those of this one.

@@ -144,8 +144,27 @@ TEST(Mistakes, Pairs)
                    {"Contact/Pairs", "floor : ball", {"The body comes first"}},
                    {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
                    {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
-                   {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}},
-                   {"Contact/ball : floor/Friction coefficient", "0.3", {"not available", "Set it to 0"}}});
+                   {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}}});
+}
+
+TEST(Mistakes, Friction)
+{
+  expect_refusals(
+    {{"Contact/ball : floor/Friction law", "coulumb", {"Did you mean `coulomb`?", "Valid: coulomb, tresca"}},
+     {"Contact/ball : floor/Friction law", "tresca,", {"Did you mean `tresca`?"}},
+     {"Contact/ball : floor/Friction coefficient", "-0.3", {"must not be negative", "0 for no friction"}},
+     {"Contact/ball : floor/Friction coefficient", "0.2 - 0.5", {"must not be negative"}},
+     {"Contact/ball : floor/Friction coefficient", "1/0", {"must be a finite number", "Give"}},
+     {"Contact/ball : floor/Friction coefficient", "inf", {"cannot be understood"}},
+     {"Contact/ball : floor/Friction coefficient", "0.3*q", {"`0.3*q`", "cannot be understood", "x,y,z"}},
+     {"Contact/ball : floor/Friction coefficient", "0.3*t", {"`0.3*t`", "cannot be understood"}},
+     {"Contact/ball : floor/Friction coefficient", "1/(x - x)", {"infinite", "if(condition"}},
+     {"Contact/ball : floor/Friction coefficient", "", {"Expression is empty"}},
+     {"Contact/ball : floor/Friction bound", "0", {"no friction at all", "remove this key"}},
+     {"Contact/ball : floor/Friction bound", "1 - 1", {"no friction at all"}},
+     {"Contact/ball : floor/Friction bound", "-2", {"must not be negative", "positive stress"}},
+     {"Contact/ball : floor/Friction bound", "2*", {"cannot be understood"}},
+     {"Contact/box[2,4] : pillar/Friction bound", "2", {"`Friction coefficient`", "not given", "tresca"}}});
 }
 
 TEST(Mistakes, SolverAndOutput)
@@ -181,6 +200,33 @@ TEST(Mistakes, UnknownKeysAndSections)
   expect("Adaptivity/Indicator", {"not available in this version", "Remove"});
 }
 
+TEST(Mistakes, FrictionThatDoesNotFit)
+{
+  const auto expect = [](const std::vector<Override> &overrides, const std::vector<std::string> &words) {
+    const TemporaryFile file(correct_scene());
+    expect_words(refusal(file.name, overrides), words);
+  };
+  const std::string pair = "Contact/ball : floor/";
+  expect({{pair + "Friction law", "tresca"}}, {"Friction bound (not given)", "tresca` needs", "coulomb"});
+  expect({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "-1"}}, {"Friction bound = -1", "negative"});
+  for (const std::string coefficient : {"0.3", "0.1*x"})
+    expect(
+      {{pair + "Friction law", "tresca"}, {pair + "Friction bound", "2"}, {pair + "Friction coefficient", coefficient}},
+      {"Friction coefficient = " + coefficient, "not used", "Remove", "coulomb"});
+  for (const std::string scheme : {"khenous-laborde-renard",
+                                   "hht-alpha",
+                                   "generalized-alpha",
+                                   "nonsmooth-generalized-alpha",
+                                   "moreau-jean",
+                                   "reference"})
+    {
+      expect({{"Time/Scheme", scheme}, {pair + "Friction coefficient", "0.3"}},
+             {"Friction coefficient = 0.3", scheme + " knows no friction", "contact-implicit, laursen-chawla"});
+      expect({{"Time/Scheme", scheme}, {pair + "Friction law", "tresca"}, {pair + "Friction bound", "x"}},
+             {"Friction bound = x", scheme + " knows no friction", "`Friction bound = 0`"});
+    }
+}
+
 TEST(Mistakes, SeveralValuesTogether)
 {
   const auto expect = [](const std::vector<Override> &overrides, const std::vector<std::string> &words) {
@@ -204,6 +250,10 @@ TEST(Mistakes, SeveralValuesTogether)
   expect({{"Time/Reference tolerance", "0"}}, {"Reference tolerance = 0", "between"});
   expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "per node"}},
          {"Impulses = per node", "Scheme = newmark", "Remove"});
+  expect({{"Time/Scheme", "newmark"}, {"Time/Stop sticking nodes", "false"}},
+         {"Stop sticking nodes = false", "Scheme = newmark", "Remove"});
+  expect({{"Time/Start", "equilibrium"}, {"Bodies/box/Initial displacement", "0; 0; 0.1*x"}},
+         {"Bodies/box/Initial displacement = 0; 0; 0.1*x", "Time/Start = equilibrium", "Remove"});
   expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
   expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
   expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});

@@ -104,6 +104,73 @@ TEST(Reading, ObstaclesPairsProbes)
   EXPECT_EQ(scene.probes[0].name, "south");
 }
 
+TEST(Reading, Friction)
+{
+  const std::string pair = "Contact/ball : floor/";
+  const auto        of   = [&](const std::vector<Override> &overrides) { return read(overrides).pairs[0].friction; };
+  EXPECT_FALSE(read().pairs[1].friction.any);
+  EXPECT_EQ(read().pairs[1].friction.law, "coulomb");
+
+  const FrictionDescription coulomb =
+    of({{pair + "Friction coefficient", "0.3 + 0.1*x"}, {pair + "Friction bound", "5"}});
+  EXPECT_EQ(coulomb.law, "coulomb");
+  EXPECT_EQ(coulomb.coefficient, "0.3 + 0.1*x");
+  EXPECT_EQ(coulomb.bound, "5");
+  EXPECT_TRUE(coulomb.any);
+  EXPECT_EQ(of({{pair + "Friction coefficient", "0.3"}}).bound, "");
+
+  const FrictionDescription tresca = of({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "2 - z"}});
+  EXPECT_EQ(tresca.law, "tresca");
+  EXPECT_EQ(tresca.coefficient, "0");
+  EXPECT_EQ(tresca.bound, "2 - z");
+  EXPECT_TRUE(tresca.any);
+}
+
+// No friction is recognised however it is written, and then every scheme takes the pair.
+TEST(Reading, NoFriction)
+{
+  const std::string pair = "Contact/ball : floor/";
+  for (const std::string zero : {"0", "0.0", "1-1", "sin(0)", "-0"})
+    {
+      EXPECT_FALSE(read({{pair + "Friction coefficient", zero}, {"Time/Scheme", "moreau-jean"}}).pairs[0].friction.any);
+      EXPECT_FALSE(
+        read({{pair + "Friction law", "tresca"}, {pair + "Friction bound", zero}, {"Time/Scheme", "moreau-jean"}})
+          .pairs[0]
+          .friction.any);
+    }
+  EXPECT_TRUE(read({{pair + "Friction coefficient", "x - x"}}).pairs[0].friction.any);
+}
+
+TEST(Reading, SchemesWithFriction)
+{
+  for (const std::string scheme : {"contact-stabilized",
+                                   "contact-stabilized-projected",
+                                   "contact-implicit",
+                                   "laursen-chawla",
+                                   "hager-hueeber-wohlmuth",
+                                   "laursen-love",
+                                   "newmark",
+                                   "backward-euler"})
+    EXPECT_TRUE(
+      read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Scheme", scheme}}).pairs[0].friction.any);
+  EXPECT_TRUE(read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Predictor mass", "lumped"}})
+                .pairs[0]
+                .friction.any);
+}
+
+TEST(Reading, StickingNodesAndStart)
+{
+  EXPECT_TRUE(read().time.stop_sticking_nodes);
+  EXPECT_EQ(read().time.start, "given");
+  EXPECT_FALSE(read({{"Time/Stop sticking nodes", "false"}}).time.stop_sticking_nodes);
+  // All keys of a run are written, that of the displacement among them; the copy must be a scene, too.
+  const Scene<3> equilibrium =
+    read({{"Time/Start", "equilibrium"}, {"Bodies/ball/Initial displacement", "0; 0.0; 1-1"}});
+  EXPECT_EQ(equilibrium.time.start, "equilibrium");
+  const TemporaryFile file(equilibrium.all_parameters);
+  EXPECT_EQ(refusal(file.name), "");
+}
+
 TEST(Reading, OtherShapes)
 {
   const Scene<3> scene = read({{"Bodies/ball/Shape", "cylinder"},

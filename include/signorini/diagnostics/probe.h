@@ -17,6 +17,11 @@ namespace signorini
     double normal_velocity     = 0.;
     double pressure            = 0.; ///< positive in compression
     double normal_force        = 0.; ///< nodal force, positive in compression
+
+    std::array<double, 3> tangential_force{}; ///< nodal force on the slave
+    std::array<double, 3> slip{};             ///< since the start, relative to the other side
+    double                slip_path = 0.;     ///< length of the way since the start
+    double                status    = 0.;     ///< of the node, see contact_status; 0 without friction
   };
 
   /** The contact node that is closest to a point of the reference configuration, on whichever process it lives. */

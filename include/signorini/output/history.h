@@ -34,13 +34,14 @@ namespace signorini
     ErrorNorms     errors; ///< written only if the scene has an exact solution
   };
 
-  /** The table history.csv, and probe_<name>.csv for each probe. All functions are collective. */
+  /** The table history.csv, and probe_<name>.csv for each probe, with slip if there is friction. All functions are collective. */
   template <int dim>
   class History
   {
   public:
     History(const std::string             &directory,
             bool                           with_errors,
+            bool                           with_friction,
             const std::vector<Probe<dim>> &probes,
             MPI_Comm                       communicator);
 
@@ -48,7 +49,7 @@ namespace signorini
     void write_probe(unsigned int probe, double time, const ProbeReading &reading);
 
   private:
-    const bool                             with_errors;
+    const bool                             with_errors, with_friction;
     std::unique_ptr<CsvTable>              history;
     std::vector<std::unique_ptr<CsvTable>> probe_tables;
   };

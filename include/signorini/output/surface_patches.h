@@ -17,9 +17,15 @@ namespace signorini
    *   displacement, velocity
    *   CPRESS   contact pressure -(r.nu)/D >= 0, the nodal force over the area of the node
    *   COPEN    gap g - u.nu along the normal of the obstacle, 0 in contact
-   *   CSTATUS  1 where the pressure is positive, else 0
+   *   CSTATUS  1 where the pressure is positive, else 0; with friction 2 where the node sticks besides
    *
-   * under the names that Abaqus uses. Vertices of a slave surface that can never touch (on the far side of a ball, or held by a
+   * and, if the scene has friction,
+   *
+   *   CSHEAR          tangential stress on the slave, the tangential nodal force over the area of the node (a vector)
+   *   CSLIP           slip relative to the other side since the start (a vector)
+   *   CSLIP_INCREMENT its part in the last step
+   *
+   * most of them under the names that Abaqus uses. Vertices of a slave surface that can never touch (on the far side of a ball, or held by a
    * support) have no gap; they show the largest COPEN of the contact nodes, so that they look open without spoiling the
    * scale of colours.
    */
@@ -42,16 +48,26 @@ namespace signorini
   private:
     const Discretization<dim> &discretization;
     const ContactSurface<dim> &surface;
+    const bool                 with_friction;
     std::vector<Patch>         patches;
 
-    /** Pressure and gap in the first two entries of each node. */
+    /** What the patches show, with ghosts and hanging nodes. */
+    struct Fields
+    {
+      const Vector       &displacement, &velocity;
+      Vector              contact;  ///< pressure and gap in the first two entries of each node
+      Vector              status;   ///< in the first entry of each node
+      std::vector<Vector> friction; ///< stress, slip, increment of the slip
+    };
+
+    /** Pressure and gap. */
     Vector contact_values(const State &state) const;
+    /** Status, and the vectors of friction. */
+    void add_friction(const State &state, Fields &fields) const;
 
     Patch make_patch(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
                      unsigned int                                                  face,
-                     const Vector                                                 &displacement,
-                     const Vector                                                 &velocity,
-                     const Vector                                                 &contact) const;
+                     const Fields                                                 &fields) const;
 
     std::vector<std::tuple<unsigned int,
                            unsigned int,

@@ -7,6 +7,7 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ namespace signorini
                         const std::string                     &expression,
                         const std::vector<dealii::Point<dim>> &points,
                         bool                                   with_time);
+
+  /** The value of an expression that uses no variables, such as 1-1; nothing if it uses some or does not parse. */
+  std::optional<double> constant_value(const std::string &expression);
 
   /** split_components() and check_expression() for the value of a key. */
   template <int dim>

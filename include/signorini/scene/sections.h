@@ -53,6 +53,12 @@ namespace signorini
   template <int dim>
   ObstacleDescription<dim> parse_obstacle(const SectionReader &in, const std::string &name);
 
+  // The part of a pair's section; expressions are tried at points of the slave.
+  void declare_friction(dealii::ParameterHandler &prm);
+  template <int dim>
+  FrictionDescription
+  parse_friction(const SectionReader &in, const std::string &scheme, const std::vector<dealii::Point<dim>> &points);
+
   void declare_pair(dealii::ParameterHandler &prm);
   template <int dim>
   std::vector<PairDescription>

@@ -57,6 +57,8 @@ namespace signorini
 
     double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
            farthest_sliding = 0., impulse = 0.;
+    double       work_friction = 0.;
+    unsigned int most_sticking = 0, most_slipping = 0;
     double       standard_change  = 0.; ///< change of the total energy with the consistent mass
     unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0; ///< of laursen-love, per node
     double       first_contact = -1., last_contact = -1.;
