@@ -43,13 +43,8 @@ namespace signorini
     while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
       {
         const double       before = norm;
-        const unsigned int done   = cycle(matrix,
-                                        inverse_of_preconditioner,
-                                        correction,
-                                        residual,
-                                        goal,
-                                        maximum_iterations - report.iterations,
-                                        norm);
+        const unsigned int done   = cycle(
+          matrix, inverse_of_preconditioner, correction, residual, goal, maximum_iterations - report.iterations, norm);
         report.iterations += done;
         if (done == 0 || (norm > goal && norm > 0.99 * before)) // stagnates: the caller judges the result
           break;
@@ -66,8 +61,8 @@ namespace signorini
                             const unsigned int maximum_iterations,
                             double            &norm)
   {
-    const unsigned int m = std::min(n_basis, maximum_iterations);
-    Eigen::MatrixXd    H = Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg matrix, then triangular by rotations
+    const unsigned int m        = std::min(n_basis, maximum_iterations);
+    Eigen::MatrixXd    H        = Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg matrix, then triangular by rotations
     Eigen::MatrixXd    original = H;
     Eigen::VectorXd    g        = Eigen::VectorXd::Zero(m + 1);
     std::vector<Eigen::JacobiRotation<double>> rotations;
@@ -108,8 +103,7 @@ namespace signorini
     if (j == 0)
       return 0;
 
-    const Eigen::VectorXd y =
-      H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
+    const Eigen::VectorXd y      = H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
     const Eigen::VectorXd change = original.topLeftCorner(j + 1, j) * y; // J x in the basis
     for (unsigned int i = 0; i < j; ++i)
       correction.add(y[i], preconditioned[i]);

@@ -22,7 +22,7 @@ namespace signorini
     /** Without friction, none of its cost. */
     std::unique_ptr<ConstrainedSolver> make_solver(const bool with_friction, const SolverParameters &parameters)
     {
-      const unsigned int n_sets = parameters.maximum_active_set_iterations,
+      const unsigned int n_sets   = parameters.maximum_active_set_iterations,
                          n_linear = parameters.maximum_linear_iterations;
       if (with_friction)
         return std::make_unique<FrictionalNewton>(FrictionalNewton::Parameters{n_sets, n_linear});
@@ -149,18 +149,18 @@ namespace signorini
     Vector residual = discretization.make_vector();
     solution.effort =
       effort_of(solver->solve({*step_operator,
-                              *step_preconditioner,
-                              right_hand_side,
-                              coordinates.normal_entries(),
-                              problem.bounds,
-                              coordinates.supported_entries(),
-                              prescribed,
-                              solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
-                              1e-12 * discretization.body_size(),
-                              friction_of_nodes},
-                             active,
-                             increment,
-                             residual));
+                               *step_preconditioner,
+                               right_hand_side,
+                               coordinates.normal_entries(),
+                               problem.bounds,
+                               coordinates.supported_entries(),
+                               prescribed,
+                               solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
+                               1e-12 * discretization.body_size(),
+                               friction_of_nodes},
+                              active,
+                              increment,
+                              residual));
 
     forecast.remember(right_hand_side, increment, residual);
 

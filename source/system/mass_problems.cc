@@ -67,18 +67,19 @@ namespace signorini
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.supported_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const SolveReport         report = solver.solve({*mass,
-                                                     *preconditioner,
-                                                     zero,
-                                                     coordinates.normal_entries(),
-                                                     left,
-                                                     coordinates.supported_entries(),
-                                                     nothing,
-                                                     discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
-                                                     bound_length},
-                                            projected,
-                                            correction,
-                                            mass_correction);
+    const SolveReport         report =
+      solver.solve({*mass,
+                    *preconditioner,
+                    zero,
+                    coordinates.normal_entries(),
+                    left,
+                    coordinates.supported_entries(),
+                    nothing,
+                    discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
+                    bound_length},
+                   projected,
+                   correction,
+                   mass_correction);
     last_correction = correction;
     for (unsigned int k = 0; k < projected.size(); ++k)
       if (projected[k])
@@ -125,9 +126,8 @@ namespace signorini
         if (contact_status::is_closed(held[k]))
           fixed.push_back(coordinates.normal_entries()[k]);
         if (contact_status::sticks(held[k]))
-          fixed.insert(fixed.end(),
-                       coordinates.tangential_entries()[k].begin(),
-                       coordinates.tangential_entries()[k].end());
+          fixed.insert(
+            fixed.end(), coordinates.tangential_entries()[k].begin(), coordinates.tangential_entries()[k].end());
       }
     SolveEffort        effort;
     const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
@@ -147,7 +147,8 @@ namespace signorini
     ActiveSet    none;
     const double tolerance = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
     effort.linear_iterations =
-      solver.solve({*mass, *preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, mass_correction)
+      solver
+        .solve({*mass, *preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, mass_correction)
         .linear_iterations;
     mass_correction *= -1.; // the residual is 0 - M c
     keep_only(fixed, mass_correction);

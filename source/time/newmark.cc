@@ -12,8 +12,8 @@ namespace signorini
     Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
     b.add(tau * tau / 4., state.contact_force);
 
-    const NormalGap         gap      = system.normal_gap(state.displacement);
-    IncrementSolution       solution;
+    const NormalGap   gap = system.normal_gap(state.displacement);
+    IncrementSolution solution;
     // Only half of the new force enters the balance, hence the factor 4 rather than 2.
     system.solve({tau * tau / 4., b, gap, state.displacement, state.time, tau, tau * tau / 4.}, solution);
     const Vector &d = solution.increment;

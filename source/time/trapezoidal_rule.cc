@@ -37,21 +37,14 @@ namespace signorini
     {
       const double      square = step_size * step_size;
       IncrementSolution solution;
-      system.solve({square / 4.,
-                    right_hand_side,
-                    gap,
-                    state.displacement,
-                    state.time,
-                    step_size,
-                    square / 2.,
-                    further_reaction},
-                   solution);
+      system.solve(
+        {square / 4., right_hand_side, gap, state.displacement, state.time, step_size, square / 2., further_reaction},
+        solution);
       return solution;
     }
 
 
-    double
-    record_friction(State &state, const IncrementSolution &solution, const double factor, Vector &contact_force)
+    double record_friction(State &state, const IncrementSolution &solution, const double factor, Vector &contact_force)
     {
       if (solution.friction_reaction.size() == 0)
         return 0.;

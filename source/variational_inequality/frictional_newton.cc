@@ -15,7 +15,8 @@ namespace signorini
   namespace
   {
     /** Move the entries of node k that its status holds to their values. @return whether any moved */
-    bool move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, const std::size_t k, Vector &solution)
+    bool
+    move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, const std::size_t k, Vector &solution)
     {
       bool       moved = false;
       const auto move  = [&](const unsigned int i, const double value) {
@@ -113,13 +114,13 @@ namespace signorini
     unsigned int n_changes = 0;
     for (std::size_t k = 0; k < status.size(); ++k)
       {
-        const unsigned int  i    = problem.bounded_entries[k];
-        const FrictionNode &node = problem.friction[k];
-        const char          old  = status[k];
+        const unsigned int  i      = problem.bounded_entries[k];
+        const FrictionNode &node   = problem.friction[k];
+        const char          old    = status[k];
         const double        beyond = solution.local_element(i) - problem.upper_bounds[k];
-        const bool was    = contact_status::is_closed(old);
-        const bool closed = was ? residual.local_element(i) >= 0. : beyond > problem.bound_tolerance;
-        status[k]         = closed ? contact_status::slip : contact_status::open;
+        const bool          was    = contact_status::is_closed(old);
+        const bool          closed = was ? residual.local_element(i) >= 0. : beyond > problem.bound_tolerance;
+        status[k]                  = closed ? contact_status::slip : contact_status::open;
         if (node.law.any() && !node.entries.empty())
           {
             NodeForces forces = node_forces(node, i, closed && was, solution, residual);
@@ -134,10 +135,8 @@ namespace signorini
   }
 
 
-  void FrictionalNewton::hold(const ConstrainedProblem &problem,
-                              const ActiveSet          &status,
-                              Vector                   &solution,
-                              Vector                   &residual)
+  void
+  FrictionalNewton::hold(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution, Vector &residual)
   {
     correction           = solution;
     unsigned int n_moved = 0;
@@ -180,8 +179,7 @@ namespace signorini
         {
           const FrictionNode &node   = problem.friction[k];
           const unsigned int  i      = problem.bounded_entries[k];
-          const NodeForces    forces =
-            node_forces(node, i, contact_status::is_closed(status[k]), solution, residual);
+          const NodeForces    forces = node_forces(node, i, contact_status::is_closed(status[k]), solution, residual);
           if (node.law.bound(forces.normal) > 0.)
             slip.add(i, node, linearise_slip(node.law, forces, stiffness[k], node.entries.size()), stiffness[k]);
         }
@@ -189,10 +187,8 @@ namespace signorini
   }
 
 
-  ConjugateGradients::Report FrictionalNewton::step(const ConstrainedProblem &problem,
-                                                    Vector                   &solution,
-                                                    Vector                   &residual,
-                                                    const double              reduction)
+  ConjugateGradients::Report
+  FrictionalNewton::step(const ConstrainedProblem &problem, Vector &solution, Vector &residual, const double reduction)
   {
     if (!slip.any())
       return conjugate_gradients.solve(problem.matrix,
@@ -202,8 +198,8 @@ namespace signorini
                                        problem.tolerance,
                                        reduction,
                                        parameters.maximum_linear_iterations);
-    const auto report = slip.solve(
-      problem, residual, correction, problem.tolerance, reduction, parameters.maximum_linear_iterations);
+    const auto report =
+      slip.solve(problem, residual, correction, problem.tolerance, reduction, parameters.maximum_linear_iterations);
     solution += correction;
     return report;
   }

@@ -18,7 +18,7 @@ namespace signorini
     {
       const Eigen::SelfAdjointEigenSolver<TangentMatrix> eigen((slip_stiffness + slip_stiffness.transpose())
                                                                / (2. * stiffness));
-      const TangentVector scales = (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
+      const TangentVector                                scales = (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
       return eigen.eigenvectors() * scales.asDiagonal() * eigen.eigenvectors().transpose();
     }
   } // namespace

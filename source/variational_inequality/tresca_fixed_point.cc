@@ -17,11 +17,12 @@ namespace signorini
     const std::vector<double> stiffness = node_stiffness(problem);
     std::vector<double>       bounds(status.size());
     const auto                bound = [&](const std::size_t k) {
-      const double normal = !contact_status::is_closed(status[k]) ? 0. : residual.local_element(problem.bounded_entries[k]);
+      const double normal =
+        !contact_status::is_closed(status[k]) ? 0. : residual.local_element(problem.bounded_entries[k]);
       return problem.friction[k].law.bound(normal);
     };
 
-    ConstrainedProblem        given_bounds = problem;
+    ConstrainedProblem given_bounds = problem;
     given_bounds.tolerance *= 0.1; // so that the bounds can settle to the tolerance
 
     SolveReport report;
@@ -48,7 +49,8 @@ namespace signorini
         if (std::sqrt(change) <= problem.tolerance)
           return report;
       }
-    throw RunError("The inequality of this step was not solved to its tolerance: neither Newton's method nor the fixed point of "
-                   "Tresca's friction converged. The friction is too strong for this step: choose a smaller Time/Step size.");
+    throw RunError(
+      "The inequality of this step was not solved to its tolerance: neither Newton's method nor the fixed point of "
+      "Tresca's friction converged. The friction is too strong for this step: choose a smaller Time/Step size.");
   }
 } // namespace signorini

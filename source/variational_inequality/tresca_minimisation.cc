@@ -115,7 +115,7 @@ namespace signorini
         unsigned int wrong = 0;
         for (std::size_t k = 0; k < bounds.size(); ++k)
           {
-            const unsigned int i      = problem.bounded_entries[k];
+            const unsigned int i = problem.bounded_entries[k];
             const bool closed = solution.local_element(i) >= problem.upper_bounds[k] && residual.local_element(i) >= 0.;
             if (has_friction(k) && rests(k))
               status[k] = closed ? contact_status::stick : contact_status::hang;
@@ -152,10 +152,10 @@ namespace signorini
       /** Force and stiffness of the term b |slip|; at a kink that the node wants to leave, the direction is that of its force. */
       SlipCondition condition(const std::size_t k) const
       {
-        const NodeForces    node  = forces(k);
-        const double        size  = node.slip.norm();
-        const TangentVector along = size > 0. ? node.slip : node.tangential;
-        const TangentVector unit  = along / along.norm();
+        const NodeForces    node      = forces(k);
+        const double        size      = node.slip.norm();
+        const TangentVector along     = size > 0. ? node.slip : node.tangential;
+        const TangentVector unit      = along / along.norm();
         TangentMatrix       curvature = TangentMatrix::Zero();
         if (size > 0. && problem.friction[k].entries.size() > 1)
           curvature = bounds[k] / size * (TangentMatrix::Identity() - unit * unit.transpose());
@@ -209,7 +209,7 @@ namespace signorini
         double low = 0., high = 1.;
         for (unsigned int n = 0; n < 50; ++n)
           {
-            const double middle                     = 0.5 * (low + high);
+            const double middle                    = 0.5 * (low + high);
             (derivative(middle) < 0. ? low : high) = middle;
           }
         return low;

@@ -22,15 +22,18 @@ namespace
     Friction friction;
   };
 
-  FrictionalProblem random_frictional(const unsigned int n, const unsigned int n_tangents, const FrictionLaw &law, const unsigned int seed)
+  FrictionalProblem random_frictional(const unsigned int n,
+                                      const unsigned int n_tangents,
+                                      const FrictionLaw &law,
+                                      const unsigned int seed)
   {
     std::mt19937                           generator(seed);
     std::uniform_real_distribution<double> number(-1., 1.);
     const unsigned int                     size = n * (1 + n_tangents) + 2;
-    const Eigen::MatrixXd                  B = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return number(generator); });
-    FrictionalProblem                      problem;
+    const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return number(generator); });
+    FrictionalProblem     problem;
     // As in a time step: a mass and some coupling.
-    problem.matrix = Eigen::MatrixXd::Identity(size, size) + 0.6 / size * B * B.transpose();
+    problem.matrix          = Eigen::MatrixXd::Identity(size, size) + 0.6 / size * B * B.transpose();
     problem.right_hand_side = 1.2 * Eigen::VectorXd::NullaryExpr(size, [&] { return number(generator); });
     for (unsigned int k = 0; k < n; ++k)
       {
@@ -137,7 +140,7 @@ namespace
           {
             what[k]           = rest % 4;
             const int  normal = problem.bounded_entries[k], tangent = normal + 1;
-            const auto set    = [&](const int row, const double value) {
+            const auto set = [&](const int row, const double value) {
               K.row(row).setZero();
               K(row, row) = 1.;
               b[row]      = value;
@@ -184,7 +187,8 @@ TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
       FrictionalNewton newton(parameters);
       TrescaFixedPoint fixed_point;
       for (const bool exact : {true, false})
-        for (ConstrainedSolver *solver : {static_cast<ConstrainedSolver *>(&newton), static_cast<ConstrainedSolver *>(&fixed_point)})
+        for (ConstrainedSolver *solver :
+             {static_cast<ConstrainedSolver *>(&newton), static_cast<ConstrainedSolver *>(&fixed_point)})
           {
             SCOPED_TRACE(std::string(solver == &newton ? "Newton" : "fixed point") + (exact ? "" : ", diagonal"));
             const FrictionalAnswer answer = solve(*solver, problem, exact);
@@ -208,9 +212,9 @@ TEST(Friction, SolversAgreeInThreeDimensions)
   for (unsigned int seed = 0; seed < 60; ++seed)
     {
       SCOPED_TRACE(seed);
-      const FrictionLaw law = seed % 3 == 0 ? FrictionLaw{0.3, 0.} :
-                              seed % 3 == 1 ? FrictionLaw{0., 0.4} :
-                                              FrictionLaw{0.8, 0., 0.5};
+      const FrictionLaw law     = seed % 3 == 0   ? FrictionLaw{0.3, 0.}
+                                  : seed % 3 == 1 ? FrictionLaw{0., 0.4}
+                                                  : FrictionLaw{0.8, 0., 0.5};
       const auto        problem = random_frictional(5, 2, law, seed);
       FrictionalNewton  newton(parameters);
       TrescaFixedPoint  fixed_point;
@@ -248,8 +252,8 @@ TEST(Friction, DoesNotDependOnTangents)
 
 TEST(Friction, WithoutCoefficientIsFrictionless)
 {
-  const auto       problem = random_frictional(6, 2, {0., 0.}, 3);
-  FrictionalNewton solver(parameters);
+  const auto          problem = random_frictional(6, 2, {0., 0.}, 3);
+  FrictionalNewton    solver(parameters);
   PrimalDualActiveSet frictionless({});
   FrictionalProblem   none = problem;
   none.friction.clear();
@@ -258,7 +262,7 @@ TEST(Friction, WithoutCoefficientIsFrictionless)
 
 TEST(Friction, VeryRoughNodesAreGlued)
 {
-  auto problem = random_frictional(6, 2, {1e6, 0.}, 5), glued = problem;
+  auto             problem = random_frictional(6, 2, {1e6, 0.}, 5), glued = problem;
   FrictionalNewton solver(parameters);
   const auto       answer = solve(solver, problem);
   for (unsigned int k = 0; k < 6; ++k)

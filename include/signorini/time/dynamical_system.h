@@ -49,9 +49,9 @@ namespace signorini
     /** The contact reaction as one number per contact node that this process owns, compression < 0; zero where open. */
     std::vector<double> normal_reaction;
     std::vector<double> slip_length; ///< length of `slip` per contact node
-    ActiveSet           status;    ///< per contact node that this process owns
-    Vector      friction_reaction; ///< like the contact reaction, in tangential directions; empty without friction
-    Vector      slip;              ///< relative tangential increments of closed contact nodes; empty without friction
+    ActiveSet           status;      ///< per contact node that this process owns
+    Vector      friction_reaction;   ///< like the contact reaction, in tangential directions; empty without friction
+    Vector      slip;                ///< relative tangential increments of closed contact nodes; empty without friction
     SolveEffort effort;
   };
 

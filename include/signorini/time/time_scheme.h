@@ -51,7 +51,8 @@ namespace signorini
     double newmark_gamma       = 0.5;   ///< khenous-laborde-renard: in [1/2, 2 beta]
     double reference_tolerance = 1e-8;  ///< reference: relative error per step of the integrator
     bool   impulses_per_node   = false; ///< laursen-love: each contact node gets back what it has lost
-    bool   stop_sticking_nodes = true;  ///< contact-stabilized, projected or not: sticking nodes have no tangential velocity
+    bool   stop_sticking_nodes =
+      true; ///< contact-stabilized, projected or not: sticking nodes have no tangential velocity
   };
 
   /** The scheme of a name in the scene: newmark, contact-implicit, ... */

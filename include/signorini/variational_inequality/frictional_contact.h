@@ -16,7 +16,7 @@ namespace signorini
   struct FrictionNode
   {
     std::vector<unsigned int> entries; ///< at most two
-    FrictionLaw               law;  ///< of multipliers, that is of forces in the scale of the matrix
+    FrictionLaw               law;     ///< of multipliers, that is of forces in the scale of the matrix
     TangentVector             past = TangentVector::Zero(); ///< slip that happened before: the slip is past + x_t
   };
 
