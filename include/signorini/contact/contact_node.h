@@ -28,7 +28,7 @@ namespace signorini
      */
     double transmission = 1.;
     /** Law of friction in nodal forces; without any() the node slides freely. */
-    FrictionLaw friction;
+    FrictionLaw friction = {};
     /**
      * Which directions of the frame are measured relative to the other side: the normal if there are partners, and with friction the
      * tangents, too, except those that a support holds.
