@@ -14,7 +14,10 @@ namespace signorini
     // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
     constexpr double round_off = 1e-13;
     const double     bound     = law.bound(node.normal);
-    return bound > 0. && (node.tangential + stiffness * node.slip).norm() <= bound * (1. + round_off);
+    // A node that slips against its force stops first, however far it went: turned round at once, it may go to and fro for ever.
+    return bound > 0.
+           && (node.tangential.dot(node.slip) < 0.
+               || (node.tangential + stiffness * node.slip).norm() <= bound * (1. + round_off));
   }
 
 

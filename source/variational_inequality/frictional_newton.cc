@@ -112,6 +112,7 @@ namespace signorini
                                         const Vector             &residual) const
   {
     unsigned int n_changes = 0;
+    auto         slipped   = slipping.begin();
     for (std::size_t k = 0; k < status.size(); ++k)
       {
         const unsigned int  i      = problem.bounded_entries[k];
@@ -124,8 +125,10 @@ namespace signorini
         if (node.law.any() && !node.entries.empty())
           {
             NodeForces forces = node_forces(node, i, closed && was, solution, residual);
+            if (slipped != slipping.end() && *slipped == k)
+              forces.tangential = slip.forces()[slipped++ - slipping.begin()];
             if (closed && !was)
-              forces.normal = stiffness[k] * beyond; // about what will hold it
+              forces = {stiffness[k] * beyond, TangentVector::Zero(), forces.slip}; // about what will hold it
             if (sticks(node.law, forces, stiffness[k]))
               status[k] = closed ? contact_status::stick : contact_status::hang;
           }
@@ -174,6 +177,7 @@ namespace signorini
                                    const Vector             &residual)
   {
     slip.clear();
+    slipping.clear();
     for (std::size_t k = 0; k < status.size(); ++k)
       if (!contact_status::sticks(status[k]) && !problem.friction[k].entries.empty())
         {
@@ -181,7 +185,10 @@ namespace signorini
           const unsigned int  i      = problem.bounded_entries[k];
           const NodeForces    forces = node_forces(node, i, contact_status::is_closed(status[k]), solution, residual);
           if (node.law.bound(forces.normal) > 0.)
-            slip.add(i, node, linearise_slip(node.law, forces, stiffness[k], node.entries.size()), stiffness[k]);
+            {
+              slip.add(i, node, linearise_slip(node.law, forces, stiffness[k], node.entries.size()), stiffness[k]);
+              slipping.push_back(k);
+            }
         }
     slip.finish(solution.get_mpi_communicator());
   }

@@ -95,14 +95,14 @@ namespace signorini
     const auto report =
       gmres.solve(jacobian, precondition, correction, unbalanced, tolerance, reduction, maximum_iterations);
     // The new b - K x is what is unbalanced plus the forces by the linearised law.
+    law_forces.clear();
     for (const Node &node : slipping)
       {
         const double change_of_normal = unbalanced.local_element(node.normal) - residual.local_element(node.normal);
-        add_to_tangential_entries(*node.friction,
-                                  node.condition.force
-                                    + node.condition.stiffness * tangential_entries(*node.friction, correction)
-                                    + node.condition.coupling * change_of_normal,
-                                  unbalanced);
+        law_forces.push_back(node.condition.force
+                             + node.condition.stiffness * tangential_entries(*node.friction, correction)
+                             + node.condition.coupling * change_of_normal);
+        add_to_tangential_entries(*node.friction, law_forces.back(), unbalanced);
       }
     residual.swap(unbalanced);
     return report;

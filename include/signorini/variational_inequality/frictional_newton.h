@@ -37,12 +37,13 @@ namespace signorini
     solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual) override;
 
   private:
-    const Parameters    parameters;
-    ConjugateGradients  conjugate_gradients;
-    SlipSystem          slip;
-    TrescaFixedPoint    fallback;
-    Vector              correction, product;
-    std::vector<double> stiffness; ///< of each node: the mean of the diagonal over its entries
+    const Parameters         parameters;
+    ConjugateGradients       conjugate_gradients;
+    SlipSystem               slip;
+    std::vector<std::size_t> slipping; ///< the nodes of `slip`, ascending
+    TrescaFixedPoint         fallback;
+    Vector                   correction, product;
+    std::vector<double>      stiffness; ///< of each node: the mean of the diagonal over its entries
 
     /** Put the fixed and held entries to their values and compute the residual. */
     void start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual);

@@ -49,6 +49,12 @@ namespace signorini
                                      double                    reduction,
                                      unsigned int              maximum_iterations);
 
+    /**
+     * The forces that the linearised laws gave in the last solve, in the order of add(). They are better than the residual in these rows, which
+     * also holds the error of a rough solve.
+     */
+    const std::vector<TangentVector> &forces() const { return law_forces; }
+
     /** Norm of what was unbalanced at the start of the last solve. */
     double initial_norm() const { return gmres.initial_norm(); }
 
@@ -60,10 +66,11 @@ namespace signorini
       SlipCondition       condition;
       TangentMatrix       scaling; ///< of the preconditioner
     };
-    std::vector<Node> slipping;
-    bool              any_slip = false, may_turn = false;
-    Gmres             gmres;
-    Vector            scaled, unbalanced;
+    std::vector<Node>          slipping;
+    std::vector<TangentVector> law_forces;
+    bool                       any_slip = false, may_turn = false;
+    Gmres                      gmres;
+    Vector                     scaled, unbalanced;
   };
 
   /** The tangential entries of a node. */
