@@ -4,6 +4,7 @@
 #include <signorini/mass/redistribute_mass.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/simulation/simulation.h>
+#include <signorini/system/static_equilibrium.h>
 
 namespace signorini
 {
@@ -119,6 +120,9 @@ namespace signorini
     state.contact_force  = discretization.make_vector();
     state.momentum       = discretization.make_vector();
     state.internal_force = discretization.make_vector();
+    if (scene.time.start == "equilibrium")
+      StaticEquilibrium<dim>(discretization, *surface, *coordinates)
+        .find(state, loads->any() ? &loads->at(0.) : nullptr);
     system->apply_mass(state.momentum, state.velocity);
     system->apply_stiffness(state.internal_force, state.displacement);
   }

@@ -9,12 +9,13 @@
 
 namespace signorini
 {
-  /** The acceleration M^-1 (f - A u) of a state that has none yet: that of loads and elastic forces, without contact. */
+  /** The acceleration M^-1 (f - A u + r) of a state that has none yet; r is zero unless the run starts in equilibrium. */
   inline Vector first_acceleration(DynamicalSystem &system, const State &state)
   {
     Vector force = system.make_vector();
     system.add_load(force, 1., state.time);
     force -= state.internal_force;
+    force += state.contact_force;
     return system.solve_mass(force);
   }
 } // namespace signorini

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/system/rigid_modes.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Translations, then rotations about the axes through the origin. */
+    template <int dim>
+    std::vector<std::array<std::string, dim>> rigid_motions();
+
+    template <>
+    std::vector<std::array<std::string, 2>> rigid_motions<2>()
+    {
+      return {{{"1", "0"}}, {{"0", "1"}}, {{"-y", "x"}}};
+    }
+
+    template <>
+    std::vector<std::array<std::string, 3>> rigid_motions<3>()
+    {
+      return {{{"1", "0", "0"}},
+              {{"0", "1", "0"}},
+              {{"0", "0", "1"}},
+              {{"0", "-z", "y"}},
+              {{"z", "0", "-x"}},
+              {{"-y", "x", "0"}}};
+    }
+  } // namespace
+
+
+  template <int dim>
+  RigidModes<dim>::RigidModes(const Discretization<dim> &discretization)
+    : discretization(discretization)
+  {
+    const std::size_t n_bodies = discretization.scene.bodies.size();
+    Vector            product  = discretization.make_vector();
+    for (std::size_t body = 0; body < n_bodies; ++body)
+      {
+        const std::size_t first = modes.size();
+        for (const auto &motion : rigid_motions<dim>())
+          {
+            std::array<std::string, dim> rest;
+            rest.fill("0");
+            std::vector<std::array<std::string, dim>> expressions(n_bodies, rest);
+            expressions[body] = motion;
+            modes.push_back(discretization.interpolate(expressions));
+            // Twice: far from the origin a rotation is nearly a translation.
+            for (unsigned int pass = 0; pass < 2; ++pass)
+              for (std::size_t j = first; j + 1 < modes.size(); ++j)
+                {
+                  discretization.matrices.apply_mass(product, modes[j]);
+                  modes.back().add(-dot(product, modes.back()), modes[j]);
+                }
+            discretization.matrices.apply_mass(product, modes.back());
+            modes.back() /= std::sqrt(dot(product, modes.back()));
+          }
+      }
+  }
+
+
+  template <int dim>
+  std::vector<Vector> RigidModes<dim>::free_of(const ContactCoordinates<dim>   &coordinates,
+                                               const std::vector<unsigned int> &entries) const
+  {
+    const Eigen::Index  n = modes.size();
+    std::vector<Vector> local; // in contact coordinates
+    for (const Vector &mode : modes)
+      {
+        local.push_back(mode);
+        coordinates.displacement_to_contact(local.back());
+      }
+    Eigen::MatrixXd gram(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      for (Eigen::Index j = 0; j < n; ++j)
+        {
+          double sum = 0.;
+          for (const unsigned int entry : entries)
+            sum += local[i].local_element(entry) * local[j].local_element(entry);
+          gram(i, j) = dealii::Utilities::MPI::sum(sum, discretization.communicator());
+        }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
+    std::vector<Vector>                                  free;
+    for (Eigen::Index k = 0; k < n; ++k)
+      if (eigen.eigenvalues()[k] <= 1e-10 * eigen.eigenvalues()[n - 1] || eigen.eigenvalues()[n - 1] == 0.)
+        {
+          free.push_back(discretization.make_vector());
+          for (Eigen::Index i = 0; i < n; ++i)
+            free.back().add(eigen.eigenvectors()(i, k), modes[i]);
+        }
+    return free;
+  }
+
+
+  template class RigidModes<2>;
+  template class RigidModes<3>;
+} // namespace signorini
