@@ -29,8 +29,7 @@ namespace signorini
                                           const Operator    &inverse_of_preconditioner,
                                           Vector            &correction,
                                           Vector            &residual,
-                                          const double       tolerance,
-                                          const double       reduction,
+                                          const Goal        &goal_of,
                                           const unsigned int maximum_iterations)
   {
     ConjugateGradients::Report report;
@@ -39,7 +38,7 @@ namespace signorini
     inverse_of_preconditioner(first, residual);
     double norm       = std::sqrt(std::max(0., dot(residual, first)));
     norm_at_start     = norm;
-    const double goal = std::max(tolerance, reduction * norm);
+    const double goal = goal_of(norm);
     while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
       {
         const double       before = norm;

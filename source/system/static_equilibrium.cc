@@ -50,12 +50,12 @@ namespace signorini
     std::string             name = scene.solver.preconditioner;
     if (name == "automatic")
       name = choose_preconditioner(discretization.courant_number(1. / std::sqrt(sigma)), maximum_steps);
-    const auto       preconditioner = make_preconditioner(name, discretization.matrices, coordinates, sigma, 1.);
-    FrictionalNewton solver({scene.solver.maximum_active_set_iterations, scene.solver.maximum_linear_iterations});
-    const RigidModes<dim>     rigid(discretization);
+    const auto            preconditioner = make_preconditioner(name, discretization.matrices, coordinates, sigma, 1.);
+    FrictionalNewton      solver({scene.solver.maximum_active_set_iterations, scene.solver.maximum_linear_iterations});
+    const RigidModes<dim> rigid(discretization);
     const std::vector<double> prescribed = coordinates.supported_values(0.);
 
-    Vector          u = discretization.make_vector(), displacement = u, change = u, product = u, residual = u, balance = u;
+    Vector u = discretization.make_vector(), displacement = u, change = u, product = u, residual = u, balance = u;
     const NormalGap gap  = surface.normal_gap(u);
     const Friction  laws = friction_of_nodes(gap, state.velocity);
     ActiveSet       status(gap.size(), contact_status::open);
@@ -90,7 +90,7 @@ namespace signorini
         change.sadd(-1., 1., displacement);
 
         // What drives a free motion becomes its acceleration; the rest of the change tells how far the equilibrium is.
-        const std::vector<Vector> free = rigid.free_of(coordinates, held_entries(status));
+        const std::vector<Vector> free   = rigid.free_of(coordinates, held_entries(status));
         double                    driven = 0.;
         discretization.matrices.apply_mass(product, change);
         for (const Vector &mode : free)
@@ -115,9 +115,10 @@ namespace signorini
             return step;
           }
       }
-    throw RunError(scene.file_name + ": Time/Start = equilibrium: no static equilibrium was found in "
-                   + std::to_string(maximum_steps)
-                   + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to begin with undeformed bodies.");
+    throw RunError(
+      scene.file_name + ": Time/Start = equilibrium: no static equilibrium was found in "
+      + std::to_string(maximum_steps)
+      + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to begin with undeformed bodies.");
   }
 
 
@@ -200,7 +201,8 @@ namespace signorini
     state.friction.slip = state.friction.accumulated_slip = discretization.make_vector(); // slip counts from here
     state.friction.slip_path.assign(status.size(), 0.);
     state.friction.status = status;
-    std::replace(state.friction.status.begin(), state.friction.status.end(), contact_status::hang, contact_status::open);
+    std::replace(
+      state.friction.status.begin(), state.friction.status.end(), contact_status::hang, contact_status::open);
   }
 
 

@@ -38,8 +38,8 @@ namespace signorini
   {
     SolveReport  report;
     StatusRecord record(solution);
-    bool         accurate  = false;
-    double       reduction = parameters.rough_reduction, last_norm = 0.;
+    Precision    precision = Precision::rough;
+    double       last_norm = 0.;
 
     stiffness = node_stiffness(problem);
     start(problem, status, solution, residual);
@@ -48,7 +48,7 @@ namespace signorini
         ++report.active_set_iterations;
         set_mask(problem, status);
         linearise(problem, status, solution, residual);
-        const auto linear = step(problem, solution, residual, reduction);
+        const auto linear = step(problem, solution, residual, precision, last_norm);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
@@ -60,21 +60,20 @@ namespace signorini
                 report.n_active = record.n_closed(status);
                 return report;
               }
-            // The statuses stand. If no slip turns, the law is linear, and the next solve is the last one.
-            const double progress = last_norm > 0. ? slip.initial_norm() / last_norm : 1.;
-            reduction =
-              slip.any_turning() && !accurate ? std::min(parameters.rough_reduction, progress * progress) : 0.;
+            if (precision == Precision::rough)
+              precision = Precision::settled;
           }
         else
           {
             if (!record.is_new(status))
               {
-                if (accurate)
+                if (precision == Precision::full)
                   break; // a cycle, and not for want of accuracy
-                accurate = true;
+                precision = Precision::full;
                 record.forget();
               }
-            reduction = accurate ? 0. : parameters.rough_reduction;
+            if (precision == Precision::settled)
+              precision = Precision::rough;
             hold(problem, status, solution, residual);
           }
         last_norm = slip.any() ? slip.initial_norm() : 0.;
@@ -194,8 +193,11 @@ namespace signorini
   }
 
 
-  ConjugateGradients::Report
-  FrictionalNewton::step(const ConstrainedProblem &problem, Vector &solution, Vector &residual, const double reduction)
+  ConjugateGradients::Report FrictionalNewton::step(const ConstrainedProblem &problem,
+                                                    Vector                   &solution,
+                                                    Vector                   &residual,
+                                                    const Precision           precision,
+                                                    const double              last_norm)
   {
     if (!slip.any())
       return conjugate_gradients.solve(problem.matrix,
@@ -203,10 +205,17 @@ namespace signorini
                                        solution,
                                        residual,
                                        problem.tolerance,
-                                       reduction,
+                                       precision == Precision::rough ? parameters.rough_reduction : 0.,
                                        parameters.maximum_linear_iterations);
-    const auto report =
-      slip.solve(problem, residual, correction, problem.tolerance, reduction, parameters.maximum_linear_iterations);
+    const auto goal = [&](const double norm) {
+      double reduction = parameters.rough_reduction;
+      if (precision == Precision::settled && slip.any_turning() && last_norm > 0.)
+        reduction = std::min(reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for
+      else if (precision != Precision::rough)
+        reduction = 0.;
+      return std::max(problem.tolerance, reduction * norm);
+    };
+    const auto report = slip.solve(problem, residual, correction, goal, parameters.maximum_linear_iterations);
     solution += correction;
     return report;
   }

@@ -63,8 +63,7 @@ namespace signorini
   ConjugateGradients::Report SlipSystem::solve(const ConstrainedProblem &problem,
                                                Vector                   &residual,
                                                Vector                   &correction,
-                                               const double              tolerance,
-                                               const double              reduction,
+                                               const Gmres::Goal        &goal,
                                                const unsigned int        maximum_iterations)
   {
     const auto scale = [&](Vector &vector) {
@@ -92,8 +91,7 @@ namespace signorini
     unbalanced = residual;
     for (const Node &node : slipping)
       add_to_tangential_entries(*node.friction, -node.condition.force, unbalanced);
-    const auto report =
-      gmres.solve(jacobian, precondition, correction, unbalanced, tolerance, reduction, maximum_iterations);
+    const auto report = gmres.solve(jacobian, precondition, correction, unbalanced, goal, maximum_iterations);
     // The new b - K x is what is unbalanced plus the forces by the linearised law.
     law_forces.clear();
     for (const Node &node : slipping)

@@ -90,7 +90,12 @@ namespace signorini
         slip.finish(solution.get_mpi_communicator());
         problem.preconditioner.set_mask(mask);
         product           = residual;
-        const auto report = slip.solve(problem, product, direction, problem.tolerance, 1e-2, maximum_iterations);
+        const auto report = slip.solve(
+          problem,
+          product,
+          direction,
+          [&](const double norm) { return std::max(problem.tolerance, 1e-2 * norm); },
+          maximum_iterations);
         if (report.iterations == 0)
           return 0;
         target = solution;

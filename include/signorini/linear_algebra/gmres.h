@@ -22,19 +22,18 @@ namespace signorini
   {
   public:
     using Operator = std::function<void(Vector &destination, const Vector &source)>;
+    using Goal     = std::function<double(double initial_norm)>;
 
     /**
      * @param correction     on exit the solution of J x = residual, started from zero
      * @param residual       on entry the right-hand side, on exit the residual in all entries
-     * @param tolerance      bound for the norm of the residual
-     * @param reduction      stop earlier if the norm has fallen by this factor (0: never)
+     * @param goal           the accepted norm of the residual, given the norm at the start
      */
     ConjugateGradients::Report solve(const Operator &matrix,
                                      const Operator &inverse_of_preconditioner,
                                      Vector         &correction,
                                      Vector         &residual,
-                                     double          tolerance,
-                                     double          reduction,
+                                     const Goal     &goal,
                                      unsigned int    maximum_iterations);
 
     /** The norm of the residual at the start of the last solve. */

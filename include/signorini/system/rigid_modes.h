@@ -23,7 +23,8 @@ namespace signorini
      * @param entries of contact coordinates, on this process
      * Collective.
      */
-    std::vector<Vector> free_of(const ContactCoordinates<dim> &coordinates, const std::vector<unsigned int> &entries) const;
+    std::vector<Vector> free_of(const ContactCoordinates<dim>   &coordinates,
+                                const std::vector<unsigned int> &entries) const;
 
   private:
     const Discretization<dim> &discretization;

@@ -55,7 +55,11 @@ namespace signorini
     Friction friction_of_nodes(const NormalGap &gap, const Vector &velocity) const;
     /** The entries that supports and contact hold. */
     std::vector<unsigned int> held_entries(const ActiveSet &status) const;
-    void set_forces(State &state, const Friction &laws, const ActiveSet &status, const Vector &increment, const Vector &residual) const;
+    void                      set_forces(State           &state,
+                                         const Friction  &laws,
+                                         const ActiveSet &status,
+                                         const Vector    &increment,
+                                         const Vector    &residual) const;
   };
 } // namespace signorini
 

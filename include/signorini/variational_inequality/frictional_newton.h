@@ -57,9 +57,19 @@ namespace signorini
                    const ActiveSet          &status,
                    const Vector             &solution,
                    const Vector             &residual);
-    /** Solve the linear system. @return iterations; zero if everything was balanced before */
+    /**
+     * How accurately to solve a linear system: roughly while statuses change; when they have settled, as far as the linearised laws are worth
+     * it; fully, if statuses came back.
+     */
+    enum class Precision
+    {
+      rough,
+      settled,
+      full
+    };
+    /** Solve the linear system. @param last_norm what was unbalanced at the start of the last one @return iterations; zero if all was balanced */
     ConjugateGradients::Report
-    step(const ConstrainedProblem &problem, Vector &solution, Vector &residual, double reduction);
+    step(const ConstrainedProblem &problem, Vector &solution, Vector &residual, Precision precision, double last_norm);
   };
 } // namespace signorini
 

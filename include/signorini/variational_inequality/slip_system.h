@@ -40,13 +40,12 @@ namespace signorini
     /**
      * Solve for the correction dx, in the free entries of the problem's preconditioner.
      * @param residual   b - K x on entry, b - K (x + dx) on exit
-     * @param tolerance, reduction  see ConjugateGradients
+     * @param goal       see Gmres
      */
     ConjugateGradients::Report solve(const ConstrainedProblem &problem,
                                      Vector                   &residual,
                                      Vector                   &correction,
-                                     double                    tolerance,
-                                     double                    reduction,
+                                     const Gmres::Goal        &goal,
                                      unsigned int              maximum_iterations);
 
     /**
