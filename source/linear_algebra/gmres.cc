@@ -41,6 +41,8 @@ namespace signorini
     const double goal = goal_of(norm);
     while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
       {
+        if (report.iterations > 0)
+          inverse_of_preconditioner(preconditioned[0], residual);
         const double       before = norm;
         const unsigned int done   = cycle(
           matrix, inverse_of_preconditioner, correction, residual, goal, maximum_iterations - report.iterations, norm);
@@ -67,7 +69,7 @@ namespace signorini
     std::vector<Eigen::JacobiRotation<double>> rotations;
 
     place(basis, 0, residual).equ(1. / norm, residual);
-    inverse_of_preconditioner(place(preconditioned, 0, residual), basis[0]);
+    preconditioned[0] /= norm;
     g[0]           = norm;
     unsigned int j = 0;
     for (; j < m && norm > goal; ++j)

@@ -56,6 +56,7 @@ namespace signorini
     solution.friction_reaction.reinit(increment);
     solution.slip.reinit(increment);
     solution.slip_length.assign(status.size(), 0.);
+    double work = 0.;
     for (std::size_t k = 0; k < status.size(); ++k)
       {
         const FrictionNode &node   = friction[k];
@@ -71,7 +72,9 @@ namespace signorini
             solution.slip.local_element(node.entries[j])              = forces.slip[j];
           }
         solution.slip_length[k] = forces.slip.norm();
+        work -= force.dot(forces.slip);
       }
+    solution.friction_work = dealii::Utilities::MPI::sum(work, increment.get_mpi_communicator());
     coordinates.rotate_from_frames(solution.slip);
   }
 

@@ -62,7 +62,7 @@ namespace signorini
       friction.accumulated_slip += solution.slip;
       for (std::size_t k = 0; k < friction.slip_path.size(); ++k)
         friction.slip_path[k] += solution.slip_length[k];
-      return friction.force * solution.increment;
+      return factor * solution.friction_work;
     }
 
 

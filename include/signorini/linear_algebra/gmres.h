@@ -45,7 +45,7 @@ namespace signorini
     double              norm_at_start = 0.;
     std::vector<Vector> basis, preconditioned; ///< v_j and P^-1 v_j, kept for the next solve
 
-    /** One cycle. @return iterations; `norm` is the estimated norm of the residual on exit */
+    /** One cycle; P^-1 residual is in the first of `preconditioned`. @return iterations; `norm` is the estimated norm of the residual on exit */
     unsigned int cycle(const Operator &matrix,
                        const Operator &inverse_of_preconditioner,
                        Vector         &correction,
