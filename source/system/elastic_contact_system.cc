@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/system/bound_tolerance.h>
 #include <signorini/system/elastic_contact_system.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
@@ -156,7 +157,7 @@ namespace signorini
                                coordinates.supported_entries(),
                                prescribed,
                                solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
-                               1e-12 * discretization.body_size(),
+                               bound_tolerance(increment, discretization.body_size()),
                                friction_of_nodes},
                               active,
                               increment,

@@ -3,6 +3,7 @@
 
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/mass/mass_solver.h>
+#include <signorini/system/bound_tolerance.h>
 #include <signorini/system/mass_problems.h>
 
 #include <cmath>
@@ -49,7 +50,7 @@ namespace signorini
 
     // The bound of the correction is what is left of the gap after the free increment.
     NormalGap  left         = surface.relative_normal(free_increment);
-    const auto bound_length = 1e-12 * discretization.body_size();
+    const auto bound_length = bound_tolerance(free_increment, discretization.body_size());
     bool       admissible   = true;
     for (unsigned int k = 0; k < left.size(); ++k)
       {

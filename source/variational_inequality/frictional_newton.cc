@@ -43,6 +43,9 @@ namespace signorini
 
     stiffness = node_stiffness(problem);
     start(problem, status, solution, residual);
+    slipping.clear();
+    if (update(problem, status, solution, residual) > 0)
+      hold(problem, status, solution, residual);
     while (report.active_set_iterations < parameters.maximum_iterations)
       {
         ++report.active_set_iterations;

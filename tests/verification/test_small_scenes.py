@@ -49,6 +49,36 @@ subsection Probes
 end
 """
 
+SLOW_IMPACT = """
+set Dimension = 2
+subsection Time
+  set Step size = 5e-3
+  set End time  = 0.2
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape           = box
+    set Lower corner    = 0, 0
+    set Upper corner    = 2, 1
+    set Repetitions     = 8, 4
+    set Young's modulus = 500
+    set Poisson's ratio = 0.3
+    set Density         = 1
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Shape  = plane
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = block[2] : floor
+end
+"""
+
 MOVING_SUPPORT = """
 set Dimension = 2
 subsection Time
@@ -275,6 +305,17 @@ class SmallScenes(check_history.SceneTest):
         self.expect_contact(runs[0])
         self.expect_no_gain_of_energy(runs[0])
         self.expect_same_history(*runs, 1e-8)
+
+    def test_slow_motion_is_fast_motion_slowed_down(self):
+        """Without gap and loads everything is proportional to the velocity, however small the way of a step is."""
+        energies = []
+        for speed in (1., 1e-6, 1e-10):
+            run = check_history.Run(SLOW_IMPACT, f"slow-{speed}", [f"Bodies/block/Initial velocity={0.3 * speed}; {-speed}"])
+            energies.append([energy / run["total_energy"][0] for energy in run["total_energy"]])
+        self.assertLess(energies[0][-1], 0.999)
+        for slow in energies[1:]:
+            for now, then in zip(slow, energies[0]):
+                self.assertAlmostEqual(now, then, delta=1e-8)
 
     def test_preconditioner_changes_nothing(self):
         for name, text in (("disc", DISC), ("support", MOVING_SUPPORT)):

@@ -25,7 +25,7 @@ namespace signorini
     {
       unsigned int maximum_iterations        = 50;
       unsigned int maximum_linear_iterations = 10000;
-      double       rough_reduction           = 1e-2; ///< of the error in a linear solve while statuses still change
+      double       rough_reduction           = 5e-2; ///< of the error in a linear solve while statuses still change
     };
 
     explicit FrictionalNewton(const Parameters &parameters)
