@@ -8,7 +8,8 @@ Runs Geometry A (one body) and Geometry B (two bodies, curved face; both in para
 one and on two processes, 100 steps without fields, and prints, from columns of history.csv: the time of a step with contact and
 of a step after release (the bodies vibrate, no contact) in the same run, their ratio, iterations, and matrix-vector
 products per step by matrix; then the part that the set-up of contact (search, segments, coupling) and of the preconditioner has in
-the run. Last, the products of a step in undeformed flight. Times are those of this machine at this moment; ratios and
+the run. Then what friction costs: the same bodies thrown obliquely, a step with contact with the coefficient 0.3 against one without friction.
+Last, the products of a step in undeformed flight. Times are those of this machine at this moment; ratios and
 counts travel.
 """
 
@@ -24,6 +25,9 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 #: Scene: its bodies and its 100 steps.
 SCENES = {"geometry_a": (["ball"], []), "geometry_b_curved": (["upper", "lower"], ["Time/End time=0.05"])}
+#: Oblique throws with friction: the pair, and the keys of the throw.
+OBLIQUE = {"geometry_a": ("ball : plane", ["Bodies/ball/Initial velocity=1; 0; -2"]),
+           "geometry_b_curved": ("upper[4] : lower[5]", ["Bodies/upper/Initial velocity=1; 0.4; -2"])}
 #: Sections of the timer table that are done once per mesh because of contact.
 SET_UP = ("contact surface and system", "step: preconditioner set-up")
 MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
@@ -70,6 +74,22 @@ def report(label, history, rows):
           f"products: {products}; {total:.1f} in all")
 
 
+def report_friction(executable, refinement):
+    for scene, (bodies, settings) in SCENES.items():
+        pair, throw = OBLIQUE[scene]
+        sizes = [f"Bodies/{body}/Refinements={refinement}" for body in bodies]
+        print(f"{scene}, refinement {refinement}, thrown obliquely:")
+        cost = {}
+        for coefficient in (0, 0.3):
+            history, _ = run(executable, scene, 1, *settings, *sizes, *throw, f"Contact/{pair}/Friction coefficient={coefficient}")
+            contact, _ = phases(history)
+            report(f"friction {coefficient}", history, contact)
+            time = {row["step"]: row["wall_time"] for row in history}
+            cost[coefficient] = (statistics.fmean(time[row["step"]] - time[row["step"] - 1] for row in contact if row["step"] > 1),
+                                 sum(mean(contact, column) for column, _ in MATRICES))
+        print(f"  friction / none: {cost[0.3][0] / cost[0][0]:.2f} in mean time, {cost[0.3][1] / cost[0][1]:.2f} in products\n")
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -89,6 +109,8 @@ def main():
                 print(f"  contact / after release: {milliseconds(history, contact) / milliseconds(history, released):.2f};  "
                       f"set-up of contact and preconditioner: {100 * set_up / elapsed[processes]:.1f} % of the steps")
             print(f"  two processes are {elapsed[1] / elapsed[2]:.2f} times as fast as one\n")
+    for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
+        report_friction(executable, refinement)
     flight, _ = run(executable, "geometry_a", 1, "Bodies/ball/Refinements=3", "Bodies/ball/Centre=0, 0, 5", "Time/End time=0.1")
     print("Undeformed flight, refinement 3:")
     report("flight", flight, flight[2:])

@@ -52,7 +52,7 @@ namespace signorini
     ActiveSet           status;      ///< per contact node that this process owns
     Vector      friction_reaction;   ///< like the contact reaction, in tangential directions; empty without friction
     Vector      slip;                ///< relative tangential increments of closed contact nodes; empty without friction
-    double              friction_work = 0.; ///< friction_reaction times increment, exactly zero where nodes stick
+    double      friction_work = 0.;  ///< friction_reaction times increment, exactly zero where nodes stick
     SolveEffort effort;
   };
 

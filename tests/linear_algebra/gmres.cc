@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// GMRES on dense unsymmetric matrices with a masked preconditioner: the solution of the free entries, exact residuals in all entries
+// (held ones included), also when the space is exhausted, after restarts and from a right-hand side of any size.
+
+#include <signorini/linear_algebra/gmres.h>
+
+#include <Eigen/Dense>
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+
+namespace
+{
+  Vector to_vector(const Eigen::VectorXd &x)
+  {
+    Vector result(x.size());
+    std::copy(x.data(), x.data() + x.size(), result.begin());
+    return result;
+  }
+
+  Eigen::VectorXd to_eigen(const Vector &x)
+  {
+    return Eigen::Map<const Eigen::VectorXd>(x.begin(), x.size());
+  }
+
+  /** Solve J x = b in the entries that are not held, with the diagonal of J as preconditioner. */
+  void expect_solution(const Eigen::MatrixXd &J, const std::vector<char> &held, const double scale)
+  {
+    const Eigen::Index    n            = J.rows();
+    const Eigen::VectorXd b            = scale * Eigen::VectorXd::LinSpaced(n, -1., 2.);
+    const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * to_eigen(x)); };
+    const auto            precondition = [&](Vector &y, const Vector &x) {
+      for (Eigen::Index i = 0; i < n; ++i)
+        y(i) = held[i] ? 0. : x(i) / J(i, i);
+    };
+    Eigen::MatrixXd reduced = J;
+    Eigen::VectorXd right   = b;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (held[i])
+        {
+          reduced.row(i).setZero();
+          reduced(i, i) = 1.;
+          right[i]      = 0.;
+        }
+    const Eigen::VectorXd expected = reduced.partialPivLu().solve(right);
+
+    Gmres      gmres;
+    Vector     x(n), residual = to_vector(b);
+    const auto report = gmres.solve(
+      apply, precondition, x, residual, [&](double) { return 1e-13 * scale; }, 1000);
+    EXPECT_TRUE(report.converged);
+    EXPECT_LT((to_eigen(x) - expected).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
+    EXPECT_LT((to_eigen(residual) - (b - J * to_eigen(x))).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
+  }
+
+  /** Symmetric positive definite but for some rows. */
+  Eigen::MatrixXd matrix(const Eigen::Index n)
+  {
+    Eigen::MatrixXd J = 2.5 * Eigen::MatrixXd::Identity(n, n);
+    for (Eigen::Index i = 0; i + 1 < n; ++i)
+      J(i, i + 1) = J(i + 1, i) = -1.;
+    for (Eigen::Index i = 1; i < n; i += 4)
+      J.row(i) -= 0.4 * J.row(i - 1);
+    return J;
+  }
+} // namespace
+
+TEST(Gmres, SolvesTheFreeEntries)
+{
+  for (const double scale : {1e-9, 1., 1e9})
+    {
+      std::vector<char> held(20, 0);
+      expect_solution(matrix(20), held, scale);
+      held[3] = held[8] = held[9] = 1;
+      expect_solution(matrix(20), held, scale);
+    }
+}
+
+TEST(Gmres, SurvivesAnExhaustedSpace)
+{
+  std::vector<char> held(20, 1);
+  held[4] = held[5] = 0; // two free entries: the space is exhausted after two products
+  expect_solution(matrix(20), held, 1.);
+  held.assign(20, 1);
+  expect_solution(matrix(20), held, 1.);
+}
+
+TEST(Gmres, Restarts)
+{
+  // Graded, so that it needs more products than a basis has room for.
+  Eigen::MatrixXd J = matrix(300);
+  for (Eigen::Index i = 0; i < 300; ++i)
+    J(i, i) = 2.01;
+  expect_solution(J, std::vector<char>(300, 0), 1.);
+}
+
+TEST(Gmres, StopsAtItsGoal)
+{
+  const Eigen::MatrixXd J            = matrix(40);
+  const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * to_eigen(x)); };
+  const auto            precondition = [&](Vector &y, const Vector &x) { y = x; };
+  Gmres                 gmres;
+  Vector                x(40), residual = to_vector(Eigen::VectorXd::Ones(40));
+  double                initial = 0.;
+  const auto            report  = gmres.solve(
+    apply,
+    precondition,
+    x,
+    residual,
+    [&](const double norm) {
+      initial = norm;
+      return 0.1 * norm;
+    },
+    100);
+  EXPECT_TRUE(report.converged);
+  EXPECT_DOUBLE_EQ(initial, std::sqrt(40.));
+  EXPECT_LE(residual.l2_norm(), 0.1 * initial);
+  EXPECT_GT(residual.l2_norm(), 1e-4 * initial);
+}
