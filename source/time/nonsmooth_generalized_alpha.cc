@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/time/first_acceleration.h>
 #include <signorini/time/nonsmooth_generalized_alpha.h>
 #include <signorini/time/trapezoidal_rule.h>
 
@@ -85,7 +86,7 @@ namespace signorini
 
   StepReport NonsmoothGeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    const Vector a      = rule.acceleration(system, state);
+    const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state, false);
     const Vector d_free = rule.free_increment(state, a, tau);
     const Vector b      = rule.right_hand_side(system, state, a, d_free, tau);
 
