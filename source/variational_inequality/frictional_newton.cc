@@ -128,7 +128,11 @@ namespace signorini
           {
             NodeForces forces = node_forces(node, i, closed && was, solution, residual);
             if (slipped != slipping.end() && *slipped == k)
-              forces.tangential = slip.forces()[slipped++ - slipping.begin()];
+              {
+                forces.tangential = slip.forces()[slipped++ - slipping.begin()];
+                if (was && !closed)
+                  forces.tangential = TangentVector::Zero(); // under tension the linearised law points backwards
+              }
             if (closed && !was)
               forces = {stiffness[k] * beyond, TangentVector::Zero(), forces.slip}; // about what will hold it
             if (sticks(node.law, forces, stiffness[k]))

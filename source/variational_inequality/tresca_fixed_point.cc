@@ -6,6 +6,7 @@
 #include <signorini/variational_inequality/tresca_fixed_point.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/tensor.h>
 
 #include <cmath>
 
@@ -15,7 +16,7 @@ namespace signorini
   TrescaFixedPoint::solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
   {
     const std::vector<double> stiffness = node_stiffness(problem);
-    std::vector<double>       bounds(status.size());
+    std::vector<double>       bounds(status.size()), changes(status.size(), 0.);
     const auto                bound = [&](const std::size_t k) {
       const double normal =
         !contact_status::is_closed(status[k]) ? 0. : residual.local_element(problem.bounded_entries[k]);
@@ -26,6 +27,7 @@ namespace signorini
     given_bounds.tolerance *= 0.1; // so that the bounds can settle to the tolerance
 
     SolveReport report;
+    double      relaxation = 1., last_change = 0.;
     problem.matrix.vmult(residual, solution);
     residual.sadd(-1., 1., problem.right_hand_side);
     for (std::size_t k = 0; k < status.size(); ++k)
@@ -37,17 +39,24 @@ namespace signorini
         report.linear_iterations += step.linear_iterations;
         report.n_active = step.n_active;
 
-        double change = 0.; // of the forces of friction, in the norm of the solver
+        // Of the changes of the forces of friction, in the norm of the solver.
+        dealii::Tensor<1, 2> products;
         for (std::size_t k = 0; k < status.size(); ++k)
           {
-            const double next = bound(k);
-            if (!problem.friction[k].entries.empty())
-              change += std::pow(next - bounds[k], 2) / stiffness[k];
-            bounds[k] = next;
+            const double last = changes[k];
+            changes[k]        = problem.friction[k].entries.empty() ? 0. : bound(k) - bounds[k];
+            products[0] += changes[k] * changes[k] / stiffness[k];
+            products[1] += changes[k] * last / stiffness[k];
           }
-        change = dealii::Utilities::MPI::sum(change, solution.get_mpi_communicator());
-        if (std::sqrt(change) <= problem.tolerance)
+        products            = dealii::Utilities::MPI::sum(products, solution.get_mpi_communicator());
+        const double change = std::sqrt(products[0]);
+        if (change <= problem.tolerance)
           return report;
+        if (products[1] < 0. && change > 0.5 * last_change)
+          relaxation *= 0.5;
+        last_change = change;
+        for (std::size_t k = 0; k < status.size(); ++k)
+          bounds[k] += relaxation * changes[k];
       }
     throw RunError(
       "The inequality of this step was not solved to its tolerance: neither Newton's method nor the fixed point of "

@@ -281,6 +281,56 @@ TEST(Friction, VeryRoughNodesAreGlued)
   EXPECT_LT((answer.solution - solve(frictionless, glued).solution).lpNorm<Eigen::Infinity>(), 1e-11);
 }
 
+TEST(Friction, FurtherNormalForces)
+{
+  // Part of the bound is given, as where a projection presses, too: nodes without normal force stick or slip as well. A slipping node that
+  // opens must not take its law, continued to tension, for a force against the slip: one problem in a hundred then runs in circles.
+  unsigned int n_fallbacks = 0, n_hang = 0, n_open = 0;
+  for (const double constant : {0.01, 0.1})
+    for (const unsigned int n_tangents : {1, 2})
+      for (unsigned int seed = 0; seed < 300; ++seed)
+        {
+          SCOPED_TRACE(seed);
+          auto                  problem  = random_frictional(5, n_tangents, {0.8, constant}, seed);
+          const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(problem.matrix.rows(), problem.matrix.rows());
+          problem.matrix                 = 5. * problem.matrix - 4. * identity; // more coupling, less pressure
+          for (unsigned int k = 0; k < 5; ++k)
+            problem.right_hand_side[problem.bounded_entries[k]] -= 0.5;
+          FrictionalNewton newton(parameters);
+          const auto       answer = solve(newton, problem);
+          expect_coulomb(problem, answer);
+          n_fallbacks += answer.report.fallback;
+          n_hang += std::count(answer.status.begin(), answer.status.end(), contact_status::hang);
+          n_open += std::count(answer.status.begin(), answer.status.end(), contact_status::open);
+        }
+  EXPECT_TRUE(n_hang > 20 && n_open > 20) << n_hang << " " << n_open;
+  EXPECT_EQ(n_fallbacks, 0u);
+}
+
+TEST(Friction, SlipsWhereNeitherOpenNorStickCanBe)
+{
+  // Open, the node penetrates; held in all directions, it pulls; Newton's method goes to and fro. With a given bound b the normal force
+  // is 0.7 - 0.8 b, so that b = 2 n overshoots, each time by more than before: the fixed point must not go all the way.
+  FrictionalProblem problem;
+  problem.matrix       = Eigen::Matrix4d::Identity();
+  problem.matrix(0, 1) = problem.matrix(1, 0) = 0.8;
+  problem.right_hand_side                     = Eigen::Vector4d(-0.1, -1., 0., 0.);
+  problem.bounded_entries                     = {0};
+  problem.upper_bounds                        = {0.};
+  problem.friction                            = {{{1}, {2., 0.}}};
+  ASSERT_EQ(brute_force(problem).size(), 1u);
+  FrictionalNewton newton(parameters);
+  TrescaFixedPoint fixed_point;
+  for (ConstrainedSolver *solver :
+       {static_cast<ConstrainedSolver *>(&newton), static_cast<ConstrainedSolver *>(&fixed_point)})
+    {
+      const auto answer = solve(*solver, problem);
+      expect_coulomb(problem, answer);
+      EXPECT_NEAR(answer.residual[0], 0.7 / 2.6, 1e-10);
+      EXPECT_EQ(answer.status[0], contact_status::slip);
+    }
+}
+
 TEST(Friction, PastSlipSetsTheDirection)
 {
   // Far along a direction, the force of a closed node points along it.

@@ -12,7 +12,8 @@ namespace signorini
   /**
    * Coulomb friction as a sequence of problems with given bounds: the bounds follow from the normal forces of the last problem, until they
    * stand. Each problem is convex and solved by a method that cannot fail; the sequence converges linearly if the friction is not too strong, which
-   * small steps guarantee. Slower than FrictionalNewton; its solution is the same.
+   * small steps guarantee. Where it overshoots, as with strong friction at single nodes, the bounds go a part of the way only. Slower than
+   * FrictionalNewton; its solution is the same.
    */
   class TrescaFixedPoint : public ConstrainedSolver
   {
