@@ -3,41 +3,21 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
+#include <signorini/variational_inequality/status_record.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 
 namespace signorini
 {
-  namespace
-  {
-    /** A number that tells active sets apart, the same on all processes. */
-    std::size_t fingerprint(const ActiveSet &active, const Vector &like)
-    {
-      const auto    first = like.get_partitioner()->local_range().first;
-      std::uint64_t sum   = 0;
-      for (std::size_t k = 0; k < active.size(); ++k)
-        if (active[k])
-          {
-            std::uint64_t x = (static_cast<std::uint64_t>(first) << 32) + k + 0x9e3779b97f4a7c15ull; // splitmix64
-            x               = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-            x               = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-            sum += x ^ (x >> 31);
-          }
-      return dealii::Utilities::MPI::sum(sum, like.get_mpi_communicator());
-    }
-  } // namespace
-
-
   SolveReport
   PrimalDualActiveSet::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
   {
-    SolveReport           report;
-    std::set<std::size_t> seen;
-    double                reduction = parameters.rough_reduction;
+    SolveReport  report;
+    StatusRecord record(solution);
+    double       reduction = parameters.rough_reduction;
 
     start(problem, active, solution, residual);
     set_mask(problem, active);
@@ -59,20 +39,18 @@ namespace signorini
           {
             if (reduction == 0.)
               {
-                report.n_active =
-                  dealii::Utilities::MPI::sum(static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)),
-                                              solution.get_mpi_communicator());
+                report.n_active = record.n_closed(active);
                 return report;
               }
             reduction = 0.; // the set stands: now solve accurately and look once more
             continue;
           }
-        if (!seen.insert(fingerprint(active, solution)).second)
+        if (!record.is_new(active))
           {
             if (reduction == 0.)
               break; // a cycle, and not for want of accuracy
             reduction = 0.;
-            seen.clear();
+            record.forget();
           }
         hold(problem, active, solution, residual);
         set_mask(problem, active);

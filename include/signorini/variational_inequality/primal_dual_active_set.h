@@ -8,8 +8,6 @@
 #include <signorini/variational_inequality/constrained_solver.h>
 #include <signorini/variational_inequality/proportioning.h>
 
-#include <set>
-
 namespace signorini
 {
   /**
