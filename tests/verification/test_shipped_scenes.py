@@ -4,10 +4,11 @@
 
 """Every scene in parameters/ with every scheme keeps what theory promises in each step: the ledger of energy closes, energy never
 grows but with the classical scheme, nothing penetrates, contact only presses, and momentum changes by the forces alone.
-Expensive scenes are shortened.
+Expensive scenes are shortened. Scenes of two bodies and those with friction have tests of their own.
 """
 
 import check_history
+import test_friction
 import test_two_bodies
 
 DOWN_2D = (0., 1., 0.)
@@ -48,7 +49,7 @@ class ShippedScenes(check_history.SceneTest):
 
     def test_no_scene_is_forgotten(self):
         self.assertEqual(sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")),
-                         sorted([*SCENES, *DRIVEN, *test_two_bodies.FREE_SCENES]))
+                         sorted([*SCENES, *DRIVEN, *test_two_bodies.FREE_SCENES, *test_friction.SCENES]))
 
     def check_driven(self, name):
         overrides, size = DRIVEN[name]
