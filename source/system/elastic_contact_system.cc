@@ -4,6 +4,7 @@
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/bound_tolerance.h>
 #include <signorini/system/elastic_contact_system.h>
+#include <signorini/system/response_size.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
@@ -100,19 +101,19 @@ namespace signorini
 
 
   template <int dim>
-  double ElasticContactSystem<dim>::solver_tolerance(const double                step_size,
-                                                     const Vector               &right_hand_side,
-                                                     const MaskedPreconditioner &preconditioner) const
+  double ElasticContactSystem<dim>::solver_tolerance(const double               step_size,
+                                                     const Vector              &right_hand_side,
+                                                     const std::vector<double> &prescribed) const
   {
     // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most 2/tau^2 e'K e.
-    double scale = energy_scale * step_size * step_size / 2.;
-    if (scale == 0.) // at rest: the energy that this step is going to bring
-      {
-        Vector increment = discretization.make_vector();
-        preconditioner.vmult(increment, right_hand_side);
-        scale = std::max(0., dot(increment, right_hand_side));
-      }
-    return discretization.scene.solver.tolerance * std::sqrt(scale);
+    const double scale = energy_scale > 0. ? step_size * std::sqrt(energy_scale / 2.)
+                                           : response_size( // at rest: what this step is going to bring
+                                             *step_operator,
+                                             *step_preconditioner,
+                                             right_hand_side,
+                                             coordinates.supported_entries(),
+                                             prescribed);
+    return discretization.scene.solver.tolerance * scale;
   }
 
 
@@ -148,20 +149,19 @@ namespace signorini
         problem.force_factor, problem.bounds, 1e-10 * discretization.body_size(), problem.further_reaction);
 
     Vector residual = discretization.make_vector();
-    solution.effort =
-      effort_of(solver->solve({*step_operator,
-                               *step_preconditioner,
-                               right_hand_side,
-                               coordinates.normal_entries(),
-                               problem.bounds,
-                               coordinates.supported_entries(),
-                               prescribed,
-                               solver_tolerance(problem.step_size, right_hand_side, *step_preconditioner),
-                               bound_tolerance(increment, discretization.body_size()),
-                               friction_of_nodes},
-                              active,
-                              increment,
-                              residual));
+    solution.effort = effort_of(solver->solve({*step_operator,
+                                               *step_preconditioner,
+                                               right_hand_side,
+                                               coordinates.normal_entries(),
+                                               problem.bounds,
+                                               coordinates.supported_entries(),
+                                               prescribed,
+                                               solver_tolerance(problem.step_size, right_hand_side, prescribed),
+                                               bound_tolerance(increment, discretization.body_size()),
+                                               friction_of_nodes},
+                                              active,
+                                              increment,
+                                              residual));
 
     forecast.remember(right_hand_side, increment, residual);
 

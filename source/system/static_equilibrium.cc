@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/preconditioners.h>
+#include <signorini/system/response_size.h>
 #include <signorini/system/static_equilibrium.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 
@@ -70,7 +71,8 @@ namespace signorini
         b.add(sigma, product);
         coordinates.force_to_contact(b);
         if (step == 1)
-          tolerance = 1e-2 * scene.solver.tolerance * size_of_response(matrix, *preconditioner, prescribed, b);
+          tolerance = 1e-2 * scene.solver.tolerance
+                      * response_size(matrix, *preconditioner, b, coordinates.supported_entries(), prescribed);
         solver.solve({matrix,
                       *preconditioner,
                       b,
@@ -119,27 +121,6 @@ namespace signorini
       scene.file_name + ": Time/Start = equilibrium: no static equilibrium was found in "
       + std::to_string(maximum_steps)
       + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to begin with undeformed bodies.");
-  }
-
-
-  template <int dim>
-  double StaticEquilibrium<dim>::size_of_response(const LinearOperator      &matrix,
-                                                  MaskedPreconditioner      &preconditioner,
-                                                  const std::vector<double> &prescribed,
-                                                  const Vector              &right_hand_side) const
-  {
-    Vector moved = discretization.make_vector(), force = moved;
-    Mask   mask(moved.locally_owned_size(), 0);
-    for (std::size_t j = 0; j < prescribed.size(); ++j)
-      {
-        moved.local_element(coordinates.supported_entries()[j]) = prescribed[j];
-        mask[coordinates.supported_entries()[j]]                = 1;
-      }
-    matrix.vmult(force, moved);
-    force.sadd(-1., 1., right_hand_side);
-    preconditioner.set_mask(mask);
-    preconditioner.vmult(moved, force);
-    return std::sqrt(std::max(0., dot(moved, force)));
   }
 
 

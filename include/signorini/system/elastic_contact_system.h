@@ -94,7 +94,7 @@ namespace signorini
     void prepare(double stiffness_factor, double step_size);
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
     double
-    solver_tolerance(double step_size, const Vector &right_hand_side, const MaskedPreconditioner &preconditioner) const;
+    solver_tolerance(double step_size, const Vector &right_hand_side, const std::vector<double> &prescribed) const;
   };
 } // namespace signorini
 

@@ -5,8 +5,6 @@
 #define signorini_system_static_equilibrium_h
 
 #include <signorini/discretization/loads.h>
-#include <signorini/linear_algebra/linear_operator.h>
-#include <signorini/linear_algebra/masked_preconditioner.h>
 #include <signorini/system/rigid_modes.h>
 #include <signorini/system/step_friction.h>
 #include <signorini/time/state.h>
@@ -46,11 +44,6 @@ namespace signorini
     const ContactCoordinates<dim> &coordinates;
     const StepFriction<dim>        friction;
 
-    /** The response to forces and prescribed displacements in the norm of the matrix, about. */
-    double size_of_response(const LinearOperator      &matrix,
-                            MaskedPreconditioner      &preconditioner,
-                            const std::vector<double> &prescribed,
-                            const Vector              &right_hand_side) const;
     /** The law of each contact node; its past slip points along the initial velocity. */
     Friction friction_of_nodes(const NormalGap &gap, const Vector &velocity) const;
     /** The entries that supports and contact hold. */

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_response_size_h
+#define signorini_system_response_size_h
+
+#include <signorini/linear_algebra/linear_operator.h>
+#include <signorini/linear_algebra/masked_preconditioner.h>
+
+namespace signorini
+{
+  /**
+   * About the norm of the solution of K x = b in the norm of K, with some entries prescribed: what a system at rest is going to do, as a scale for
+   * accepted errors. Sets the mask of the preconditioner. Collective.
+   */
+  double response_size(const LinearOperator            &matrix,
+                       MaskedPreconditioner            &preconditioner,
+                       const Vector                    &right_hand_side,
+                       const std::vector<unsigned int> &prescribed_entries,
+                       const std::vector<double>       &prescribed_values);
+} // namespace signorini
+
+#endif
