@@ -21,8 +21,8 @@ namespace signorini
     class LawExpression
     {
     public:
-      LawExpression(const std::string &head, const std::string &text)
-        : head(head + " '" + text + "'")
+      LawExpression(const std::string &key, const std::string &text)
+        : head(key + " = " + text + ": this")
         , function(make_function<dim, 1>({{text}}))
       {
       }
@@ -65,9 +65,9 @@ namespace signorini
     {
       const PairDescription     &description = discretization.scene.pairs[pair];
       const FrictionDescription &friction    = description.friction;
-      const std::string          head = discretization.scene.file_name + ": Contact/Pairs = " + description.name + ": ";
-      LawExpression<dim>         coefficient(head + "the coefficient of friction", friction.coefficient),
-        bound(head + "the bound of the friction stress", friction.bound);
+      const std::string          head = discretization.scene.file_name + ": Contact/" + description.name + "/";
+      LawExpression<dim>         coefficient(head + "Friction coefficient", friction.coefficient),
+        bound(head + "Friction bound", friction.bound);
       for (ContactNode<dim> &node : nodes)
         if (node.pair == pair)
           {

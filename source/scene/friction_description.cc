@@ -91,8 +91,8 @@ namespace signorini
                       "coulomb",
                       Selection("coulomb|tresca"),
                       "What the tangential stress can reach before the surfaces slide. coulomb: the coefficient of "
-                      "friction times the pressure, at most the bound if there is one. tresca: the bound, wherever "
-                      "there is pressure.");
+                      "friction times the pressure, at most the bound if there is one. tresca: the bound, in steps that "
+                      "begin with the node in contact.");
     prm.declare_entry("Friction coefficient",
                       "0",
                       Anything(),

@@ -102,7 +102,6 @@ namespace signorini
     loads       = std::make_unique<Loads<dim>>(discretization);
     system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads, timer);
     set_initial_state();
-    surface->check_initial_gap(state.displacement);
   }
 
 
@@ -120,6 +119,7 @@ namespace signorini
     state.contact_force  = discretization.make_vector();
     state.momentum       = discretization.make_vector();
     state.internal_force = discretization.make_vector();
+    surface->check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
       StaticEquilibrium<dim>(discretization, *surface, *coordinates)
         .find(state, loads->any() ? &loads->at(0.) : nullptr);

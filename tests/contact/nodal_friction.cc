@@ -128,9 +128,9 @@ TEST(NodalFriction, NegativeValuesAreRefused)
 {
   const std::string coefficient = refusal({"coulomb", "0.5 - x", "", true}),
                     bound       = refusal({"tresca", "0", "1/(x - 1)", true});
-  EXPECT_NE(coefficient.find("test.prm: Contact/Pairs = upper : lower: the coefficient of friction '0.5 - x' is -"),
+  EXPECT_NE(coefficient.find("test.prm: Contact/upper : lower/Friction coefficient = 0.5 - x: this is -"),
             std::string::npos)
     << coefficient;
-  EXPECT_NE(bound.find("the bound of the friction stress '1/(x - 1)' is "), std::string::npos) << bound;
+  EXPECT_NE(bound.find("Contact/upper : lower/Friction bound = 1/(x - 1): this is "), std::string::npos) << bound;
   EXPECT_EQ(refusal({"coulomb", "1 - x", "1 - y", true}), "") << "zero is allowed";
 }
