@@ -65,7 +65,7 @@ namespace signorini
     {
       const PairDescription     &description = discretization.scene.pairs[pair];
       const FrictionDescription &friction    = description.friction;
-      const std::string          head = discretization.scene.file_name + ": Contact/" + description.name + "/";
+      const std::string          head        = discretization.scene.file_name + ": Contact/" + description.name + "/";
       LawExpression<dim>         coefficient(head + "Friction coefficient", friction.coefficient),
         bound(head + "Friction bound", friction.bound);
       for (ContactNode<dim> &node : nodes)

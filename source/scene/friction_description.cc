@@ -87,12 +87,13 @@ namespace signorini
   void declare_friction(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.declare_entry("Friction law",
-                      "coulomb",
-                      Selection("coulomb|tresca"),
-                      "What the tangential stress can reach before the surfaces slide. coulomb: the coefficient of "
-                      "friction times the pressure, at most the bound if there is one. tresca: the bound, in steps that "
-                      "begin with the node in contact.");
+    prm.declare_entry(
+      "Friction law",
+      "coulomb",
+      Selection("coulomb|tresca"),
+      "What the tangential stress can reach before the surfaces slide. coulomb: the coefficient of "
+      "friction times the pressure, at most the bound if there is one. tresca: the bound, in steps that "
+      "begin with the node in contact.");
     prm.declare_entry("Friction coefficient",
                       "0",
                       Anything(),

@@ -175,8 +175,10 @@ namespace signorini
       solution.support_reaction.local_element(i) = -residual.local_element(i);
     solution.status = active;
     for (std::size_t k = 0; k < friction_of_nodes.size(); ++k)
-      if (problem.further_reaction != nullptr && friction_of_nodes[k].law.constant > 0. && !contact_status::is_closed(active[k]))
-        solution.status[k] = contact_status::sticks(active[k]) ? contact_status::stick : contact_status::slip; // pressed by others
+      if (problem.further_reaction != nullptr && friction_of_nodes[k].law.constant > 0.
+          && !contact_status::is_closed(active[k]))
+        solution.status[k] =
+          contact_status::sticks(active[k]) ? contact_status::stick : contact_status::slip; // pressed by others
     std::replace(solution.status.begin(), solution.status.end(), contact_status::hang, contact_status::open);
     if (friction.any())
       {
