@@ -41,6 +41,8 @@ namespace signorini
         extend_direction(preconditioned, new_norm_square / norm_square, direction);
         norm_square = new_norm_square;
       }
+    if (norm_square < -goal * goal) // the preconditioner is not positive definite, and this is no norm
+      report.converged = false;
     return report;
   }
 } // namespace signorini

@@ -36,9 +36,12 @@ namespace signorini
     correction.reinit(residual);
     Vector &first = place(preconditioned, 0, residual);
     inverse_of_preconditioner(first, residual);
-    double norm       = std::sqrt(std::max(0., dot(residual, first)));
-    norm_at_start     = norm;
-    const double goal = goal_of(norm);
+    const double square = dot(residual, first);
+    double       norm   = std::sqrt(std::max(0., square));
+    norm_at_start       = norm;
+    const double goal   = goal_of(norm);
+    if (square < -goal * goal) // the preconditioner is not positive definite, and this is no norm
+      return report;
     while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
       {
         if (report.iterations > 0)

@@ -121,7 +121,7 @@ namespace signorini
   {
     if (courant_number < 0.3 || matrix_life_time < 2)
       return "jacobi";
-    return courant_number > 60. ? "ml" : "incomplete-cholesky";
+    return courant_number > 60. && courant_number < 1000. ? "ml" : "incomplete-cholesky";
   }
 
 
