@@ -22,6 +22,7 @@ MAY_USE = {
     "time": {"base"},
 }
 MAY_USE["system"] = set(MAY_USE)
+MAY_USE["adaptivity"] = set(MAY_USE)
 MAY_USE["diagnostics"] = {"base", "linear_algebra", "scene", "discretization", "friction", "contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics"}
 MAY_USE["simulation"] = set(MAY_USE)

@@ -222,6 +222,15 @@ namespace signorini
 
 
   template <int dim>
+  void ContactSurface<dim>::admit(const Vector &displacement)
+  {
+    const std::vector<double> gap = normal_gap(displacement);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      contact_nodes[k].gap -= std::min(0., gap[k]);
+  }
+
+
+  template <int dim>
   std::vector<double> ContactSurface<dim>::distance(const Vector &displacement) const
   {
     std::vector<double> result = normal_gap(displacement);

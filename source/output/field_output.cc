@@ -36,11 +36,8 @@ namespace signorini
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const Discretization<dim> &discretization,
-                                const ContactSurface<dim> &surface,
-                                const std::string         &directory)
+  FieldOutput<dim>::FieldOutput(const Discretization<dim> &discretization, const std::string &directory)
     : discretization(discretization)
-    , surface_patches(discretization, surface)
     , volume_series(directory, "volume", discretization.communicator())
     , surface_series(directory, "surface", discretization.communicator())
   {
@@ -48,7 +45,7 @@ namespace signorini
 
 
   template <int dim>
-  void FieldOutput<dim>::write(const State &state)
+  void FieldOutput<dim>::write(const State &state, const ContactSurface<dim> &surface)
   {
     if (last_step == state.step)
       return;
@@ -57,6 +54,7 @@ namespace signorini
     write_volume(state, displacement, velocity);
     if (!discretization.scene.pairs.empty())
       {
+        SurfacePatches<dim> surface_patches(discretization, surface);
         surface_patches.build(state, displacement, velocity);
         surface_series.write(surface_patches, state.step, state.time);
       }

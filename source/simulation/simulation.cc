@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/mass/redistribute_mass.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
@@ -46,12 +45,12 @@ namespace signorini
                                                 scene.time.reference_tolerance,
                                                 scene.time.impulses == "per node",
                                                 scene.time.stop_sticking_nodes});
-    FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
-    Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
+    FieldOutput<dim> fields(discretization, scene.output_directory);
+    Observation<dim> observation(discretization, *meshed);
     observation.start(state);
-    system->set_energy(observation.energy_of_motion());
+    meshed->system.set_energy(observation.energy_of_motion());
     if (writes_fields(0))
-      fields.write(state);
+      fields.write(state, meshed->surface);
 
     const unsigned int n_steps = scene.time.n_steps();
     while (state.step < n_steps)
@@ -59,12 +58,12 @@ namespace signorini
         StepReport report;
         {
           TimerOutput::Scope scope(timer, "step, all of it");
-          report = scheme->advance(*system, state, scene.time.step_size);
+          report = scheme->advance(meshed->system, state, scene.time.step_size);
         }
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
           observation.observe(state, report, scene.time.step_size);
-          system->set_energy(observation.energy_of_motion());
+          meshed->system.set_energy(observation.energy_of_motion());
           log.progress(state.step,
                        n_steps,
                        state.time,
@@ -76,13 +75,13 @@ namespace signorini
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
-            fields.write(state);
+            fields.write(state, meshed->surface);
             observation.resume_clock();
           }
       }
 
     timer.print_wall_time_statistics(discretization.communicator());
-    log.message(observation.summary() + system->cost_summary() + timer_table.str());
+    log.message(observation.summary() + meshed->system.cost_summary() + timer_table.str());
     log.finish();
   }
 
@@ -90,17 +89,7 @@ namespace signorini
   template <int dim>
   void Simulation<dim>::prepare()
   {
-    {
-      TimerOutput::Scope scope(timer, "assembly of mass and stiffness");
-      discretization.assemble();
-    }
-    TimerOutput::Scope scope(timer, "contact surface and system");
-    supports    = std::make_unique<Supports<dim>>(discretization);
-    surface     = std::make_unique<ContactSurface<dim>>(discretization, *supports);
-    mass_note   = redistribute_mass(discretization, *surface);
-    coordinates = std::make_unique<ContactCoordinates<dim>>(discretization, *surface, *supports);
-    loads       = std::make_unique<Loads<dim>>(discretization);
-    system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads, timer);
+    meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
     set_initial_state();
   }
 
@@ -119,12 +108,11 @@ namespace signorini
     state.contact_force  = discretization.make_vector();
     state.momentum       = discretization.make_vector();
     state.internal_force = discretization.make_vector();
-    surface->check_initial_gap(state.displacement); // of the scene as it is given
+    meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
-      StaticEquilibrium<dim>(discretization, *surface, *coordinates)
-        .find(state, loads->any() ? &loads->at(0.) : nullptr);
-    system->apply_mass(state.momentum, state.velocity);
-    system->apply_stiffness(state.internal_force, state.displacement);
+      StaticEquilibrium<dim>(discretization, meshed->surface, meshed->coordinates).find(state, meshed->load(0.));
+    meshed->system.apply_mass(state.momentum, state.velocity);
+    meshed->system.apply_stiffness(state.internal_force, state.displacement);
   }
 
 
@@ -144,22 +132,22 @@ namespace signorini
     std::ostringstream text;
     text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
          << scene.time.step_size << "\n";
-    if (!mass_note.empty())
-      text << "  mass              " << mass_note << "\n";
+    if (!meshed->mass_note.empty())
+      text << "  mass              " << meshed->mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "
          << discretization.triangulation.n_global_active_cells() << " cells, " << discretization.dof_handler.n_dofs()
          << " degrees of freedom"
-         << "\n  contact nodes     " << surface->n_global_nodes() << "\n  Courant number    "
+         << "\n  contact nodes     " << meshed->surface.n_global_nodes() << "\n  Courant number    "
          << discretization.courant_number(scene.time.step_size) << "\n  processes         "
          << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
-    if (!scene.pairs.empty() && surface->n_global_nodes() == 0)
+    if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces its obstacle, or "
               "supports hold them all\n";
-    if (surface->n_supported() > 0)
+    if (meshed->surface.n_supported() > 0)
       text
-        << "  note: " << surface->n_supported()
+        << "  note: " << meshed->surface.n_supported()
         << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
-    for (const std::string &note : surface->notes())
+    for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
     return text.str();
   }

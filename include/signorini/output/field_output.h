@@ -20,19 +20,16 @@ namespace signorini
   {
   public:
     /** Collective. The .pvd files of an earlier run in this directory are removed. */
-    FieldOutput(const Discretization<dim> &discretization,
-                const ContactSurface<dim> &surface,
-                const std::string         &directory);
+    FieldOutput(const Discretization<dim> &discretization, const std::string &directory);
 
     /**
-     * Write the fields of a moment. A second call for the same step does nothing. Collective.
+     * Write the fields of a moment. @param surface of the mesh as it is. A second call for the same step does nothing. Collective.
      * @throws RunError on all processes if a file cannot be written
      */
-    void write(const State &state);
+    void write(const State &state, const ContactSurface<dim> &surface);
 
   private:
     const Discretization<dim>    &discretization;
-    SurfacePatches<dim>           surface_patches;
     FieldSeries                   volume_series, surface_series;
     static constexpr unsigned int none      = static_cast<unsigned int>(-1);
     unsigned int                  last_step = none;

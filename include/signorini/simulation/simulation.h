@@ -7,8 +7,6 @@
 #include <signorini/output/field_output.h>
 #include <signorini/output/run_log.h>
 #include <signorini/simulation/observation.h>
-#include <signorini/system/elastic_contact_system.h>
-
 #include <deal.II/base/timer.h>
 
 #include <sstream>
@@ -42,13 +40,8 @@ namespace signorini
     dealii::TimerOutput timer;
     Discretization<dim> discretization;
     State               state;
-    std::string         mass_note; ///< what became of the mass, if that is not the consistent one
 
-    std::unique_ptr<Supports<dim>>             supports;
-    std::unique_ptr<ContactSurface<dim>>       surface;
-    std::unique_ptr<ContactCoordinates<dim>>   coordinates;
-    std::unique_ptr<Loads<dim>>                loads;
-    std::unique_ptr<ElasticContactSystem<dim>> system;
+    std::unique_ptr<MeshedScene<dim>> meshed;
 
     /** Matrices, contact surface, system, initial state. */
     void        prepare();

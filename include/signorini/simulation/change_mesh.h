@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_simulation_change_mesh_h
+#define signorini_simulation_change_mesh_h
+
+#include <signorini/simulation/meshed_scene.h>
+
+namespace signorini
+{
+  /**
+   * Refine and coarsen what is flagged, share the cells among the processes, build everything anew on the new mesh, and carry the state there.
+   * @param meshed is replaced
+   * @return the state on the new mesh
+   * Collective.
+   */
+  template <int dim>
+  State change_mesh(Discretization<dim>               &discretization,
+                    std::unique_ptr<MeshedScene<dim>> &meshed,
+                    const State                       &state,
+                    dealii::TimerOutput               &timer);
+} // namespace signorini
+
+#endif
