@@ -175,15 +175,13 @@ namespace signorini
     if (!friction.any())
       return;
     IncrementSolution solution;
-    friction.extract(laws, status, increment, residual, solution);
+    friction.extract(laws, status, increment, residual, false, solution);
     coordinates.force_to_cartesian(solution.friction_reaction);
     state.contact_force += solution.friction_reaction;
     state.friction.force = solution.friction_reaction;
     state.friction.slip = state.friction.accumulated_slip = discretization.make_vector(); // slip counts from here
     state.friction.slip_path.assign(status.size(), 0.);
-    state.friction.status = status;
-    std::replace(
-      state.friction.status.begin(), state.friction.status.end(), contact_status::hang, contact_status::open);
+    state.friction.status = solution.status;
   }
 
 
