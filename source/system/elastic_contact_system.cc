@@ -24,11 +24,10 @@ namespace signorini
     /** Without friction, none of its cost. */
     std::unique_ptr<ConstrainedSolver> make_solver(const bool with_friction, const SolverParameters &parameters)
     {
-      const unsigned int n_sets   = parameters.maximum_active_set_iterations,
-                         n_linear = parameters.maximum_linear_iterations;
+      const ActiveSetLimits limits{parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations};
       if (with_friction)
-        return std::make_unique<FrictionalNewton>(FrictionalNewton::Parameters{n_sets, n_linear});
-      return std::make_unique<PrimalDualActiveSet>(PrimalDualActiveSet::Parameters{n_sets, n_linear});
+        return std::make_unique<FrictionalNewton>(limits);
+      return std::make_unique<PrimalDualActiveSet>(limits);
     }
   } // namespace
 
