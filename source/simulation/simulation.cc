@@ -110,7 +110,8 @@ namespace signorini
     state.internal_force = discretization.make_vector();
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
-      StaticEquilibrium<dim>(discretization, meshed->surface, meshed->coordinates).find(state, meshed->load(0.));
+      n_equilibrium_steps =
+        StaticEquilibrium<dim>(discretization, meshed->surface, meshed->coordinates).find(state, meshed->load(0.));
     meshed->system.apply_mass(state.momentum, state.velocity);
     meshed->system.apply_stiffness(state.internal_force, state.displacement);
   }
@@ -132,6 +133,8 @@ namespace signorini
     std::ostringstream text;
     text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
          << scene.time.step_size << "\n";
+    if (n_equilibrium_steps > 0)
+      text << "  start             equilibrium, found in " << n_equilibrium_steps << " proximal steps\n";
     if (!meshed->mass_note.empty())
       text << "  mass              " << meshed->mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "

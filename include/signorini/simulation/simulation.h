@@ -40,6 +40,7 @@ namespace signorini
     dealii::TimerOutput timer;
     Discretization<dim> discretization;
     State               state;
+    unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
     std::unique_ptr<MeshedScene<dim>> meshed;
 
