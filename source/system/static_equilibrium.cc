@@ -53,7 +53,7 @@ namespace signorini
       name = choose_preconditioner(discretization.courant_number(1. / std::sqrt(sigma)), maximum_steps);
     const auto            preconditioner = make_preconditioner(name, discretization.matrices, coordinates, sigma, 1.);
     FrictionalNewton      solver({scene.solver.maximum_active_set_iterations, scene.solver.maximum_linear_iterations});
-    const RigidModes<dim> rigid(discretization);
+    const RigidModes<dim> rigid(discretization, coordinates);
     const std::vector<double> prescribed = coordinates.supported_values(0.);
 
     Vector u = discretization.make_vector(), displacement = u, change = u, product = u, residual = u, balance = u;
@@ -92,16 +92,15 @@ namespace signorini
         change.sadd(-1., 1., displacement);
 
         // What drives a free motion becomes its acceleration; the rest of the change tells how far the equilibrium is.
-        const std::vector<Vector> free   = rigid.free_of(coordinates, held_entries(status));
-        double                    driven = 0.;
+        const std::vector<RigidMotion> free   = rigid.free_of(held_entries(status));
+        double                         driven = 0.;
         discretization.matrices.apply_mass(product, change);
-        for (const Vector &mode : free)
+        for (const RigidMotion &mode : free)
           {
-            const double motion = dot(product, mode);
+            const double motion = dot(product, mode.displacement);
             driven              = std::max(driven, std::abs(motion));
-            change.add(-motion, mode);
-            discretization.matrices.apply_mass(b, mode);
-            balance.add(-sigma * motion, b);
+            change.add(-motion, mode.displacement);
+            balance.add(-sigma * motion, mode.momentum);
           }
         discretization.matrices.apply_mass(product, change);
         const double unbalanced = sigma * std::sqrt(std::max(0., dot(product, change)) + driven * driven);
@@ -110,8 +109,8 @@ namespace signorini
         if (unbalanced <= 1e-12 * size)
           {
             discretization.matrices.apply_mass(product, displacement);
-            for (const Vector &mode : free)
-              displacement.add(-dot(product, mode), mode);
+            for (const RigidMotion &mode : free)
+              displacement.add(-dot(product, mode.displacement), mode.displacement);
             state.displacement = displacement;
             set_forces(state, laws, status, u, residual);
             return step;
