@@ -121,8 +121,8 @@ namespace signorini
     state.internal_force = discretization.make_vector();
     surface->check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
-      StaticEquilibrium<dim>(discretization, *surface, *coordinates)
-        .find(state, loads->any() ? &loads->at(0.) : nullptr);
+      n_equilibrium_steps = StaticEquilibrium<dim>(discretization, *surface, *coordinates)
+                              .find(state, loads->any() ? &loads->at(0.) : nullptr);
     system->apply_mass(state.momentum, state.velocity);
     system->apply_stiffness(state.internal_force, state.displacement);
   }
@@ -144,6 +144,8 @@ namespace signorini
     std::ostringstream text;
     text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
          << scene.time.step_size << "\n";
+    if (n_equilibrium_steps > 0)
+      text << "  start             equilibrium, found in " << n_equilibrium_steps << " proximal steps\n";
     if (!mass_note.empty())
       text << "  mass              " << mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "

@@ -51,7 +51,7 @@ namespace signorini
             rest.fill("0");
             std::vector<std::array<std::string, dim>> expressions(n_bodies, rest);
             expressions[body] = motion;
-            RigidMotion mode{discretization.interpolate(expressions), discretization.make_vector()};
+            Motion mode{discretization.interpolate(expressions), discretization.make_vector()};
             // Twice: far from the origin a rotation is nearly a translation.
             for (unsigned int pass = 0; pass < 2; ++pass)
               for (std::size_t j = first; j < modes.size(); ++j)
@@ -69,7 +69,7 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<RigidMotion> RigidModes<dim>::free_of(const std::vector<unsigned int> &entries) const
+  std::vector<Motion> RigidModes<dim>::free_of(const std::vector<unsigned int> &entries) const
   {
     const Eigen::Index n    = modes.size();
     Eigen::MatrixXd    gram = Eigen::MatrixXd::Zero(n, n);
@@ -80,7 +80,7 @@ namespace signorini
     const dealii::ArrayView<double> sums(gram.data(), gram.size());
     dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums), discretization.communicator(), sums);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-    std::vector<RigidMotion>                             free;
+    std::vector<Motion>                                  free;
     for (Eigen::Index k = 0; k < n; ++k)
       if (eigen.eigenvalues()[k] <= 1e-10 * eigen.eigenvalues()[n - 1] || eigen.eigenvalues()[n - 1] == 0.)
         {

@@ -42,7 +42,8 @@ namespace signorini
     dealii::TimerOutput timer;
     Discretization<dim> discretization;
     State               state;
-    std::string         mass_note; ///< what became of the mass, if that is not the consistent one
+    std::string         mass_note;               ///< what became of the mass, if that is not the consistent one
+    unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
     std::unique_ptr<Supports<dim>>             supports;
     std::unique_ptr<ContactSurface<dim>>       surface;

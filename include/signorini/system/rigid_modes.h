@@ -8,8 +8,8 @@
 
 namespace signorini
 {
-  /** A motion u of all nodes, and its product with the mass. */
-  struct RigidMotion
+  /** A displacement or velocity u of all nodes, and its product with the mass. */
+  struct Motion
   {
     Vector displacement; ///< u
     Vector momentum;     ///< M u
@@ -30,11 +30,11 @@ namespace signorini
      * @param entries of contact coordinates, on this process
      * Collective.
      */
-    std::vector<RigidMotion> free_of(const std::vector<unsigned int> &entries) const;
+    std::vector<Motion> free_of(const std::vector<unsigned int> &entries) const;
 
   private:
     const Discretization<dim> &discretization;
-    std::vector<RigidMotion>   modes;
+    std::vector<Motion>        modes;
     std::vector<Vector>        local; ///< their displacements in contact coordinates
   };
 } // namespace signorini
