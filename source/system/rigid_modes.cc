@@ -78,7 +78,7 @@ namespace signorini
         for (const unsigned int entry : entries)
           gram(i, j) += local[i].local_element(entry) * local[j].local_element(entry);
     const dealii::ArrayView<double> sums(gram.data(), gram.size());
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), sums.size()), discretization.communicator(), sums);
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums), discretization.communicator(), sums);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
     std::vector<Motion>                                  free;
     for (Eigen::Index k = 0; k < n; ++k)
