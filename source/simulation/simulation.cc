@@ -110,17 +110,10 @@ namespace signorini
     state.internal_force = discretization.make_vector();
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
-<<<<<<< HEAD
       n_equilibrium_steps =
         StaticEquilibrium<dim>(discretization, meshed->surface, meshed->coordinates).find(state, meshed->load(0.));
     meshed->system.apply_mass(state.momentum, state.velocity);
     meshed->system.apply_stiffness(state.internal_force, state.displacement);
-=======
-      n_equilibrium_steps = StaticEquilibrium<dim>(discretization, *surface, *coordinates)
-                              .find(state, loads->any() ? &loads->at(0.) : nullptr);
-    system->apply_mass(state.momentum, state.velocity);
-    system->apply_stiffness(state.internal_force, state.displacement);
->>>>>>> 1137a480e9c4dad590422b137b47818c1594e1ec
   }
 
 
@@ -142,13 +135,8 @@ namespace signorini
          << scene.time.step_size << "\n";
     if (n_equilibrium_steps > 0)
       text << "  start             equilibrium, found in " << n_equilibrium_steps << " proximal steps\n";
-<<<<<<< HEAD
     if (!meshed->mass_note.empty())
       text << "  mass              " << meshed->mass_note << "\n";
-=======
-    if (!mass_note.empty())
-      text << "  mass              " << mass_note << "\n";
->>>>>>> 1137a480e9c4dad590422b137b47818c1594e1ec
     text << "  bodies            " << scene.bodies.size() << ", "
          << discretization.triangulation.n_global_active_cells() << " cells, " << discretization.dof_handler.n_dofs()
          << " degrees of freedom"

@@ -40,10 +40,6 @@ namespace signorini
     dealii::TimerOutput timer;
     Discretization<dim> discretization;
     State               state;
-<<<<<<< HEAD
-=======
-    std::string         mass_note;               ///< what became of the mass, if that is not the consistent one
->>>>>>> 1137a480e9c4dad590422b137b47818c1594e1ec
     unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
     std::unique_ptr<MeshedScene<dim>> meshed;
