@@ -23,7 +23,7 @@ namespace signorini
 
 
   template <int dim>
-  typename FieldTransfer<dim>::Values FieldTransfer<dim>::vertex_values(const Cell &active_cell,
+  typename FieldTransfer<dim>::Values FieldTransfer<dim>::vertex_values(const Cell   &active_cell,
                                                                         const Vector &field) const
   {
     const typename DoFHandler<dim>::cell_iterator cell(
@@ -51,8 +51,7 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<char>
-  FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status, CellMoments<dim> &moments) const
+  std::vector<char> FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status, CellMoments<dim> &moments) const
   {
     const bool         coarsened = status == Triangulation<dim>::CELL_COARSEN;
     const unsigned int n_values  = dim * GeometryInfo<dim>::vertices_per_cell;
@@ -73,8 +72,8 @@ namespace signorini
               injected[dim * child + c] = values[dim * child + c];
             if (source.moments == nullptr)
               continue;
-            const FullMatrix<double> &weights   = discretization.fe.base_element(0).get_prolongation_matrix(child);
-            const Values              of_child  = (moments.*source.moments)(cell->child(child), values);
+            const FullMatrix<double> &weights  = discretization.fe.base_element(0).get_prolongation_matrix(child);
+            const Values              of_child = (moments.*source.moments)(cell->child(child), values);
             for (unsigned int a = 0; a < weights.m(); ++a)
               for (unsigned int b = 0; b < weights.n(); ++b)
                 for (unsigned int c = 0; c < dim; ++c)
@@ -93,7 +92,9 @@ namespace signorini
     std::vector<CellFields> cells(discretization.triangulation.n_active_cells());
     discretization.triangulation.notify_ready_to_unpack(
       handle,
-      [&](const Cell &cell, const CellStatus status, const boost::iterator_range<std::vector<char>::const_iterator> &data) {
+      [&](const Cell                                                     &cell,
+          const CellStatus                                                status,
+          const boost::iterator_range<std::vector<char>::const_iterator> &data) {
         using Lists            = std::pair<std::vector<Values>, std::vector<Values>>;
         auto [values, moments] = Utilities::unpack<Lists>(data.begin(), data.end(), false);
         if (status != Triangulation<dim>::CELL_REFINE)
@@ -126,9 +127,8 @@ namespace signorini
 
 
   template <int dim>
-  Vector FieldTransfer<dim>::lost_moments(const std::vector<CellFields> &cells,
-                                          const unsigned int             source,
-                                          const Vector                  &field)
+  Vector
+  FieldTransfer<dim>::lost_moments(const std::vector<CellFields> &cells, const unsigned int source, const Vector &field)
   {
     const Vector                         filled = discretization.interpolate_hanging_nodes(field);
     Vector                               result = discretization.make_vector();

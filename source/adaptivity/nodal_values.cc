@@ -9,8 +9,7 @@
 namespace signorini
 {
   template <int dim>
-  Vector
-  stress_at_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, Vector forces)
+  Vector stress_at_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, Vector forces)
   {
     coordinates.force_to_contact(forces);
     Vector stress;
@@ -24,9 +23,8 @@ namespace signorini
 
 
   template <int dim>
-  Vector forces_of_nodes(const ContactSurface<dim>     &surface,
-                         const ContactCoordinates<dim> &coordinates,
-                         const Vector                  &stress)
+  Vector
+  forces_of_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, const Vector &stress)
   {
     Vector local = stress;
     coordinates.rotate_to_frames(local);
@@ -59,12 +57,12 @@ namespace signorini
     values.reinit(friction.slip);
     for (std::size_t k = 0; k < surface.nodes().size(); ++k)
       {
-        const unsigned int node = dim * surface.nodes()[k].node;
-        const char         status = friction.status[k];
-        values.local_element(node) = friction.slip_path[k];
-        values.local_element(node + 1) = contact_status::sticks(status)    ? stick_mark :
-                                         contact_status::is_closed(status) ? slip_mark :
-                                                                             0.;
+        const unsigned int node        = dim * surface.nodes()[k].node;
+        const char         status      = friction.status[k];
+        values.local_element(node)     = friction.slip_path[k];
+        values.local_element(node + 1) = contact_status::sticks(status)      ? stick_mark
+                                         : contact_status::is_closed(status) ? slip_mark
+                                                                             : 0.;
       }
     return values;
   }
@@ -77,9 +75,9 @@ namespace signorini
       {
         friction.slip_path.push_back(values.local_element(dim * node.node));
         const double status = values.local_element(dim * node.node + 1);
-        friction.status.push_back(std::abs(status - stick_mark) < 1e-6 ? contact_status::stick :
-                                  std::abs(status - slip_mark) < 1e-6  ? contact_status::slip :
-                                                                         contact_status::open);
+        friction.status.push_back(std::abs(status - stick_mark) < 1e-6  ? contact_status::stick
+                                  : std::abs(status - slip_mark) < 1e-6 ? contact_status::slip
+                                                                        : contact_status::open);
       }
   }
 

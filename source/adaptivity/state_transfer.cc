@@ -64,9 +64,9 @@ namespace signorini
                                    const ContactCoordinates<dim> &coordinates,
                                    DynamicalSystem               &system)
   {
-    auto  results   = fields.unpack();
-    auto  next      = results.begin();
-    State state     = clock;
+    auto       results = fields.unpack();
+    auto       next    = results.begin();
+    State      state   = clock;
     const auto in_mass = [&](typename FieldTransfer<dim>::Result &result) {
       if (result.lost_moments.size() > 0)
         result.field += system.solve_mass(result.lost_moments);

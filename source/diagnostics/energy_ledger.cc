@@ -42,7 +42,7 @@ namespace signorini
     booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction
                        - booking.scheme - booking.external;
     booking.transfer = std::exchange(transferred, 0.); // `last` contains it
-    last = now;
+    last             = now;
     remember(state, load);
     return booking;
   }

@@ -182,9 +182,9 @@ namespace signorini
          << " % at most); largest unexplained part of a step "
          << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
     if (n_mesh_changes > 0)
-      text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells << " and " << most_cells
-           << " cells; this changed the energy by " << (relative_scale() > 0. ? 100. * transferred / relative_scale() : 0.)
-           << " %\n";
+      text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells << " and "
+           << most_cells << " cells; this changed the energy by "
+           << (relative_scale() > 0. ? 100. * transferred / relative_scale() : 0.) << " %\n";
     if (discretization.scene.time.has_massless_contact_nodes())
       text << "                    (with the mass of the scheme; with the consistent one it changed by "
            << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";

@@ -57,8 +57,11 @@ namespace signorini
 
 
 #define INSTANTIATE(dim)                                                                                               \
-  template Vector project_in_energy(                                                                                   \
-    const Discretization<dim> &, const ContactCoordinates<dim> &, const Vector &, const std::vector<double> &, double);
+  template Vector project_in_energy(const Discretization<dim> &,                                                       \
+                                    const ContactCoordinates<dim> &,                                                   \
+                                    const Vector &,                                                                    \
+                                    const std::vector<double> &,                                                       \
+                                    double);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

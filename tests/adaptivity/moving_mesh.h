@@ -51,14 +51,15 @@ namespace signorini::tests
         if (cell->is_locally_owned())
           {
             // The dice know the cell, not the process. A family is coarsened together.
-            const bool          family = cell->level() > 0;
-            std::ostringstream  name;
+            const bool         family = cell->level() > 0;
+            std::ostringstream name;
             name << n_changes << ' ';
             const double mine = dice(name.str() + cell->id().to_string());
             const double ours = family ? dice(name.str() + cell->parent()->id().to_string()) : 1.;
             if (mine < refined && cell->level() < static_cast<int>(highest_level))
               cell->set_refine_flag();
-            else if (ours < coarsened && cell->level() > static_cast<int>(scene.bodies[cell->material_id()].refinements))
+            else if (ours < coarsened
+                     && cell->level() > static_cast<int>(scene.bodies[cell->material_id()].refinements))
               cell->set_coarsen_flag();
           }
       change();

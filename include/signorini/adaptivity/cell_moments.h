@@ -30,9 +30,9 @@ namespace signorini
     Values of_stiffness(const Cell &cell, const Values &values);
 
   private:
-    const Scene<dim>      &scene;
+    const Scene<dim>       &scene;
     const dealii::FE_Q<dim> scalar_fe;
-    dealii::FEValues<dim> fe_values;
+    dealii::FEValues<dim>   fe_values;
   };
 } // namespace signorini
 

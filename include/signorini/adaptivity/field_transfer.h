@@ -33,8 +33,9 @@ namespace signorini
     /** A field on the new mesh. */
     struct Result
     {
-      Vector field;        ///< values at nodes
-      Vector lost_moments; ///< of old minus new function; empty for sources without moments and if nothing was coarsened
+      Vector field; ///< values at nodes
+      Vector
+        lost_moments; ///< of old minus new function; empty for sources without moments and if nothing was coarsened
     };
 
     /**
@@ -62,12 +63,12 @@ namespace signorini
     std::vector<Source>  sources;
     unsigned int         handle;
 
-    std::vector<char>   pack(const Cell &cell, CellStatus status, CellMoments<dim> &moments) const;
-    Values              vertex_values(const Cell &active_cell, const Vector &field) const;
-    Values              prolongate(const Values &parent, unsigned int child) const;
+    std::vector<char>       pack(const Cell &cell, CellStatus status, CellMoments<dim> &moments) const;
+    Values                  vertex_values(const Cell &active_cell, const Vector &field) const;
+    Values                  prolongate(const Values &parent, unsigned int child) const;
     std::vector<CellFields> receive();
-    Vector              set_nodes(const std::vector<CellFields> &cells, unsigned int source) const;
-    Vector              lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
+    Vector                  set_nodes(const std::vector<CellFields> &cells, unsigned int source) const;
+    Vector lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
   };
 } // namespace signorini
 

@@ -47,7 +47,7 @@ namespace signorini
 
   private:
     Energy first, last;
-    double transferred = 0.; ///< by new meshes since the last step
+    double transferred = 0.;             ///< by new meshes since the last step
     Vector last_load, last_displacement; ///< kept only with loads
 
     Energy evaluate(const State &state, const Vector *load) const;

@@ -57,14 +57,14 @@ namespace signorini
 
     double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
            farthest_sliding = 0., impulse = 0.;
-    double       work_friction = 0., transferred = 0.;
-    unsigned int n_mesh_changes = 0;
+    double        work_friction = 0., transferred = 0.;
+    unsigned int  n_mesh_changes = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
-    unsigned int most_sticking = 0, most_slipping = 0;
-    double       standard_change  = 0.; ///< change of the total energy with the consistent mass
-    unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0; ///< of laursen-love, per node
-    double       first_contact = -1., last_contact = -1.;
-    ErrorNorms   latest_errors;
+    unsigned int  most_sticking = 0, most_slipping = 0;
+    double        standard_change  = 0.; ///< change of the total energy with the consistent mass
+    unsigned int  n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0; ///< of laursen-love, per node
+    double        first_contact = -1., last_contact = -1.;
+    ErrorNorms    latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
     /** The energy that changes are compared with. */

@@ -4,10 +4,10 @@
 #ifndef signorini_simulation_simulation_h
 #define signorini_simulation_simulation_h
 
+#include <deal.II/base/timer.h>
 #include <signorini/output/field_output.h>
 #include <signorini/output/run_log.h>
 #include <signorini/simulation/observation.h>
-#include <deal.II/base/timer.h>
 
 #include <sstream>
 
