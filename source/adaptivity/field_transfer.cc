@@ -10,12 +10,13 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  FieldTransfer<dim>::FieldTransfer(Discretization<dim> &discretization, std::vector<Source> old_fields)
+  FieldTransfer<dim>::FieldTransfer(Discretization<dim> &discretization, const std::vector<Source> &old_fields)
     : discretization(discretization)
-    , sources(std::move(old_fields))
   {
-    for (Source &source : sources)
-      source.field = discretization.interpolate_hanging_nodes(source.field);
+    for (const Source &source : old_fields) // not by assignment, which would keep the ghosts of the old vector
+      sources.push_back({discretization.interpolate_hanging_nodes(source.field), source.moments});
+    for (const Source &source : sources)
+      source.field.update_ghost_values(); // copies have none
     const auto moments = std::make_shared<CellMoments<dim>>(discretization);
     handle             = discretization.triangulation.register_data_attach(
       [this, moments](const Cell &cell, const CellStatus status) { return pack(cell, status, *moments); }, true);

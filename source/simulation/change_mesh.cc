@@ -7,10 +7,10 @@
 namespace signorini
 {
   template <int dim>
-  State change_mesh(Discretization<dim>               &discretization,
-                    std::unique_ptr<MeshedScene<dim>> &meshed,
-                    const State                       &state,
-                    dealii::TimerOutput               &timer)
+  void change_mesh(Discretization<dim>               &discretization,
+                   std::unique_ptr<MeshedScene<dim>> &meshed,
+                   State                             &state,
+                   dealii::TimerOutput               &timer)
   {
     const double energy = meshed->system.energy();
 
@@ -25,13 +25,13 @@ namespace signorini
     meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
     meshed->system.set_energy(energy);
     dealii::TimerOutput::Scope scope(timer, "mesh: transfer of the state");
-    return transfer.finish(meshed->surface, meshed->coordinates, meshed->system);
+    state = State(); // vectors that are assigned to would keep their old ghosts if they own the same entries
+    state = transfer.finish(meshed->surface, meshed->coordinates, meshed->system);
   }
 
 
 #define INSTANTIATE(dim)                                                                                               \
-  template State change_mesh(                                                                                          \
-    Discretization<dim> &, std::unique_ptr<MeshedScene<dim>> &, const State &, dealii::TimerOutput &);
+  template void change_mesh(Discretization<dim> &, std::unique_ptr<MeshedScene<dim>> &, State &, dealii::TimerOutput &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

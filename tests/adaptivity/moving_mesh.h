@@ -68,7 +68,7 @@ namespace signorini::tests
     /** Carry out the flags. */
     void change()
     {
-      state = change_mesh(discretization, meshed, state, timer);
+      change_mesh(discretization, meshed, state, timer);
       ledger.transfer(state, meshed->load(state.time));
     }
 

@@ -42,7 +42,7 @@ namespace signorini
      * Take the fields. The mesh must carry its final flags, and must change next.
      * Collective.
      */
-    FieldTransfer(Discretization<dim> &discretization, std::vector<Source> sources);
+    FieldTransfer(Discretization<dim> &discretization, const std::vector<Source> &old_fields);
 
     /** The fields on the new mesh, in the order of the sources; needs numbered degrees of freedom and matrices. Once. Collective. */
     std::vector<Result> unpack();

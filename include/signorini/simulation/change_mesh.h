@@ -10,15 +10,13 @@ namespace signorini
 {
   /**
    * Refine and coarsen what is flagged, share the cells among the processes, build everything anew on the new mesh, and carry the state there.
-   * @param meshed is replaced
-   * @return the state on the new mesh
-   * Collective.
+   * Both @p meshed and @p state are replaced. Collective.
    */
   template <int dim>
-  State change_mesh(Discretization<dim>               &discretization,
-                    std::unique_ptr<MeshedScene<dim>> &meshed,
-                    const State                       &state,
-                    dealii::TimerOutput               &timer);
+  void change_mesh(Discretization<dim>               &discretization,
+                   std::unique_ptr<MeshedScene<dim>> &meshed,
+                   State                             &state,
+                   dealii::TimerOutput               &timer);
 } // namespace signorini
 
 #endif
