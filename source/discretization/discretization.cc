@@ -20,26 +20,49 @@ namespace signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    template <int dim>
+    std::vector<unsigned int> refinements(const Scene<dim> &scene)
+    {
+      std::vector<unsigned int> levels;
+      for (const auto &body : scene.bodies)
+        levels.push_back(body.refinements);
+      return levels;
+    }
+  } // namespace
+
+
   template <int dim>
-  Discretization<dim>::Discretization(const Scene<dim> &scene, const MPI_Comm communicator)
+  Discretization<dim>::Discretization(const Scene<dim> &scene, const MPI_Comm communicator, const bool mesh_changes)
     : scene(scene)
     , triangulation(communicator)
     , fe(FE_Q<dim>(1), dim)
-    , mapping(scene.mapping == "curved" ? 2 : 1)
+    , geometry(scene.mapping == "curved" ? 2 : 1, mesh_changes ? refinements(scene) : std::vector<unsigned int>())
+    , mapping(geometry.mapping())
     , dof_handler(triangulation)
   {
     make_mesh(scene, triangulation);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
       for (unsigned int c = 0; c < dim; ++c)
         largest_extent = std::max(largest_extent, bounding_box(b).side_length(c));
+    distribute();
+  }
+
+
+  template <int dim>
+  void Discretization<dim>::distribute()
+  {
     dof_handler.distribute_dofs(fe);
     locally_owned = dof_handler.locally_owned_dofs();
     DoFTools::extract_locally_relevant_dofs(dof_handler, locally_relevant);
+    hanging_node_constraints.clear();
     hanging_node_constraints.reinit(locally_relevant);
     DoFTools::make_hanging_node_constraints(dof_handler, hanging_node_constraints);
     hanging_node_constraints.close();
-    if (mapping.get_degree() == 1)
+    if (mapping.get_degree() == 1 && !geometry.has_base())
       straighten_hanging_vertices();
+    geometry.update(triangulation);
   }
 
 

@@ -5,6 +5,7 @@
 #define signorini_discretization_discretization_h
 
 #include <signorini/discretization/mass_change.h>
+#include <signorini/discretization/mesh_geometry.h>
 #include <signorini/scene/scene.h>
 
 #include <deal.II/base/bounding_box.h>
@@ -14,7 +15,6 @@
 #include <deal.II/dofs/dof_handler.h>
 
 #include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
 
 #include <deal.II/lac/affine_constraints.h>
 
@@ -30,8 +30,17 @@ namespace signorini
   class Discretization
   {
   public:
-    /** Builds the mesh and numbers the degrees of freedom; no matrices yet. */
-    Discretization(const Scene<dim> &scene, MPI_Comm communicator);
+    /**
+     * Builds the mesh and numbers the degrees of freedom; no matrices yet.
+     * @param mesh_changes whether the mesh is going to change; then the bodies keep the geometry of their uniform refinements, see MeshGeometry
+     */
+    Discretization(const Scene<dim> &scene, MPI_Comm communicator, bool mesh_changes = false);
+
+    /**
+     * Number the degrees of freedom of the mesh as it is, after the triangulation has changed. All vectors, and everything that was built
+     * from this object, are of no use then; matrices have to be assembled anew. Collective.
+     */
+    void distribute();
 
     /**
      * Assemble mass and stiffness; needed before vectors can be made.
@@ -42,7 +51,8 @@ namespace signorini
     const Scene<dim>                                 &scene;
     dealii::parallel::distributed::Triangulation<dim> triangulation;
     dealii::FESystem<dim>                             fe;
-    dealii::MappingQ<dim>                             mapping;
+    MeshGeometry<dim>                                 geometry;
+    const dealii::MappingQ<dim>                      &mapping; ///< of the geometry
     dealii::DoFHandler<dim>                           dof_handler;
     dealii::AffineConstraints<double>                 hanging_node_constraints;
     dealii::IndexSet                                  locally_owned, locally_relevant;

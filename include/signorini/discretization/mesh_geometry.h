@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_discretization_mesh_geometry_h
+#define signorini_discretization_mesh_geometry_h
+
+#include <deal.II/distributed/tria.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q_cache.h>
+
+#include <map>
+
+namespace signorini
+{
+  /**
+   * The maps from the reference cell to the cells of a mesh, of degree 1 or 2.
+   *
+   * A mesh that changes during a run has to fill the same body at all times, or a body would gain and lose mass: there each cell is a part
+   * of its ancestor in the base mesh (the uniformly refined one that a scene starts from), with the map of this ancestor. Spaces on
+   * finer meshes then contain those on coarser ones. Meshes that stay have the finer geometry, every cell with a map of its own.
+   */
+  template <int dim>
+  class MeshGeometry
+  {
+  public:
+    /**
+     * @param base_levels per body the refinement level of the base mesh; empty: every cell has a map of its own
+     */
+    MeshGeometry(unsigned int degree, std::vector<unsigned int> base_levels);
+
+    /** To be called whenever the mesh has changed. Moves vertices of cells beyond the base mesh to where they belong. */
+    void update(dealii::parallel::distributed::Triangulation<dim> &triangulation);
+
+    const dealii::MappingQ<dim> &mapping() const { return cached_mapping; }
+
+    /** Whether cells are parts of their ancestors in a base mesh. */
+    bool has_base() const { return !base_levels.empty(); }
+
+  private:
+    using Points = std::vector<dealii::Point<dim>>;
+
+    const std::vector<unsigned int>  base_levels;
+    const dealii::FE_Q<dim>          polynomials;
+    dealii::MappingQCache<dim>       cached_mapping;
+    std::map<dealii::CellId, Points> base_points; ///< support points of cells up to the base level
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/discretization/mesh_geometry.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Lets others see the support points that manifolds give to a cell. */
+    template <int dim>
+    class ManifoldPoints : public MappingQ<dim>
+    {
+    public:
+      using MappingQ<dim>::MappingQ;
+      using MappingQ<dim>::compute_mapping_support_points;
+    };
+  } // namespace
+
+
+  template <int dim>
+  MeshGeometry<dim>::MeshGeometry(const unsigned int degree, std::vector<unsigned int> base_levels)
+    : base_levels(std::move(base_levels))
+    , polynomials(degree)
+    , cached_mapping(degree)
+  {
+  }
+
+
+  template <int dim>
+  void MeshGeometry<dim>::update(parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    const ManifoldPoints<dim> manifold_points(polynomials.degree);
+    if (!has_base())
+      {
+        cached_mapping.initialize(manifold_points, triangulation);
+        return;
+      }
+
+    std::vector<std::vector<Points>> points(triangulation.n_levels());
+    for (unsigned int level = 0; level < points.size(); ++level)
+      {
+        points[level].resize(triangulation.n_raw_cells(level));
+        for (const auto &cell : triangulation.cell_iterators_on_level(level))
+          {
+            Points &mine = points[level][cell->index()];
+            if (level <= base_levels[cell->material_id()])
+              {
+                const auto known = base_points.find(cell->id());
+                mine             = known != base_points.end() ?
+                         known->second :
+                         base_points.emplace(cell->id(), manifold_points.compute_mapping_support_points(cell)).first->second;
+                continue;
+              }
+            const auto   &parent = cell->parent();
+            const Points &theirs = points[level - 1][parent->index()];
+            unsigned int  child  = 0;
+            while (parent->child_index(child) != cell->index())
+              ++child;
+            const FullMatrix<double> &part = polynomials.get_prolongation_matrix(child);
+            mine.resize(theirs.size());
+            for (unsigned int i = 0; i < mine.size(); ++i)
+              for (unsigned int j = 0; j < theirs.size(); ++j)
+                if (const double weight = part(i, j); weight != 0.)
+                  mine[i] += weight * theirs[j];
+            for (const unsigned int v : cell->vertex_indices())
+              cell->vertex(v) = mine[v];
+          }
+      }
+    cached_mapping.initialize(triangulation,
+                              [&](const auto &cell) { return points[cell->level()][cell->index()]; });
+  }
+
+
+  template class MeshGeometry<2>;
+  template class MeshGeometry<3>;
+} // namespace signorini
