@@ -78,6 +78,7 @@ namespace signorini
     named_sections(prm, "Bodies", "elastic bodies", names.bodies, declare_body<dim>);
     named_sections(prm, "Obstacles", "rigid obstacles", names.obstacles, declare_obstacle<dim>);
     section(prm, "Contact", [&](auto &) { declare_contact(prm, names.pairs); });
+    section(prm, "Adaptivity", declare_adaptivity);
     named_sections(prm, "Probes", "probes", names.probes, declare_probe<dim>);
     section(prm, "Exact solution", declare_exact_solution<dim>);
     section(prm, "Solver", declare_solver);

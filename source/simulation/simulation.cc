@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/output/earlier_results.h>
+#include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
 
@@ -15,7 +16,8 @@ namespace signorini
     , quiet(quiet)
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
-    , discretization(scene, communicator)
+    , discretization(scene, communicator, scene.adaptivity.any())
+    , mesh_control(discretization)
   {
   }
 
@@ -50,16 +52,12 @@ namespace signorini
     observation.start(state);
     meshed->system.set_energy(observation.energy_of_motion());
     if (writes_fields(0))
-      fields.write(state, meshed->surface);
+      fields.write(state, meshed->surface, mesh_control.indicators());
 
     const unsigned int n_steps = scene.time.n_steps();
     while (state.step < n_steps)
       {
-        StepReport report;
-        {
-          TimerOutput::Scope scope(timer, "step, all of it");
-          report = scheme->advance(meshed->system, state, scene.time.step_size);
-        }
+        const StepReport report = advance(*scheme, observation);
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
           observation.observe(state, report, scene.time.step_size);
@@ -75,9 +73,11 @@ namespace signorini
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
-            fields.write(state, meshed->surface);
+            fields.write(state, meshed->surface, mesh_control.indicators());
             observation.resume_clock();
           }
+        if (flags.any() && state.step < n_steps)
+          adapt_mesh(observation);
       }
 
     timer.print_wall_time_statistics(discretization.communicator());
@@ -87,10 +87,72 @@ namespace signorini
 
 
   template <int dim>
+  StepReport Simulation<dim>::advance(TimeScheme &scheme, Observation<dim> &observation)
+  {
+    flags = MeshChange();
+    if (!mesh_control.is_due(state.step + 1))
+      return advance_on_this_mesh(scheme);
+    for (unsigned int repetition = 0;; ++repetition)
+      {
+        const State      start  = state;
+        const StepReport report = advance_on_this_mesh(scheme);
+        {
+          TimerOutput::Scope scope(timer, "mesh: indicator and marking");
+          flags = mesh_control.judge(*meshed, {start, state, scene.time.step_size});
+        }
+        if (!flags.refines() || repetition == mesh_control.repetitions())
+          return report;
+        state = start;
+        adapt_mesh(observation);
+      }
+  }
+
+
+  template <int dim>
+  StepReport Simulation<dim>::advance_on_this_mesh(TimeScheme &scheme)
+  {
+    TimerOutput::Scope scope(timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
+    mesh_has_just_changed = false;
+    return scheme.advance(meshed->system, state, scene.time.step_size);
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::adapt_mesh(Observation<dim> &observation)
+  {
+    TimerOutput::Scope scope(timer, "mesh: all of a change");
+    change_mesh(discretization, meshed, state, timer);
+    mesh_control.mesh_changed(state.step);
+    observation.change_mesh(*meshed, state);
+    mesh_has_just_changed = true;
+  }
+
+
+  template <int dim>
   void Simulation<dim>::prepare()
   {
     meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
     set_initial_state();
+    if (mesh_control.any())
+      adapt_initial_mesh();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::adapt_initial_mesh()
+  {
+    for (unsigned int level = 0; level < scene.adaptivity.maximum_level; ++level)
+      {
+        if (!mesh_control.judge(*meshed, {state, state, 0.}).refines())
+          return;
+        discretization.triangulation.execute_coarsening_and_refinement();
+        meshed.reset();
+        discretization.distribute();
+        meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
+        state  = State();
+        set_initial_state();
+        mesh_control.mesh_changed(0);
+      }
   }
 
 

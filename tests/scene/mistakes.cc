@@ -181,6 +181,56 @@ TEST(Mistakes, SolverAndOutput)
                    {"Output/History every", "0", {"between 1 and"}}});
 }
 
+TEST(Mistakes, Adaptivity)
+{
+  const std::string adaptive =
+    assignment("Adaptivity/Indicator", "residual") + assignment("Adaptivity/Maximum level", "4");
+  const auto expect = [&](const std::string              &key,
+                          const std::string              &value,
+                          const std::vector<std::string> &words,
+                          const std::string              &more = "") {
+    const std::string path = "Adaptivity/" + key;
+    SCOPED_TRACE(path + " = " + value);
+    const TemporaryFile file(correct_scene() + adaptive + more + assignment(path, value));
+    const std::string   message = refusal(file.name);
+    expect_words(message, {file.name + ", line ", path, value});
+    expect_words(message, words);
+  };
+  EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name), "");
+  expect("Indicator", "kely", {"Did you mean `kelly`?", "none, residual"});
+  expect("Marking", "fixed", {"Valid: fixed fraction, tolerance"});
+  expect("Refine fraction", "1.5", {"between 0 and 1"});
+  expect("Coarsen fraction", "0.6", {"between 0 and 0.5", "undo"});
+  expect("Hysteresis", "-0.1", {"between 0 and 0.5"});
+  expect("Tolerance", "-1", {"must not be negative"});
+  expect("Maximum level", "0", {"nothing to refine", "Bodies/box/Refinements"});
+  expect("Maximum level", "99", {"between 0 and 15"});
+  expect("Minimum level", "4", {"smaller than `Maximum level` = 4"});
+  expect("Steps between remeshings", "0", {"between 1 and"});
+  expect("Repetitions", "100", {"between 0 and 20"});
+  expect("Distance", "0.1", {"belongs to `Indicator = distance`", "Remove"});
+  expect("Distance", "-0.1", {"must not be negative"}, assignment("Adaptivity/Indicator", "distance"));
+  expect("Tolerance", "0.1", {"Indicator = distance", "Remove"}, assignment("Adaptivity/Indicator", "distance"));
+  expect("Marking", "tolerance", {"Indicator = distance", "Remove"}, assignment("Adaptivity/Indicator", "distance"));
+  expect("Refine fraction",
+         "0.3",
+         {"Marking = tolerance", "Remove"},
+         assignment("Adaptivity/Marking", "tolerance") + assignment("Adaptivity/Tolerance", "1"));
+  expect("Repetitions", "2", {"`Indicator = none`", "remove"}, assignment("Adaptivity/Indicator", "none"));
+  expect("Indicator",
+         "kelly",
+         {"Mass = redistributed", "acceleration", "`Mass = consistent`"},
+         assignment("Time/Scheme", "khenous-laborde-renard"));
+}
+
+TEST(Mistakes, TheEqualShareNeedsATolerance)
+{
+  const TemporaryFile file(correct_scene() + assignment("Adaptivity/Indicator", "kelly")
+                           + assignment("Adaptivity/Maximum level", "4")
+                           + assignment("Adaptivity/Marking", "tolerance"));
+  expect_words(refusal(file.name), {file.name, "Adaptivity/Tolerance", "is missing", "Marking = tolerance"});
+}
+
 TEST(Mistakes, UnknownKeysAndSections)
 {
   expect_refusals({{"Dimensions", "3", {"unknown key", "Did you mean `Dimension`?", "Valid:"}},
@@ -197,7 +247,7 @@ TEST(Mistakes, UnknownKeysAndSections)
   expect("Bodies/bal/Radius", {"unknown section `Bodies/bal`", "`Bodies/Names`", "Did you mean `ball`?"});
   expect("Contact/ball : pillar/Friction coefficient", {"`Contact/Pairs` does not list this pair", "add"});
   expect("Time/Scheme/Name", {"unknown section `Time/Scheme`", "no sections inside", "`end`"});
-  expect("Adaptivity/Indicator", {"not available in this version", "Remove"});
+  expect("Checkpoint/Every", {"not available in this version", "Remove"});
 }
 
 TEST(Mistakes, FrictionThatDoesNotFit)

@@ -4,6 +4,7 @@
 #ifndef signorini_scene_scene_h
 #define signorini_scene_scene_h
 
+#include <signorini/scene/adaptivity_parameters.h>
 #include <signorini/scene/body_description.h>
 #include <signorini/scene/contact_description.h>
 #include <signorini/scene/obstacle_description.h>
@@ -33,6 +34,7 @@ namespace signorini
     std::string                           output_directory;
     std::string                           mapping = "linear"; ///< linear | curved (quadratic geometry on the manifolds)
     TimeParameters                        time;
+    AdaptivityParameters                  adaptivity;
     std::vector<BodyDescription<dim>>     bodies;
     std::vector<ObstacleDescription<dim>> obstacles;
     std::vector<PairDescription>          pairs;

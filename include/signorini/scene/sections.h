@@ -64,6 +64,12 @@ namespace signorini
   std::vector<PairDescription>
   parse_pairs(const SectionReader &in, const std::vector<PairName> &names, const Scene<dim> &scene);
 
+  void declare_adaptivity(dealii::ParameterHandler &prm);
+  template <int dim>
+  AdaptivityParameters parse_adaptivity(const SectionReader                     &in,
+                                        const TimeParameters                    &time,
+                                        const std::vector<BodyDescription<dim>> &bodies);
+
   template <int dim>
   void declare_probe(dealii::ParameterHandler &prm);
   template <int dim>

@@ -26,13 +26,16 @@ namespace signorini
     /** Flag cells by a step that was made on the present mesh; without any flag the mesh is good enough. Collective. */
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
-    /** Whether it is time to change the mesh after a step. */
-    bool is_due(unsigned int step) const { return step >= last_change + discretization.scene.adaptivity.steps_between; }
+    /** Whether the mesh may change after a step. */
+    bool is_due(unsigned int step) const
+    {
+      return any() && step >= last_change + discretization.scene.adaptivity.steps_between;
+    }
 
     /** How often a step may be repeated on a refined mesh. */
-    unsigned int repetitions() const { return discretization.scene.adaptivity.repetitions; }
+    unsigned int repetitions() const { return any() ? discretization.scene.adaptivity.repetitions : 0; }
 
-    /** The mesh has changed between this step and the next. */
+    /** The mesh has changed after a step. */
     void mesh_changed(unsigned int step);
 
     /** The latest indicators by active_cell_index; empty on a mesh that was not yet judged. */

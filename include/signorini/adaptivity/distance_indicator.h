@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_distance_indicator_h
+#define signorini_adaptivity_distance_indicator_h
+
+#include <signorini/adaptivity/error_indicator.h>
+
+namespace signorini
+{
+  /**
+   * How close cells of contact surfaces are to the other side, at the end of the step or soon after it, at constant velocity:
+   *
+   *   eta_T = Distance / (smallest gap of the nodes of T), at most 4; zero for cells without contact nodes or their partners.
+   *
+   * Above 1 a cell is to be refined, below 0.4 it may be coarsened. No estimate of any error.
+   */
+  template <int dim>
+  class DistanceIndicator : public ErrorIndicator<dim>
+  {
+  public:
+    DistanceIndicator(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
+
+    dealii::Vector<double> evaluate(const StepRecord &step) const override;
+
+  private:
+    const Discretization<dim> &discretization;
+    const ContactSurface<dim> &surface;
+  };
+} // namespace signorini
+
+#endif

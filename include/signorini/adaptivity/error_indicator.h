@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_error_indicator_h
+#define signorini_adaptivity_error_indicator_h
+
+#include <signorini/contact/contact_surface.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /** A step that was just made, both states on the present mesh. Before the first step both are the initial one and the step size is 0. */
+  struct StepRecord
+  {
+    const State &start;
+    const State &end; ///< its contact_force holds the nodal forces of the step
+    double       step_size;
+  };
+
+  /** Tells where the mesh is too coarse, or finer than needed. Refers to one mesh: build another one when the mesh has changed. */
+  template <int dim>
+  class ErrorIndicator
+  {
+  public:
+    virtual ~ErrorIndicator() = default;
+
+    /**
+     * eta_T >= 0 per active cell of this process, by active_cell_index; zero for cells of others. Collective. The root of the sum of squares over all
+     * processes is the estimate of the whole mesh; all zero means that there is nothing to be seen but round-off.
+     */
+    virtual dealii::Vector<double> evaluate(const StepRecord &step) const = 0;
+  };
+
+  /** The indicator that the scene asks for; null for none. The arguments must outlive it. */
+  template <int dim>
+  std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(const Discretization<dim> &discretization,
+                                                            const ContactSurface<dim> &surface,
+                                                            const Supports<dim>       &supports);
+
+  /** Put indicators to zero if all of them together are round-off compared with the energy of the motion. Collective. */
+  void remove_round_off(const State &state, dealii::Vector<double> &indicator);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_residual_estimate_h
+#define signorini_adaptivity_residual_estimate_h
+
+#include <signorini/adaptivity/force_balance.h>
+#include <signorini/adaptivity/residual_weights.h>
+
+namespace signorini
+{
+  /**
+   * Squared residual estimate per active cell (Krause, Veeser and Walloth, Numer. Math. 130, 2015), cell by cell and face by face instead of node by node,
+   * which is the same up to constants of the shape of cells:
+   *
+   *   interior:  w_T |div sigma + rho q|^2,
+   *   between cells:  w_F |[sigma n]|^2, half of it for each cell,
+   *   where no contact is possible:  w_F |sigma n - traction|^2 in the components that no support holds,
+   *   at slave surfaces:  w_F (|sigma_t - t_t|^2 + sigma_nu^2 but for the parts of full-contact nodes) + s gap,
+   *   at master surfaces:  w_F |sigma n - t|^2.
+   *
+   * A full-contact node is closed with all its neighbours on the slave surface, and there is no tension around it. t are nodal contact forces
+   * divided by the areas of their nodes, t_t those of friction, s the pressure at nodes; s gap is zero but where a face has closed and
+   * open nodes. Terms that measure by how much a node violates the law of friction are left out: the solver satisfies it at each node.
+   *
+   * Collective; hanging nodes of the vectors need not be set.
+   */
+  template <int dim>
+  dealii::Vector<double> squared_residual_estimate(const Discretization<dim> &discretization,
+                                                   const ContactSurface<dim> &surface,
+                                                   const Supports<dim>       &supports,
+                                                   const ForceBalance        &balance,
+                                                   const ResidualWeights     &weights);
+
+  // The parts. Vectors have ghosts and values at hanging nodes; each adds to the squares of the cells of this process.
+
+  /** Interior residual of a displacement and a force per mass. */
+  template <int dim>
+  void add_interior_residual(const Discretization<dim> &discretization,
+                             const Vector              &displacement,
+                             const Vector              &specific_force,
+                             const ResidualWeights     &weights,
+                             dealii::Vector<double>    &squares);
+
+  /** Jumps of the stress vector between cells. */
+  template <int dim>
+  void add_stress_jumps(const Discretization<dim> &discretization,
+                        const Vector              &displacement,
+                        const ResidualWeights     &weights,
+                        dealii::Vector<double>    &squares);
+
+  template <int dim>
+  struct ContactFields;
+
+  /** All surfaces of the bodies. */
+  template <int dim>
+  void add_boundary_residual(const Discretization<dim> &discretization,
+                             const ContactSurface<dim> &surface,
+                             const ForceBalance        &balance,
+                             const Vector              &displacement,
+                             const ContactFields<dim>  &fields,
+                             const ResidualWeights     &weights,
+                             dealii::Vector<double>    &squares);
+
+  /** Stress of plane strain or in space. */
+  template <int dim>
+  dealii::SymmetricTensor<2, dim> stress_of_strain(const Material                        &material,
+                                                   const dealii::SymmetricTensor<2, dim> &strain)
+  {
+    return material.lambda() * trace(strain) * dealii::unit_symmetric_tensor<dim>() + 2. * material.mu() * strain;
+  }
+} // namespace signorini
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/distance_indicator.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double largest_indicator = 4.;
+
+    /** 1 / gap in the first component of contact nodes and of the nodes that move their other side, the largest one counts. */
+    template <int dim>
+    Vector closeness(const Discretization<dim> &discretization,
+                     const ContactSurface<dim> &surface,
+                     const std::vector<double> &gap)
+    {
+      const auto &partitioner = *discretization.matrices.pattern.partitioner;
+      IndexSet    ghosts(discretization.dof_handler.n_dofs());
+      for (const ContactNode<dim> &node : surface.nodes())
+        for (const auto &[partner, weight] : node.partners)
+          ghosts.add_range(dim * partner, dim * (partner + 1));
+      Vector       result(discretization.locally_owned, ghosts, discretization.communicator());
+      const double touching = 1e-12 * discretization.body_size();
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        {
+          const ContactNode<dim> &node  = surface.nodes()[k];
+          const double            value = 1. / std::max(gap[k], touching);
+          const auto raise = [&](const types::global_dof_index dof) { result(dof) = std::max(result(dof), value); };
+          raise(partitioner.local_to_global(dim * node.node));
+          for (const auto &[partner, weight] : node.partners)
+            raise(dim * partner);
+        }
+      result.compress(VectorOperation::max);
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  DistanceIndicator<dim>::DistanceIndicator(const Discretization<dim> &discretization,
+                                            const ContactSurface<dim> &surface)
+    : discretization(discretization)
+    , surface(surface)
+  {
+  }
+
+
+  template <int dim>
+  dealii::Vector<double> DistanceIndicator<dim>::evaluate(const StepRecord &step) const
+  {
+    const Scene<dim> &scene = discretization.scene;
+    // The mesh made now serves the steps until the next change, and one to be sure.
+    const double ahead = (scene.adaptivity.steps_between + 1.) * scene.time.step_size;
+    Vector       soon  = step.end.displacement;
+    soon.add(ahead, step.end.velocity);
+    std::vector<double>       gap      = surface.distance(step.end.displacement);
+    const std::vector<double> gap_soon = surface.distance(soon);
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      gap[k] = std::min(gap[k], gap_soon[k]);
+
+    const Vector           close = discretization.interpolate_hanging_nodes(closeness(discretization, surface, gap));
+    dealii::Vector<double> result(discretization.triangulation.n_active_cells());
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          double largest = 0.;
+          for (const unsigned int v : cell->vertex_indices())
+            largest = std::max(largest, close(cell->vertex_dof_index(v, 0)));
+          const double distance =
+            scene.adaptivity.distance > 0. ? scene.adaptivity.distance : 2. * cell->diameter() / std::sqrt(double(dim));
+          result(cell->active_cell_index()) = std::min(largest_indicator, distance * largest);
+        }
+    return result;
+  }
+
+
+  template class DistanceIndicator<2>;
+  template class DistanceIndicator<3>;
+} // namespace signorini

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/force_balance.h>
+
+namespace signorini
+{
+  namespace
+  {
+    template <int dim>
+    Vector body_force(const Discretization<dim> &discretization, const double time)
+    {
+      std::vector<std::array<std::string, dim>> expressions;
+      for (const auto &body : discretization.scene.bodies)
+        expressions.push_back(body.body_force);
+      return discretization.interpolate(expressions, time);
+    }
+  } // namespace
+
+
+  template <int dim>
+  ForceBalance
+  balance_of_step(const Discretization<dim> &discretization, const ContactSurface<dim> &surface, const StepRecord &step)
+  {
+    const std::string &scheme = discretization.scene.time.scheme;
+    ForceBalance       balance;
+    balance.end_time      = step.end.time;
+    balance.start_time    = step.end.time - step.step_size;
+    balance.displacement  = step.end.displacement;
+    balance.contact_force = step.end.contact_force;
+    if (scheme == "backward-euler")
+      balance.start_time = balance.end_time;
+    else
+      balance.displacement.sadd(0.5, 0.5, step.start.displacement);
+    if (scheme == "newmark")
+      balance.contact_force.sadd(0.5, 0.5, step.start.contact_force);
+    balance.specific_force = body_force(discretization, balance.end_time);
+    if (balance.start_time != balance.end_time)
+      balance.specific_force.sadd(0.5, 0.5, body_force(discretization, balance.start_time));
+    balance.specific_force.add(-1. / step.step_size, step.end.velocity, 1. / step.step_size, step.start.velocity);
+    balance.gap = surface.distance(step.end.displacement);
+    return balance;
+  }
+
+
+  template <int dim>
+  ForceBalance balance_at_rest(const Discretization<dim> &discretization,
+                               const ContactSurface<dim> &surface,
+                               const Vector              &displacement,
+                               const Vector              &contact_force,
+                               const double               time)
+  {
+    return {displacement, body_force(discretization, time), contact_force, surface.distance(displacement), time, time};
+  }
+
+
+  template ForceBalance balance_of_step(const Discretization<2> &, const ContactSurface<2> &, const StepRecord &);
+  template ForceBalance balance_of_step(const Discretization<3> &, const ContactSurface<3> &, const StepRecord &);
+  template ForceBalance
+  balance_at_rest(const Discretization<2> &, const ContactSurface<2> &, const Vector &, const Vector &, double);
+  template ForceBalance
+  balance_at_rest(const Discretization<3> &, const ContactSurface<3> &, const Vector &, const Vector &, double);
+} // namespace signorini

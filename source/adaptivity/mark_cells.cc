@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/contact_fields.h>
+#include <signorini/adaptivity/mark_cells.h>
+#include <signorini/adaptivity/marking.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** The part of the squared estimate that cells with squares >= a threshold make which may be refined. */
+    template <int dim>
+    double refinable_part(const parallel::distributed::Triangulation<dim> &triangulation,
+                          const dealii::Vector<double>                    &squares,
+                          const std::vector<bool>                         &refinable,
+                          const double                                     threshold)
+    {
+      double part = 0.;
+      for (unsigned int cell = 0; cell < squares.size(); ++cell)
+        if (refinable[cell] && squares(cell) >= threshold)
+          part += squares(cell);
+      return Utilities::MPI::sum(part, triangulation.get_communicator());
+    }
+
+    template <int dim>
+    void clear_flags(parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      for (const auto &cell : triangulation.active_cell_iterators())
+        {
+          cell->clear_refine_flag();
+          cell->clear_coarsen_flag();
+        }
+    }
+
+    template <int dim>
+    void count_flags(const parallel::distributed::Triangulation<dim> &triangulation, MeshChange &change)
+    {
+      change.n_to_refine = change.n_to_coarsen = 0;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            change.n_to_refine += cell->refine_flag_set();
+            change.n_to_coarsen += cell->coarsen_flag_set();
+          }
+      change.n_to_refine  = Utilities::MPI::sum(change.n_to_refine, triangulation.get_communicator());
+      change.n_to_coarsen = Utilities::MPI::sum(change.n_to_coarsen, triangulation.get_communicator());
+    }
+  } // namespace
+
+
+  template <int dim>
+  MeshChange mark_cells(parallel::distributed::Triangulation<dim> &triangulation,
+                        const Scene<dim>                          &scene,
+                        const dealii::Vector<double>              &indicator,
+                        const std::vector<bool>                   &not_to_coarsen)
+  {
+    const AdaptivityParameters &parameters = scene.adaptivity;
+    dealii::Vector<double>      squares    = indicator;
+    std::vector<bool>           refinable(squares.size()), coarsenable(squares.size());
+    for (double &value : squares)
+      value *= value;
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const unsigned int index = cell->active_cell_index(), level = cell->level();
+          refinable[index]   = level < parameters.maximum_level;
+          coarsenable[index] = level > std::max(parameters.minimum_level, scene.bodies[cell->material_id()].refinements)
+                               && (not_to_coarsen.empty() || !not_to_coarsen[index]);
+        }
+
+    const IndicatorDistribution distribution(triangulation, squares, refinable);
+    const auto                  marking   = make_marking<dim>(parameters);
+    MarkingThresholds           threshold = marking->thresholds(distribution);
+    if (parameters.maximum_cells > 0)
+      {
+        const double room = double(parameters.maximum_cells) - distribution.n_cells();
+        threshold.refine  = std::max(threshold.refine, distribution.threshold_of_number(room / ((1 << dim) - 1)));
+      }
+    if (marking->weighs_parts()
+        && refinable_part(triangulation, squares, refinable, threshold.refine)
+             < parameters.hysteresis * distribution.total())
+      threshold.refine = std::numeric_limits<double>::infinity();
+
+    clear_flags(triangulation);
+    for (const auto &cell : triangulation.active_cell_iterators())
+      if (cell->is_locally_owned())
+        {
+          const unsigned int index = cell->active_cell_index();
+          if (refinable[index] && squares(index) >= threshold.refine)
+            cell->set_refine_flag();
+          else if (coarsenable[index] && squares(index) < threshold.coarsen)
+            cell->set_coarsen_flag();
+        }
+    triangulation.prepare_coarsening_and_refinement();
+    MeshChange change;
+    change.estimate = std::sqrt(distribution.total());
+    count_flags(triangulation, change);
+    if (!change.refines() && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
+      {
+        clear_flags(triangulation);
+        change.n_to_coarsen = 0;
+      }
+    return change;
+  }
+
+
+  template <int dim>
+  std::vector<bool> cells_in_contact(const Discretization<dim> &discretization,
+                                     const ContactSurface<dim> &surface,
+                                     const Vector              &contact_force)
+  {
+    // Contact pushes exactly the nodes that it closes, on both sides.
+    Vector                  force   = discretization.make_vector();
+    const std::vector<bool> closed  = closed_nodes(surface, contact_force);
+    double                  largest = contact_force.linfty_norm();
+    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (std::abs(contact_force.local_element(dim * node + c)) > 1e-9 * largest)
+          force.local_element(dim * node) = 1.;
+    for (std::size_t k = 0; k < closed.size(); ++k)
+      force.local_element(dim * surface.nodes()[k].node) = closed[k];
+    force = discretization.interpolate_hanging_nodes(force);
+    std::vector<bool> result(discretization.triangulation.n_active_cells());
+    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (force(cell->vertex_dof_index(v, 0)) > 0.)
+            result[cell->active_cell_index()] = true;
+    return result;
+  }
+
+
+  template MeshChange        mark_cells(parallel::distributed::Triangulation<2> &,
+                                        const Scene<2> &,
+                                        const dealii::Vector<double> &,
+                                        const std::vector<bool> &);
+  template MeshChange        mark_cells(parallel::distributed::Triangulation<3> &,
+                                        const Scene<3> &,
+                                        const dealii::Vector<double> &,
+                                        const std::vector<bool> &);
+  template std::vector<bool> cells_in_contact(const Discretization<2> &, const ContactSurface<2> &, const Vector &);
+  template std::vector<bool> cells_in_contact(const Discretization<3> &, const ContactSurface<3> &, const Vector &);
+} // namespace signorini

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/marking.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    /**
+     * A cell that replaces its 2^dim children has about 4 * 2^dim times the square of one of them (linear elements, error in the energy
+     * norm). This is to stay below half of the threshold of refinement.
+     */
+    template <int dim>
+    double safe_to_coarsen(const double refine)
+    {
+      return refine / (8. * (1 << dim));
+    }
+
+    /** Bulk criterion of Doerfler (1996). */
+    template <int dim>
+    class FixedFraction : public Marking
+    {
+    public:
+      explicit FixedFraction(const AdaptivityParameters &parameters)
+        : parameters(parameters)
+      {
+      }
+
+      MarkingThresholds thresholds(const IndicatorDistribution &distribution) const override
+      {
+        const double bulk    = distribution.threshold_of_part(parameters.refine_fraction);
+        const double coarsen = distribution.threshold_of_rest(parameters.coarsen_fraction);
+        const bool   is_good = std::sqrt(distribution.total()) <= parameters.tolerance;
+        return {is_good ? infinity : bulk, std::min(coarsen, safe_to_coarsen<dim>(bulk))};
+      }
+
+    private:
+      const AdaptivityParameters parameters;
+    };
+
+    /** Every cell may have the same part of the tolerance. */
+    template <int dim>
+    class EqualShare : public Marking
+    {
+    public:
+      explicit EqualShare(const double tolerance)
+        : tolerance(tolerance)
+      {
+      }
+
+      MarkingThresholds thresholds(const IndicatorDistribution &distribution) const override
+      {
+        if (distribution.total() == 0.)
+          return {infinity, 0.};
+        const double share   = tolerance * tolerance / distribution.n_cells();
+        const bool   is_good = std::sqrt(distribution.total()) <= tolerance;
+        return {is_good ? infinity : share, safe_to_coarsen<dim>(share)};
+      }
+
+    private:
+      const double tolerance;
+    };
+
+    /** Of DistanceIndicator, which is no estimate. */
+    class FixedThresholds : public Marking
+    {
+    public:
+      MarkingThresholds thresholds(const IndicatorDistribution &) const override { return {1., 0.16}; }
+      bool              weighs_parts() const override { return false; }
+    };
+  } // namespace
+
+
+  template <int dim>
+  std::unique_ptr<Marking> make_marking(const AdaptivityParameters &parameters)
+  {
+    if (parameters.indicator == "distance")
+      return std::make_unique<FixedThresholds>();
+    if (parameters.marking == "tolerance")
+      return std::make_unique<EqualShare<dim>>(parameters.tolerance);
+    return std::make_unique<FixedFraction<dim>>(parameters);
+  }
+
+
+  template std::unique_ptr<Marking> make_marking<2>(const AdaptivityParameters &);
+  template std::unique_ptr<Marking> make_marking<3>(const AdaptivityParameters &);
+} // namespace signorini

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr unsigned int highest_level = 15;
+    constexpr unsigned int unlimited     = std::numeric_limits<int>::max();
+
+    /**
+     * The keys but for `Indicator`, with their defaults. A key counts as given if it has another value: `parameters.prm` lists all keys and must be
+     * read without complaint.
+     */
+    const std::vector<std::pair<std::string, std::string>> defaults = {{"Marking", "fixed fraction"},
+                                                                       {"Refine fraction", "0.5"},
+                                                                       {"Coarsen fraction", "0.02"},
+                                                                       {"Tolerance", "0"},
+                                                                       {"Hysteresis", "0.1"},
+                                                                       {"Maximum level", "0"},
+                                                                       {"Minimum level", "0"},
+                                                                       {"Maximum cells", "0"},
+                                                                       {"Steps between remeshings", "1"},
+                                                                       {"Repetitions", "0"},
+                                                                       {"Distance", "0"}};
+
+    std::string default_of(const std::string &key)
+    {
+      return std::find_if(defaults.begin(), defaults.end(), [&](const auto &entry) { return entry.first == key; })
+        ->second;
+    }
+
+    void refuse_if_given(const SectionReader &in, const std::vector<std::string> &keys, const std::string &reason)
+    {
+      for (const std::string &key : keys)
+        if (in.text(key) != default_of(key))
+          in.fail(key, reason);
+    }
+
+    double fraction(const SectionReader &in, const std::string &key, const double largest, const std::string &meaning)
+    {
+      const double value = in.number(key);
+      if (!(value >= 0. && value <= largest))
+        in.fail(key, "must lie between 0 and " + std::string(largest == 1. ? "1" : "0.5") + ": " + meaning);
+      return value;
+    }
+
+    double not_negative(const SectionReader &in, const std::string &key, const std::string &remedy)
+    {
+      const double value = in.number(key);
+      if (!(value >= 0. && value <= std::numeric_limits<double>::max()))
+        in.fail(key, "must not be negative. " + remedy);
+      return value;
+    }
+
+    /** Refuse keys that the chosen indicator and marking do not look at. */
+    void check_that_keys_fit(const SectionReader &in, const AdaptivityParameters &adaptivity)
+    {
+      if (!adaptivity.any())
+        for (const auto &entry : defaults)
+          refuse_if_given(in,
+                          {entry.first},
+                          "has no effect, because `Indicator = none` keeps the mesh as it is. Choose an indicator "
+                          "(residual, kelly or distance), or remove this key.");
+      if (adaptivity.indicator == "distance")
+        refuse_if_given(in,
+                        {"Marking", "Refine fraction", "Coarsen fraction", "Tolerance"},
+                        "belongs to indicators that estimate an error, but Indicator = distance refines by `Distance` "
+                        "alone. Remove this key.");
+      else
+        refuse_if_given(in,
+                        {"Distance"},
+                        "belongs to `Indicator = distance`, but Indicator = " + adaptivity.indicator
+                          + ". Remove this key.");
+      if (adaptivity.marking == "tolerance")
+        refuse_if_given(
+          in,
+          {"Refine fraction", "Coarsen fraction"},
+          "belongs to `Marking = fixed fraction`, but Marking = tolerance compares with `Tolerance`. Remove this key.");
+    }
+
+    template <int dim>
+    void check_levels(const SectionReader                     &in,
+                      const AdaptivityParameters              &adaptivity,
+                      const std::vector<BodyDescription<dim>> &bodies)
+    {
+      const auto &coarsest = *std::min_element(
+        bodies.begin(), bodies.end(), [](const auto &a, const auto &b) { return a.refinements < b.refinements; });
+      if (adaptivity.maximum_level <= coarsest.refinements)
+        in.fail("Maximum level",
+                "leaves nothing to refine: the initial mesh has level " + std::to_string(coarsest.refinements)
+                  + " (`Bodies/" + coarsest.name + "/Refinements`) or more. Give a larger number.");
+      if (adaptivity.minimum_level >= adaptivity.maximum_level)
+        in.fail("Minimum level",
+                "must be smaller than `Maximum level` = " + in.text("Maximum level")
+                  + ". Reduce it, or remove this key.");
+    }
+
+    /** Contact nodes without mass cannot be carried from mesh to mesh. */
+    void check_mass(const SectionReader &in, const AdaptivityParameters &adaptivity, const TimeParameters &time)
+    {
+      if (adaptivity.any() && time.has_massless_contact_nodes())
+        in.fail(
+          "Indicator",
+          "does not fit Scheme = " + time.scheme + " with Mass = " + time.mass
+            + ": contact nodes have no mass, so that on a new mesh their acceleration is not defined, and the mass "
+              "built anew has another kinetic energy of the same motion. Set `Indicator = none`, or take "
+              "`Mass = consistent` and another scheme, for example contact-stabilized.");
+    }
+  } // namespace
+
+
+  void declare_adaptivity(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    const auto declare = [&](const std::string &key, const PatternBase &pattern, const std::string &text) {
+      prm.declare_entry(key, default_of(key), pattern, text);
+    };
+    prm.declare_entry(
+      "Indicator",
+      "none",
+      Selection("none|residual|kelly|distance"),
+      "What tells where the mesh is too coarse or finer than needed. none: the mesh stays as it is. "
+      "residual: estimate of the error of a step in the energy norm, from the residual inside of the "
+      "cells, the jumps of the stress between them and the error of the contact condition. kelly: the jumps of "
+      "the stress alone. distance: no estimate; cells of contact surfaces are refined that are, or soon will be, "
+      "closer than `Distance` to the other side.");
+    declare(
+      "Marking",
+      Selection("fixed fraction|tolerance"),
+      "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, as few as make `Refine "
+      "fraction` of the whole, and coarsen those with the smallest that make `Coarsen fraction`. tolerance: refine the "
+      "cells "
+      "that have more than their equal share of `Tolerance`, coarsen those far below it.");
+    declare("Refine fraction",
+            Double(),
+            "Of Marking = fixed fraction: the part of the squared estimate that the cells to be refined make "
+            "together (no unit), between 0 (none) and 1 (all).");
+    declare("Coarsen fraction",
+            Double(),
+            "Of Marking = fixed fraction: the part of the squared estimate that the cells to be coarsened make at most "
+            "together (no unit), between 0 and 0.5.");
+    declare(
+      "Tolerance",
+      Double(),
+      "Of residual and kelly, in units of the root of an energy: nothing is refined as long as the estimate of the "
+      "whole mesh is smaller. Must be given for Marking = tolerance; 0: none.");
+    declare("Hysteresis",
+            Double(),
+            "A mesh that is good enough is kept: it changes only if the cells to be refined make at least this part of "
+            "the squared "
+            "estimate (with distance: if there are any), or those to be coarsened this part of all cells (no unit), "
+            "between 0 and "
+            "0.5.");
+    declare("Maximum level",
+            Integer(),
+            "Cells of this level are not refined. The level counts refinements of the coarse mesh, as `Refinements` of "
+            "a body "
+            "does. Must be given unless Indicator = none.");
+    declare("Minimum level",
+            Integer(),
+            "Cells of this level are not coarsened. Cells of the initial uniform mesh (level `Refinements` of their "
+            "body) never "
+            "are.");
+    declare("Maximum cells",
+            Integer(),
+            "Refinement stops at about this number of cells of all bodies together. 0: no limit.");
+    declare("Steps between remeshings", Integer(), "The mesh may change after every so many steps.");
+    declare("Repetitions",
+            Integer(),
+            "How often a step may be repeated on a refined mesh before it is accepted, at most 20. 0: the mesh that a "
+            "step asks for "
+            "serves the next one.");
+    declare("Distance",
+            Double(),
+            "Of Indicator = distance, in units of length: cells are refined that have nodes closer than this to the "
+            "other side, "
+            "and coarsened when they are 2.5 times farther away. 0: twice the size of each cell, so that the mesh "
+            "becomes finer towards the contact.");
+  }
+
+
+  template <int dim>
+  AdaptivityParameters
+  parse_adaptivity(const SectionReader &in, const TimeParameters &time, const std::vector<BodyDescription<dim>> &bodies)
+  {
+    AdaptivityParameters adaptivity;
+    adaptivity.indicator = in.text("Indicator");
+    adaptivity.marking   = in.text("Marking");
+    check_that_keys_fit(in, adaptivity);
+    check_mass(in, adaptivity, time);
+    adaptivity.refine_fraction =
+      fraction(in, "Refine fraction", 1., "it is a part of the whole. Give for example 0.5.");
+    adaptivity.coarsen_fraction =
+      fraction(in, "Coarsen fraction", 0.5, "coarsening must not undo refinement. Give for example 0.02.");
+    adaptivity.hysteresis =
+      fraction(in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
+    adaptivity.tolerance     = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
+    adaptivity.distance      = not_negative(in, "Distance", "Give a length, or 0 for twice the size of each cell.");
+    adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
+    adaptivity.minimum_level = in.integer("Minimum level", 0, highest_level);
+    adaptivity.maximum_cells = in.integer("Maximum cells", 0, unlimited);
+    adaptivity.steps_between = in.integer("Steps between remeshings", 1, unlimited);
+    adaptivity.repetitions   = in.integer("Repetitions", 0, 20);
+    if (!adaptivity.any())
+      return adaptivity;
+    if (adaptivity.marking == "tolerance" && adaptivity.tolerance == 0.)
+      in.fail("Tolerance", "is missing, but Marking = tolerance compares with it. Give a positive number.");
+    check_levels(in, adaptivity, bodies);
+    return adaptivity;
+  }
+
+
+  template AdaptivityParameters
+  parse_adaptivity(const SectionReader &, const TimeParameters &, const std::vector<BodyDescription<2>> &);
+  template AdaptivityParameters
+  parse_adaptivity(const SectionReader &, const TimeParameters &, const std::vector<BodyDescription<3>> &);
+} // namespace signorini
