@@ -5,6 +5,7 @@
 #define signorini_simulation_change_mesh_h
 
 #include <signorini/simulation/meshed_scene.h>
+#include <signorini/time/state.h>
 
 namespace signorini
 {

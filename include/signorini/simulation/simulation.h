@@ -4,11 +4,12 @@
 #ifndef signorini_simulation_simulation_h
 #define signorini_simulation_simulation_h
 
-#include <deal.II/base/timer.h>
 #include <signorini/output/field_output.h>
 #include <signorini/output/run_log.h>
 #include <signorini/simulation/mesh_control.h>
 #include <signorini/simulation/observation.h>
+
+#include <deal.II/base/timer.h>
 
 #include <sstream>
 
@@ -47,7 +48,6 @@ namespace signorini
     MeshControl<dim>                  mesh_control;
     MeshChange                        flags;                        ///< what the latest step wants of the mesh
     bool                              mesh_has_just_changed = true; ///< since the latest step
-    MeshControl<dim>                  mesh_control;
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();
@@ -58,13 +58,7 @@ namespace signorini
     StepReport advance(TimeScheme &scheme, Observation<dim> &observation);
     StepReport advance_on_this_mesh(TimeScheme &scheme);
     /** Carry out the flags of the mesh. */
-    void adapt_mesh(Observation<dim> &observation);
-    /** Refine the mesh of the initial state as far as the indicator wants it. */
-    void adapt_initial_mesh();
-    /** The next step, on a mesh that may be refined for it; the step is repeated then. */
-    StepReport advance(TimeScheme &scheme, Observation<dim> &observation);
-    /** Carry out the flags of the mesh. */
-    void        change_mesh(Observation<dim> &observation);
+    void        adapt_mesh(Observation<dim> &observation);
     bool        writes_fields(unsigned int step) const;
     std::string description() const;
   };
