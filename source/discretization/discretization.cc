@@ -27,6 +27,7 @@ namespace signorini
     , fe(FE_Q<dim>(1), dim)
     , mapping(scene.mapping == "curved" ? 2 : 1)
     , dof_handler(triangulation)
+    , cell_matrices(scene, mapping, n_quadrature_points())
   {
     make_mesh(scene, triangulation);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
@@ -68,6 +69,7 @@ namespace signorini
   template <int dim>
   void Discretization<dim>::assemble(const MassChange &change)
   {
+    cell_matrices.forget_unused();
     assemble_matrices(*this, matrices, change);
     if (scene.time.mass == "lumped")
       matrices.lump_mass();
