@@ -41,6 +41,7 @@ namespace signorini
     , geometry(scene.mapping == "curved" ? 2 : 1, mesh_changes ? refinements(scene) : std::vector<unsigned int>())
     , mapping(geometry.mapping())
     , dof_handler(triangulation)
+    , cell_matrices(scene, mapping, n_quadrature_points())
   {
     make_mesh(scene, triangulation);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)
@@ -91,6 +92,7 @@ namespace signorini
   template <int dim>
   void Discretization<dim>::assemble(const MassChange &change)
   {
+    cell_matrices.forget_unused();
     assemble_matrices(*this, matrices, change);
     if (scene.time.mass == "lumped")
       matrices.lump_mass();

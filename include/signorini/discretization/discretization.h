@@ -4,6 +4,7 @@
 #ifndef signorini_discretization_discretization_h
 #define signorini_discretization_discretization_h
 
+#include <signorini/discretization/cell_matrices.h>
 #include <signorini/discretization/mass_change.h>
 #include <signorini/discretization/mesh_geometry.h>
 #include <signorini/scene/scene.h>
@@ -57,6 +58,7 @@ namespace signorini
     dealii::AffineConstraints<double>                 hanging_node_constraints;
     dealii::IndexSet                                  locally_owned, locally_relevant;
     ElasticMatrices<dim>                              matrices;
+    CellMatrices<dim>                                 cell_matrices; ///< of single cells; survive a change of the mesh
     /** Positions of the local nodes of the pattern, ghosts included. */
     std::vector<dealii::Point<dim>> node_positions;
 

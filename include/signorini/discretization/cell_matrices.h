@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_discretization_cell_matrices_h
+#define signorini_discretization_cell_matrices_h
+
+#include <signorini/linear_algebra/elastic_matrices.h>
+#include <signorini/scene/scene.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <deal.II/grid/cell_id.h>
+
+#include <map>
+#include <unordered_map>
+
+namespace signorini
+{
+  /** Consistent mass and stiffness of one cell: of the pairs (a, b) of its vertices with a <= b, row by row. */
+  template <int dim>
+  struct CellMatrix
+  {
+    using Block                              = typename ElasticMatrices<dim>::Block;
+    static constexpr unsigned int n_vertices = 1u << dim;
+    static constexpr unsigned int n_pairs    = n_vertices * (n_vertices + 1) / 2;
+
+    std::array<double, n_pairs> mass;
+    std::array<Block, n_pairs>  stiffness; ///< rows are components at a, columns those at b; column by column
+
+    /** Place of the pair (a, b), a <= b. */
+    static constexpr unsigned int pair(const unsigned int a, const unsigned int b)
+    {
+      return a * n_vertices - a * (a + 1) / 2 + b;
+    }
+  };
+
+
+  /** Mass and stiffness of a cell as multiples of those of a congruent one. Valid until the next matrix is asked for. */
+  template <int dim>
+  struct ScaledCellMatrix
+  {
+    const CellMatrix<dim> *matrix;
+    double                 mass_factor, stiffness_factor;
+
+    /** Of any two vertices. */
+    double mass(unsigned int a, unsigned int b) const;
+    /** Of any two vertices; column by column. */
+    typename CellMatrix<dim>::Block stiffness(unsigned int a, unsigned int b) const;
+  };
+
+
+  /**
+   * Mass and stiffness of single cells, also of cells that are not active. Cells of the same shape and material are computed
+   * once: with edges t times as long the mass is t^dim, the stiffness t^(dim-2) times as large. Shapes are compared up to the
+   * round-off of the vertices; translations and changes of size make no difference, rotations do. Cells whose map is not
+   * linear along each edge of the reference cell are kept by their CellId, because quadrature is expensive there: 3 kB per cell in 3d,
+   * 0.5 kB in 2d, and never more than the given number of cells; what is beyond is computed whenever it is asked for. So the matrices survive
+   * a change of the mesh. Not for several threads.
+   */
+  template <int dim>
+  class CellMatrices
+  {
+  public:
+    using Cell = typename dealii::Triangulation<dim>::cell_iterator;
+
+    /**
+     * @param n_quadrature_points per direction
+     * @param capacity            largest number of cells that are kept by their CellId
+     */
+    CellMatrices(const Scene<dim>           &scene,
+                 const dealii::Mapping<dim> &mapping,
+                 unsigned int                n_quadrature_points,
+                 std::size_t                 capacity = 20000);
+
+    /** Of a cell that is not artificial. */
+    ScaledCellMatrix<dim> of(const Cell &cell) const;
+
+    /** To be called when the mesh has changed: if space gets scarce, drop what was not used since the last call. */
+    void forget_unused();
+
+    /** Number of matrices that are kept. */
+    std::size_t n_kept() const { return shapes.size() + curved_cells.size(); }
+
+  private:
+    static constexpr unsigned int n_vertices = CellMatrix<dim>::n_vertices;
+
+    /** A cell without place and size: material, and all vertices seen from the first one, divided by the length of the diagonal. */
+    struct Shape
+    {
+      unsigned int                                material;
+      double                                      size;      ///< length of the diagonal
+      double                                      tolerance; ///< round-off of the vertices
+      std::array<double, dim *(n_vertices - 1)> vertices;
+
+      Shape(const Cell &cell, const dealii::Mapping<dim> &mapping);
+      bool        is_same(const Shape &other) const;
+      std::size_t hash() const;
+    };
+
+    struct Kept
+    {
+      CellMatrix<dim> matrix;
+      bool            used;
+    };
+
+    const Scene<dim>                                                 &scene;
+    const dealii::Mapping<dim>                                       &mapping;
+    const bool                                                        all_straight;
+    const std::size_t                                                 capacity;
+    const dealii::FE_Q<dim>                                           scalar_fe;
+    mutable dealii::FEValues<dim>                                     fe_values;
+    mutable std::unordered_multimap<std::size_t, std::pair<Shape, Kept>> shapes;
+    mutable std::map<dealii::CellId, Kept>                            curved_cells;
+    mutable std::pair<Shape, Kept>                                   *latest = nullptr; ///< neighbours are often of one shape
+    mutable CellMatrix<dim>                                           not_kept;
+
+    bool                  is_straight(const Cell &cell) const;
+    ScaledCellMatrix<dim> of_straight(const Cell &cell) const;
+    ScaledCellMatrix<dim> of_curved(const Cell &cell) const;
+    void                  compute(const Cell &cell, CellMatrix<dim> &result) const;
+  };
+} // namespace signorini
+
+#endif

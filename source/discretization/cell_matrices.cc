@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/discretization/cell_matrices.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <deal.II/fe/mapping_q.h>
+
+#include <boost/functional/hash.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** To compute a matrix takes hardly longer than to fetch it from main memory, so that many shapes are not worth keeping. */
+    constexpr unsigned int most_shapes = 64;
+
+
+    /** Whether the cell, its faces and its edges are all without manifold. */
+    template <int dim>
+    bool is_flat(const typename Triangulation<dim>::cell_iterator &cell)
+    {
+      bool flat = cell->manifold_id() == numbers::flat_manifold_id;
+      for (const unsigned int f : cell->face_indices())
+        flat = flat && cell->face(f)->manifold_id() == numbers::flat_manifold_id;
+      for (const unsigned int l : cell->line_indices())
+        flat = flat && cell->line(l)->manifold_id() == numbers::flat_manifold_id;
+      return flat;
+    }
+  } // namespace
+
+
+  template <int dim>
+  double ScaledCellMatrix<dim>::mass(const unsigned int a, const unsigned int b) const
+  {
+    return mass_factor * matrix->mass[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
+  }
+
+
+  template <int dim>
+  typename CellMatrix<dim>::Block ScaledCellMatrix<dim>::stiffness(const unsigned int a, const unsigned int b) const
+  {
+    const auto &block = matrix->stiffness[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
+    typename CellMatrix<dim>::Block result;
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int d = 0; d < dim; ++d)
+        result[dim * d + c] = stiffness_factor * (a <= b ? block[dim * d + c] : block[dim * c + d]);
+    return result;
+  }
+
+
+  template <int dim>
+  CellMatrices<dim>::CellMatrices(const Scene<dim>   &scene,
+                                  const Mapping<dim> &mapping,
+                                  const unsigned int  n_quadrature_points,
+                                  const std::size_t   capacity)
+    : scene(scene)
+    , mapping(mapping)
+    , all_straight([&mapping] {
+      const auto *polynomial = dynamic_cast<const MappingQ<dim> *>(&mapping);
+      return polynomial != nullptr && polynomial->get_degree() == 1;
+    }())
+    , capacity(capacity)
+    , scalar_fe(1)
+    , fe_values(mapping,
+                scalar_fe,
+                QGauss<dim>(n_quadrature_points),
+                update_values | update_gradients | update_JxW_values)
+  {
+  }
+
+
+  template <int dim>
+  ScaledCellMatrix<dim> CellMatrices<dim>::of(const Cell &cell) const
+  {
+    return is_straight(cell) ? of_straight(cell) : of_curved(cell);
+  }
+
+
+  template <int dim>
+  void CellMatrices<dim>::forget_unused()
+  {
+    const bool scarce = n_kept() > capacity / 2;
+    for (auto entry = shapes.begin(); entry != shapes.end();)
+      if (scarce && !entry->second.second.used)
+        entry = shapes.erase(entry);
+      else
+        (entry++)->second.second.used = false;
+    for (auto entry = curved_cells.begin(); entry != curved_cells.end();)
+      if (scarce && !entry->second.used)
+        entry = curved_cells.erase(entry);
+      else
+        (entry++)->second.used = false;
+    latest = nullptr;
+  }
+
+
+  template <int dim>
+  bool CellMatrices<dim>::is_straight(const Cell &cell) const
+  {
+    if (all_straight)
+      return true;
+    // A cell may be a part of the map of a cell of the coarse mesh.
+    Cell ancestor = cell;
+    while (ancestor->level() > 0)
+      ancestor = ancestor->parent();
+    return is_flat<dim>(ancestor);
+  }
+
+
+  template <int dim>
+  ScaledCellMatrix<dim> CellMatrices<dim>::of_straight(const Cell &cell) const
+  {
+    const Shape shape(cell, mapping);
+    const auto  scaled = [&shape](std::pair<Shape, Kept> &found) {
+      found.second.used  = true;
+      const double ratio = shape.size / found.first.size;
+      return ScaledCellMatrix<dim>{&found.second.matrix, std::pow(ratio, dim), dim == 2 ? 1. : ratio};
+    };
+    if (latest != nullptr && shape.is_same(latest->first))
+      return scaled(*latest);
+    const std::size_t hash       = shape.hash();
+    const auto        candidates = shapes.equal_range(hash);
+    for (auto candidate = candidates.first; candidate != candidates.second; ++candidate)
+      if (shape.is_same(candidate->second.first))
+        return scaled(*(latest = &candidate->second));
+
+    // Where all cells differ, a new shape takes the place of another one: that stays in the cache of the processor.
+    if (shapes.size() >= most_shapes)
+      shapes.erase(shapes.begin());
+    latest = &shapes.emplace(hash, std::pair<Shape, Kept>(shape, {}))->second;
+    compute(cell, latest->second.matrix);
+    return scaled(*latest);
+  }
+
+
+  template <int dim>
+  ScaledCellMatrix<dim> CellMatrices<dim>::of_curved(const Cell &cell) const
+  {
+    const CellId id    = cell->id();
+    auto         found = curved_cells.find(id);
+    if (found == curved_cells.end() && curved_cells.size() >= capacity)
+      {
+        compute(cell, not_kept);
+        return {&not_kept, 1., 1.};
+      }
+    if (found == curved_cells.end())
+      {
+        found = curved_cells.emplace(id, Kept()).first;
+        compute(cell, found->second.matrix);
+      }
+    found->second.used = true;
+    return {&found->second.matrix, 1., 1.};
+  }
+
+
+  template <int dim>
+  void CellMatrices<dim>::compute(const Cell &cell, CellMatrix<dim> &result) const
+  {
+    const Material &material = scene.bodies[cell->material_id()].material;
+    fe_values.reinit(cell);
+    result.mass.fill(0.);
+    for (auto &block : result.stiffness)
+      block.fill(0.);
+    // First the integrals of the products of derivatives, d_c phi_a d_d phi_b; all of the stiffness is made of them.
+    std::array<double, n_vertices>         value;
+    std::array<Tensor<1, dim>, n_vertices> gradient;
+    for (const unsigned int q : fe_values.quadrature_point_indices())
+      {
+        for (unsigned int a = 0; a < n_vertices; ++a)
+          {
+            value[a]    = fe_values.shape_value(a, q);
+            gradient[a] = fe_values.shape_grad(a, q);
+          }
+        const double JxW = fe_values.JxW(q);
+        unsigned int k   = 0;
+        for (unsigned int a = 0; a < n_vertices; ++a)
+          for (unsigned int b = a; b < n_vertices; ++b, ++k)
+            {
+              result.mass[k] += material.density * value[a] * value[b] * JxW;
+              for (unsigned int d = 0; d < dim; ++d)
+                for (unsigned int c = 0; c < dim; ++c)
+                  result.stiffness[k][dim * d + c] += gradient[a][c] * (gradient[b][d] * JxW);
+            }
+      }
+    for (auto &block : result.stiffness)
+      {
+        const auto products = block;
+        double     trace    = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          trace += products[dim * c + c];
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int c = 0; c < dim; ++c)
+            block[dim * d + c] = material.lambda() * products[dim * d + c] + material.mu() * products[dim * c + d]
+                                 + (c == d ? material.mu() * trace : 0.);
+      }
+  }
+
+
+  template <int dim>
+  CellMatrices<dim>::Shape::Shape(const Cell &cell, const Mapping<dim> &mapping)
+    : material(cell->material_id())
+  {
+    const auto points  = mapping.get_vertices(cell);
+    double     largest = 0.;
+    for (unsigned int c = 0; c < dim; ++c)
+      largest = std::max({largest, std::abs(points.front()[c]), std::abs(points.back()[c])});
+    size      = points.front().distance(points.back());
+    tolerance = 1e-14 + 8. * std::numeric_limits<double>::epsilon() * largest / size;
+    for (unsigned int v = 1; v < n_vertices; ++v)
+      for (unsigned int c = 0; c < dim; ++c)
+        vertices[dim * (v - 1) + c] = (points[v][c] - points[0][c]) / size;
+  }
+
+
+  template <int dim>
+  bool CellMatrices<dim>::Shape::is_same(const Shape &other) const
+  {
+    double difference = 0.;
+    for (unsigned int i = 0; i < vertices.size(); ++i)
+      difference = std::max(difference, std::abs(vertices[i] - other.vertices[i]));
+    return material == other.material && difference <= std::max(tolerance, other.tolerance);
+  }
+
+
+  template <int dim>
+  std::size_t CellMatrices<dim>::Shape::hash() const
+  {
+    // Much coarser than the tolerance. The odd offset keeps simple fractions away from where rounding jumps; where it does jump, a
+    // shape is kept twice, and nothing else happens.
+    std::size_t seed = material;
+    for (const double coordinate : vertices)
+      boost::hash_combine(seed, std::llround(1e6 * coordinate + 0.3719));
+    return seed;
+  }
+
+
+  template struct ScaledCellMatrix<2>;
+  template struct ScaledCellMatrix<3>;
+  template class CellMatrices<2>;
+  template class CellMatrices<3>;
+} // namespace signorini
