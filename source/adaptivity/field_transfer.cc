@@ -3,8 +3,6 @@
 
 #include <signorini/adaptivity/field_transfer.h>
 
-#include <memory>
-
 namespace signorini
 {
   using namespace dealii;
@@ -17,19 +15,17 @@ namespace signorini
       sources.push_back({discretization.interpolate_hanging_nodes(source.field), source.moments});
     for (const Source &source : sources)
       source.field.update_ghost_values(); // copies have none
-    const auto moments = std::make_shared<CellMoments<dim>>(discretization);
-    handle             = discretization.triangulation.register_data_attach(
-      [this, moments](const Cell &cell, const CellStatus status) { return pack(cell, status, *moments); }, true);
+    handle = discretization.triangulation.register_data_attach(
+      [this](const Cell &cell, const CellStatus status) { return pack(cell, status); }, true);
   }
 
 
   template <int dim>
-  typename FieldTransfer<dim>::Values FieldTransfer<dim>::vertex_values(const Cell   &active_cell,
-                                                                        const Vector &field) const
+  VertexValues FieldTransfer<dim>::vertex_values(const Cell &active_cell, const Vector &field) const
   {
     const typename DoFHandler<dim>::cell_iterator cell(
       &discretization.triangulation, active_cell->level(), active_cell->index(), &discretization.dof_handler);
-    Values values;
+    VertexValues values;
     for (const unsigned int v : cell->vertex_indices())
       for (unsigned int c = 0; c < dim; ++c)
         values.push_back(field(cell->vertex_dof_index(v, c)));
@@ -38,11 +34,10 @@ namespace signorini
 
 
   template <int dim>
-  typename FieldTransfer<dim>::Values FieldTransfer<dim>::prolongate(const Values      &parent,
-                                                                     const unsigned int child) const
+  VertexValues FieldTransfer<dim>::prolongate(const VertexValues &parent, const unsigned int child) const
   {
     const FullMatrix<double> &weights = discretization.fe.base_element(0).get_prolongation_matrix(child);
-    Values                    values(parent.size(), 0.);
+    VertexValues              values(parent.size(), 0.);
     for (unsigned int a = 0; a < weights.m(); ++a)
       for (unsigned int b = 0; b < weights.n(); ++b)
         for (unsigned int c = 0; c < dim; ++c)
@@ -52,7 +47,7 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<char> FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status, CellMoments<dim> &moments) const
+  std::vector<char> FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status) const
   {
     const bool         coarsened = status == Triangulation<dim>::CELL_COARSEN;
     const unsigned int n_values  = dim * GeometryInfo<dim>::vertices_per_cell;
@@ -65,16 +60,16 @@ namespace signorini
             continue;
           }
         // `cell` is the parent. Its vertex v is vertex v of child v.
-        Values injected(n_values), sum(source.moments != nullptr ? n_values : 0, 0.);
+        VertexValues injected(n_values), sum(source.moments != nullptr ? n_values : 0, 0.);
         for (unsigned int child = 0; child < cell->n_children(); ++child)
           {
-            const Values values = vertex_values(cell->child(child), source.field);
+            const VertexValues values = vertex_values(cell->child(child), source.field);
             for (unsigned int c = 0; c < dim; ++c)
               injected[dim * child + c] = values[dim * child + c];
             if (source.moments == nullptr)
               continue;
             const FullMatrix<double> &weights  = discretization.fe.base_element(0).get_prolongation_matrix(child);
-            const Values              of_child = (moments.*source.moments)(cell->child(child), values);
+            const VertexValues        of_child = source.moments(discretization, cell->child(child), values);
             for (unsigned int a = 0; a < weights.m(); ++a)
               for (unsigned int b = 0; b < weights.n(); ++b)
                 for (unsigned int c = 0; c < dim; ++c)
@@ -96,7 +91,7 @@ namespace signorini
       [&](const Cell                                                     &cell,
           const CellStatus                                                status,
           const boost::iterator_range<std::vector<char>::const_iterator> &data) {
-        using Lists            = std::pair<std::vector<Values>, std::vector<Values>>;
+        using Lists            = std::pair<std::vector<VertexValues>, std::vector<VertexValues>>;
         auto [values, moments] = Utilities::unpack<Lists>(data.begin(), data.end(), false);
         if (status != Triangulation<dim>::CELL_REFINE)
           {
@@ -104,7 +99,7 @@ namespace signorini
             return;
           }
         for (unsigned int child = 0; child < cell->n_children(); ++child)
-          for (const Values &parent : values)
+          for (const VertexValues &parent : values)
             cells[cell->child(child)->active_cell_index()].values.push_back(prolongate(parent, child));
       });
     return cells;
@@ -133,14 +128,13 @@ namespace signorini
   {
     const Vector                         filled = discretization.interpolate_hanging_nodes(field);
     Vector                               result = discretization.make_vector();
-    CellMoments<dim>                     moments(discretization);
     std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
     dealii::Vector<double>               local(dofs.size());
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const CellFields &old        = cells[cell->active_cell_index()];
-          Values            difference = vertex_values(cell, filled);
+          VertexValues      difference = vertex_values(cell, filled);
           const bool        coarsened  = !old.moments.empty();
           bool              any        = coarsened;
           for (unsigned int i = 0; i < difference.size(); ++i)
@@ -150,7 +144,7 @@ namespace signorini
             }
           if (!any) // neither this cell nor a neighbour was coarsened
             continue;
-          const Values sum = (moments.*sources[source].moments)(cell, difference);
+          const VertexValues sum = sources[source].moments(discretization, cell, difference);
           for (unsigned int i = 0; i < sum.size(); ++i)
             local[i] = sum[i] + (coarsened ? old.moments[source][i] : 0.);
           cell->get_dof_indices(dofs);

@@ -28,11 +28,11 @@ namespace signorini
     sources(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, const State &state)
     {
       std::vector<typename FieldTransfer<dim>::Source> result = {
-        {state.displacement, &CellMoments<dim>::of_stiffness},
-        {state.velocity, &CellMoments<dim>::of_mass},
+        {state.displacement, &stiffness_moments<dim>},
+        {state.velocity, &mass_moments<dim>},
         {stress_at_nodes(surface, coordinates, state.contact_force)}};
       if (state.acceleration.size() > 0)
-        result.push_back({state.acceleration, &CellMoments<dim>::of_mass});
+        result.push_back({state.acceleration, &mass_moments<dim>});
       if (const FrictionState &friction = state.friction; friction.any())
         {
           result.push_back({stress_at_nodes(surface, coordinates, friction.force)});

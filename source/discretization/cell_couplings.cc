@@ -16,9 +16,8 @@ namespace signorini
     number_nodes(discretization);
     is_resolved.resize(cell_vertices.size() / n_vertices);
     for (unsigned int cell = 0; cell < is_resolved.size(); ++cell)
-      is_resolved[cell] = std::any_of(vertices(cell), vertices(cell) + n_vertices, [this](const unsigned int node) {
-        return is_hanging(node);
-      });
+      is_resolved[cell] = std::any_of(
+        vertices(cell), vertices(cell) + n_vertices, [this](const unsigned int node) { return is_hanging(node); });
   }
 
 

@@ -46,7 +46,7 @@ namespace signorini
   template <int dim>
   typename CellMatrix<dim>::Block ScaledCellMatrix<dim>::stiffness(const unsigned int a, const unsigned int b) const
   {
-    const auto &block = matrix->stiffness[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
+    const auto                     &block = matrix->stiffness[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
     typename CellMatrix<dim>::Block result;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)

@@ -193,8 +193,8 @@ namespace signorini
             for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
               {
                 const unsigned int column = pattern.columns[k];
-                if (column < pattern.n_owned ? std::binary_search(wanted.begin(), wanted.end(), column) :
-                                               owner(nodes.global(column)) != rank)
+                if (column < pattern.n_owned ? std::binary_search(wanted.begin(), wanted.end(), column)
+                                             : owner(nodes.global(column)) != rank)
                   {
                     message.push_back(rows.entry(k));
                     message.back().row    = nodes.global(row);

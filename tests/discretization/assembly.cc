@@ -17,11 +17,11 @@ namespace
 {
   /** x'My and x'Ay, cell by cell. */
   template <int dim>
-  std::pair<double, double>
-  sums_over_cells(const Discretization<dim> &discretization, const Vector &x, const Vector &y)
+  std::pair<double, double> sums_over_cells(const Discretization<dim> &discretization, const Vector &x, const Vector &y)
   {
-    const Vector full_x = discretization.interpolate_hanging_nodes(x), full_y = discretization.interpolate_hanging_nodes(y);
-    double       mass = 0., stiffness = 0.;
+    const Vector full_x         = discretization.interpolate_hanging_nodes(x),
+                 full_y         = discretization.interpolate_hanging_nodes(y);
+    double                 mass = 0., stiffness = 0.;
     constexpr unsigned int n_vertices = 1u << dim;
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -34,8 +34,7 @@ namespace
                   const double x_ac = full_x(cell->vertex_dof_index(a, c));
                   mass += x_ac * matrix.mass(a, b) * full_y(cell->vertex_dof_index(b, c));
                   for (unsigned int d = 0; d < dim; ++d)
-                    stiffness +=
-                      x_ac * matrix.stiffness(a, b)[dim * d + c] * full_y(cell->vertex_dof_index(b, d));
+                    stiffness += x_ac * matrix.stiffness(a, b)[dim * d + c] * full_y(cell->vertex_dof_index(b, d));
                 }
         }
     return {dealii::Utilities::MPI::sum(mass, MPI_COMM_WORLD), dealii::Utilities::MPI::sum(stiffness, MPI_COMM_WORLD)};
@@ -48,8 +47,8 @@ namespace
     const auto          &discretization = assembled.discretization;
     const Vector         x = irregular_field(discretization, 3.), y = irregular_field(discretization, 7.);
     const auto [mass, stiffness] = sums_over_cells(discretization, x, y);
-    const double mass_scale = std::abs(x * mass_times(discretization, x)), stiffness_scale = std::abs(
-                                                                             x * stiffness_times(discretization, x));
+    const double mass_scale      = std::abs(x * mass_times(discretization, x)),
+                 stiffness_scale = std::abs(x * stiffness_times(discretization, x));
     EXPECT_NEAR(x * mass_times(discretization, y), mass, 1e-13 * mass_scale);
     EXPECT_NEAR(x * stiffness_times(discretization, y), stiffness, 1e-12 * stiffness_scale);
   }
@@ -70,7 +69,8 @@ namespace
     for (unsigned int row = 0; row < pattern.n_owned; ++row)
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
-          const auto nodes = std::minmax({global_node<dim>(pattern, row), global_node<dim>(pattern, pattern.columns[k])});
+          const auto nodes =
+            std::minmax({global_node<dim>(pattern, row), global_node<dim>(pattern, pattern.columns[k])});
           rows.push_back(nodes.first);
           columns.push_back(nodes.second);
           values.push_back(matrices.mass[k]);
@@ -125,7 +125,8 @@ TEST(Assembly, RowsOfGhostsAreThoseOfTheOwner)
   for (unsigned int row = pattern.n_owned; row < pattern.n_local; ++row)
     for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k, ++n_found)
       {
-        EXPECT_TRUE(k > pattern.row_start[row] ? pattern.columns[k] > pattern.columns[k - 1] : pattern.columns[k] == row);
+        EXPECT_TRUE(k > pattern.row_start[row] ? pattern.columns[k] > pattern.columns[k - 1]
+                                               : pattern.columns[k] == row);
         const auto entry = all.find({global_node<3>(pattern, row), global_node<3>(pattern, pattern.columns[k])});
         ASSERT_TRUE(entry != all.end());
         EXPECT_NEAR(matrices.mass[k], entry->second, 1e-14 * entry->second);
@@ -138,10 +139,10 @@ TEST(Assembly, RowsOfGhostsAreThoseOfTheOwner)
 
 TEST(Assembly, AChangeOfTheMassMayCoupleAnyNodes)
 {
-  Assembled<2>       assembled(box_with_hanging_nodes<2>());
-  auto              &discretization = assembled.discretization;
-  const auto         before         = all_masses(discretization.matrices);
-  const auto [first, second]        = corners(discretization);
+  Assembled<2> assembled(box_with_hanging_nodes<2>());
+  auto        &discretization = assembled.discretization;
+  const auto   before         = all_masses(discretization.matrices);
+  const auto [first, second]  = corners(discretization);
   ASSERT_EQ(before.count(std::minmax(first, second)), 0u);
 
   MassChange change;
@@ -160,7 +161,7 @@ TEST(Assembly, AChangeOfTheMassMayCoupleAnyNodes)
   ASSERT_EQ(changed.size(), expected.size());
   for (const auto &[nodes, value] : expected)
     EXPECT_NEAR(changed.at(nodes), value, 1e-14) << nodes.first << ", " << nodes.second;
-  const Vector x = irregular_field(discretization, 3.);
+  const Vector x        = irregular_field(discretization, 3.);
   Vector       standard = discretization.make_vector();
   discretization.matrices.apply_standard_mass(standard, x);
   EXPECT_NEAR(x * standard, sums_over_cells(discretization, x, x).first, 1e-13 * (x * standard));

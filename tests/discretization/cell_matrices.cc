@@ -28,8 +28,8 @@ namespace
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
-          const Material &material = discretization.scene.bodies[cell->material_id()].material;
-          const auto      matrix   = cell_matrices.of(cell);
+          const Material &material   = discretization.scene.bodies[cell->material_id()].material;
+          const auto      matrix     = cell_matrices.of(cell);
           double          mass_error = 0., mass_size = 0., stiffness_error = 0., stiffness_size = 0.;
           for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
             for (unsigned int j = 0; j < fe_values.dofs_per_cell; ++j)
@@ -47,8 +47,8 @@ namespace
                   }
                 const unsigned int c = i % dim, d = j % dim;
                 const auto         block = matrix.stiffness(i / dim, j / dim);
-                mass_error = std::max(mass_error, std::abs(mass - (c == d ? matrix.mass(i / dim, j / dim) : 0.)));
-                mass_size  = std::max(mass_size, std::abs(mass));
+                mass_error      = std::max(mass_error, std::abs(mass - (c == d ? matrix.mass(i / dim, j / dim) : 0.)));
+                mass_size       = std::max(mass_size, std::abs(mass));
                 stiffness_error = std::max(stiffness_error, std::abs(stiffness - block[dim * d + c]));
                 stiffness_size  = std::max(stiffness_size, std::abs(stiffness));
               }
@@ -99,12 +99,12 @@ TEST(CellMatrices, ABoxNeedsOne)
 TEST(CellMatrices, DependOnMaterialAndShape)
 {
   BodyDescription<3> soft = box_with_hanging_nodes<3>(), hard = box<3>(), turned = box<3>();
-  hard.lower_corner[2]    = 1.;
-  hard.upper_corner[2]    = 2.;
-  hard.material           = {7000., 0.1, 9.};
-  turned.lower_corner[0]  = 3.;
-  turned.upper_corner[0]  = 4.;
-  turned.placement        = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
+  hard.lower_corner[2]   = 1.;
+  hard.upper_corner[2]   = 2.;
+  hard.material          = {7000., 0.1, 9.};
+  turned.lower_corner[0] = 3.;
+  turned.upper_corner[0] = 4.;
+  turned.placement       = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
   const Assembled<3>    assembled(scene_of<3>({soft, hard, turned}));
   const CellMatrices<3> fresh(assembled.scene, assembled.discretization.mapping, 2);
   expect_matrices_of_quadrature(assembled.discretization, fresh);

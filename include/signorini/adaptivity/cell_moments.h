@@ -6,34 +6,25 @@
 
 #include <signorini/discretization/discretization.h>
 
-#include <deal.II/fe/fe_values.h>
-
 namespace signorini
 {
+  /** dim numbers per vertex of a cell: values of a Q1 function, or its moments. */
+  using VertexValues = std::vector<double>;
+
   /**
-   * Products of a Q1 function on one cell with the shape functions of this cell, by the quadrature of the matrices: what the cell would contribute to M v
-   * or A u. Values and moments have dim numbers per vertex.
+   * Products of a Q1 function on one cell with the shape functions of this cell: what the cell contributes to M v, int rho v.phi. The cell need not be
+   * active.
    */
   template <int dim>
-  class CellMoments
-  {
-  public:
-    using Values = std::vector<double>;
-    using Cell   = typename dealii::Triangulation<dim>::cell_iterator;
+  VertexValues mass_moments(const Discretization<dim>                                &discretization,
+                            const typename dealii::Triangulation<dim>::cell_iterator &cell,
+                            const VertexValues                                       &values);
 
-    explicit CellMoments(const Discretization<dim> &discretization);
-
-    /** int rho v.phi. */
-    Values of_mass(const Cell &cell, const Values &values);
-
-    /** int sigma(u) : eps(phi). */
-    Values of_stiffness(const Cell &cell, const Values &values);
-
-  private:
-    const Scene<dim>       &scene;
-    const dealii::FE_Q<dim> scalar_fe;
-    dealii::FEValues<dim>   fe_values;
-  };
+  /** What the cell contributes to A u, int sigma(u) : eps(phi). */
+  template <int dim>
+  VertexValues stiffness_moments(const Discretization<dim>                                &discretization,
+                                 const typename dealii::Triangulation<dim>::cell_iterator &cell,
+                                 const VertexValues                                       &values);
 } // namespace signorini
 
 #endif

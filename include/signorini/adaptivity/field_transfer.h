@@ -19,9 +19,10 @@ namespace signorini
   class FieldTransfer
   {
   public:
-    /** Moments that a field shall be projected with. */
-    using Moments = std::vector<double> (CellMoments<dim>::*)(const typename CellMoments<dim>::Cell &,
-                                                              const std::vector<double> &);
+    using Cell = typename dealii::Triangulation<dim>::cell_iterator;
+
+    /** Moments that a field shall be projected with: mass_moments or stiffness_moments. */
+    using Moments = VertexValues (*)(const Discretization<dim> &, const Cell &, const VertexValues &);
 
     /** A field of the old mesh. */
     struct Source
@@ -48,24 +49,22 @@ namespace signorini
     std::vector<Result> unpack();
 
   private:
-    using Values     = typename CellMoments<dim>::Values;
-    using Cell       = typename CellMoments<dim>::Cell;
     using CellStatus = typename dealii::Triangulation<dim>::CellStatus;
 
     /** The old functions on a cell of the new mesh. */
     struct CellFields
     {
-      std::vector<Values> values;  ///< at the vertices, by source
-      std::vector<Values> moments; ///< of coarsened cells only, by source
+      std::vector<VertexValues> values;  ///< at the vertices, by source
+      std::vector<VertexValues> moments; ///< of coarsened cells only, by source
     };
 
     Discretization<dim> &discretization;
     std::vector<Source>  sources;
     unsigned int         handle;
 
-    std::vector<char>       pack(const Cell &cell, CellStatus status, CellMoments<dim> &moments) const;
-    Values                  vertex_values(const Cell &active_cell, const Vector &field) const;
-    Values                  prolongate(const Values &parent, unsigned int child) const;
+    std::vector<char>       pack(const Cell &cell, CellStatus status) const;
+    VertexValues            vertex_values(const Cell &active_cell, const Vector &field) const;
+    VertexValues            prolongate(const VertexValues &parent, unsigned int child) const;
     std::vector<CellFields> receive();
     Vector                  set_nodes(const std::vector<CellFields> &cells, unsigned int source) const;
     Vector lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);

@@ -88,9 +88,9 @@ namespace signorini
     /** A cell without place and size: material, and all vertices seen from the first one, divided by the length of the diagonal. */
     struct Shape
     {
-      unsigned int                                material;
-      double                                      size;      ///< length of the diagonal
-      double                                      tolerance; ///< round-off of the vertices
+      unsigned int                              material;
+      double                                    size;      ///< length of the diagonal
+      double                                    tolerance; ///< round-off of the vertices
       std::array<double, dim *(n_vertices - 1)> vertices;
 
       Shape(const Cell &cell, const dealii::Mapping<dim> &mapping);
@@ -104,16 +104,16 @@ namespace signorini
       bool            used;
     };
 
-    const Scene<dim>                                                 &scene;
-    const dealii::Mapping<dim>                                       &mapping;
-    const bool                                                        all_straight;
-    const std::size_t                                                 capacity;
-    const dealii::FE_Q<dim>                                           scalar_fe;
-    mutable dealii::FEValues<dim>                                     fe_values;
+    const Scene<dim>                                                    &scene;
+    const dealii::Mapping<dim>                                          &mapping;
+    const bool                                                           all_straight;
+    const std::size_t                                                    capacity;
+    const dealii::FE_Q<dim>                                              scalar_fe;
+    mutable dealii::FEValues<dim>                                        fe_values;
     mutable std::unordered_multimap<std::size_t, std::pair<Shape, Kept>> shapes;
-    mutable std::map<dealii::CellId, Kept>                            curved_cells;
-    mutable std::pair<Shape, Kept>                                   *latest = nullptr; ///< neighbours are often of one shape
-    mutable CellMatrix<dim>                                           not_kept;
+    mutable std::map<dealii::CellId, Kept>                               curved_cells;
+    mutable std::pair<Shape, Kept> *latest = nullptr; ///< neighbours are often of one shape
+    mutable CellMatrix<dim>         not_kept;
 
     bool                  is_straight(const Cell &cell) const;
     ScaledCellMatrix<dim> of_straight(const Cell &cell) const;
