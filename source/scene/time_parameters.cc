@@ -115,8 +115,9 @@ namespace signorini
     prm.declare_entry("End time",
                       "0",
                       Double(),
-                      "The run ends here, in units of time, after End time / Step size steps (rounded to the "
-                      "nearest integer). Must be given.");
+                      "The run ends here, in units of time; with fixed steps after End time / Step size of them (rounded "
+                      "to the nearest integer). Must be given.");
+    declare_step_sizes(prm);
   }
 
   namespace

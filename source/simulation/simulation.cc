@@ -3,6 +3,7 @@
 
 #include <signorini/mass/redistribute_mass.h>
 #include <signorini/output/earlier_results.h>
+#include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
 
@@ -50,29 +51,30 @@ namespace signorini
     Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
     observation.start(state);
     system->set_energy(observation.energy_of_motion());
-    if (writes_fields(0))
+    if (writes_fields(0, false))
       fields.write(state);
 
-    const unsigned int n_steps = scene.time.n_steps();
-    while (state.step < n_steps)
+    const auto stepping = make_time_stepping(scene.time, scene.step_sizes, *scheme, *system);
+    while (!stepping->finished(state))
       {
-        StepReport report;
+        AcceptedStep step;
         {
           TimerOutput::Scope scope(timer, "step, all of it");
-          report = scheme->advance(*system, state, scene.time.step_size);
+          step = stepping->advance(*system, state);
         }
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          observation.observe(state, report, scene.time.step_size);
+          observation.observe(state, step.report, step.step_size);
           system->set_energy(observation.energy_of_motion());
           log.progress(state.step,
-                       n_steps,
+                       scene.step_sizes.is_variable() ? 0 : scene.time.n_steps(),
+                       stepping->fraction_done(state),
                        state.time,
                        observation.contact().normal_force,
                        observation.relative_energy_change(),
                        observation.contact().n_active);
         }
-        if (writes_fields(state.step))
+        if (writes_fields(state.step, stepping->finished(state)))
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
@@ -82,7 +84,7 @@ namespace signorini
       }
 
     timer.print_wall_time_statistics(discretization.communicator());
-    log.message(observation.summary() + system->cost_summary() + timer_table.str());
+    log.message(stepping->summary() + observation.summary() + system->cost_summary() + timer_table.str());
     log.finish();
   }
 
@@ -129,12 +131,11 @@ namespace signorini
 
 
   template <int dim>
-  bool Simulation<dim>::writes_fields(const unsigned int step) const
+  bool Simulation<dim>::writes_fields(const unsigned int step, const bool is_last) const
   {
     if (!scene.output.vtu)
       return false;
-    return step == 0 || step == scene.time.n_steps()
-           || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
+    return step == 0 || is_last || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
   }
 
 
@@ -142,8 +143,12 @@ namespace signorini
   std::string Simulation<dim>::description() const
   {
     std::ostringstream text;
-    text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
-         << scene.time.step_size << "\n";
+    text << "  scheme            " << scene.time.scheme << ", ";
+    if (scene.step_sizes.is_variable())
+      text << "steps by " << scene.step_sizes.control << ", the first of ";
+    else
+      text << scene.time.n_steps() << " steps of ";
+    text << scene.time.step_size << "\n";
     if (!mass_note.empty())
       text << "  mass              " << mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "

@@ -53,7 +53,7 @@ namespace signorini
     /** Matrices, contact surface, system, initial state. */
     void        prepare();
     void        set_initial_state();
-    bool        writes_fields(unsigned int step) const;
+    bool        writes_fields(unsigned int step, bool is_last) const;
     std::string description() const;
   };
 } // namespace signorini
