@@ -172,7 +172,7 @@ namespace signorini
   {
     if (!first_process)
       return;
-    const Clock::time_point now       = Clock::now();
+    const Clock::time_point now        = Clock::now();
     const bool              end        = fraction >= 1.;
     const int               tenths_now = static_cast<int>(10. * fraction + 1e-9);
     const bool              milestone  = end || step <= 1 || tenths_now != tenths;

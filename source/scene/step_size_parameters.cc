@@ -16,19 +16,20 @@ namespace signorini
       Selection("fixed|doubling|embedded"),
       "How long steps are. fixed: all as long as Step size. doubling: so that the error of a step, estimated by taking "
       "it once more in two halves, stays below Step tolerance; the halves are kept. embedded: the same with the "
-      "difference from what the last step predicted, which costs nothing but is coarser. Step size is then the first one.");
+      "difference from what the last step predicted, which costs nothing but is coarser. Step size is then the first "
+      "one.");
     prm.declare_entry(
       "Step tolerance",
       "1e-2",
       Double(),
       "Accepted error of a step of variable size, in the energy norm, relative to the square root of the largest "
       "kinetic and elastic energy of the motion so far (no unit).");
-    prm.declare_entry(
-      "Minimum step size",
-      "0",
-      Double(),
-      "Steps of variable size are not shorter, whatever their error (but for the halves of doubling). 0: half the time that a wave takes through "
-      "the smallest cell (with doubling all of it), or Step size if that is shorter.");
+    prm.declare_entry("Minimum step size",
+                      "0",
+                      Double(),
+                      "Steps of variable size are not shorter, whatever their error (but for the halves of doubling). "
+                      "0: half the time that a wave takes through "
+                      "the smallest cell (with doubling all of it), or Step size if that is shorter.");
     prm.declare_entry("Maximum step size",
                       "0",
                       Double(),
@@ -56,15 +57,18 @@ namespace signorini
     if (!(sizes.tolerance >= 1e-8 && sizes.tolerance <= 1.))
       in.fail("Step tolerance", "must lie between 1e-8 and 1: it is relative to the norm of the motion.");
     if (in.given("Minimum step size"))
-      sizes.minimum = in.positive_number("Minimum step size", "a run of ever shorter steps would not end; give a number > 0");
+      sizes.minimum =
+        in.positive_number("Minimum step size", "a run of ever shorter steps would not end; give a number > 0");
     if (in.given("Maximum step size"))
       sizes.maximum = in.positive_number("Maximum step size", "the run goes forward in time; give a number > 0");
     if (sizes.minimum > time.step_size)
       in.fail("Minimum step size",
-              "is larger than the first `Step size` = " + in.text("Step size") + ". Reduce it, or increase `Step size`.");
+              "is larger than the first `Step size` = " + in.text("Step size")
+                + ". Reduce it, or increase `Step size`.");
     if (sizes.maximum > 0. && sizes.maximum < time.step_size)
       in.fail("Maximum step size",
-              "is smaller than the first `Step size` = " + in.text("Step size") + ". Increase it, or reduce `Step size`.");
+              "is smaller than the first `Step size` = " + in.text("Step size")
+                + ". Increase it, or reduce `Step size`.");
     return sizes;
   }
 } // namespace signorini

@@ -9,8 +9,10 @@
 
 namespace signorini
 {
-  std::unique_ptr<TimeStepping>
-  make_time_stepping(const TimeParameters &time, const StepSizeParameters &sizes, TimeScheme &scheme, const DynamicalSystem &system)
+  std::unique_ptr<TimeStepping> make_time_stepping(const TimeParameters     &time,
+                                                   const StepSizeParameters &sizes,
+                                                   TimeScheme               &scheme,
+                                                   const DynamicalSystem    &system)
   {
     if (!sizes.is_variable())
       return std::make_unique<FixedSteps>(scheme, time.step_size, time.n_steps());
@@ -23,12 +25,9 @@ namespace signorini
       }
     else
       estimate = std::make_unique<EmbeddedEstimate>(scheme);
-    const double minimum =
-      sizes.minimum > 0. ? sizes.minimum : std::min(time.step_size, resolved);
-    const double maximum =
-      sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
+    const double minimum = sizes.minimum > 0. ? sizes.minimum : std::min(time.step_size, resolved);
+    const double maximum = sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
     return std::make_unique<AdaptiveSteps>(
-      std::move(estimate),
-      AdaptiveSteps::Parameters{sizes.tolerance, time.step_size, minimum, maximum, time.end_time});
+      std::move(estimate), AdaptiveSteps::Parameters{sizes.tolerance, time.step_size, minimum, maximum, time.end_time});
   }
 } // namespace signorini

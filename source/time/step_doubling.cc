@@ -17,10 +17,10 @@ namespace signorini
       return coarse;
 
     StepTrial trial;
-    trial.n_solved = 3;
-    trial.exponent = 1. / 3.;
+    trial.n_solved  = 3;
+    trial.exponent  = 1. / 3.;
     trial.is_flight = coarse.is_flight;
-    State state    = start;
+    State state     = start;
     for (const double half : {span / 2., span / 2.})
       {
         const StepReport report = scheme.advance(system, state, half);

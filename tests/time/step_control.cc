@@ -61,7 +61,8 @@ namespace
 
   template <typename Estimate>
   class StepControl : public testing::Test
-  {};
+  {
+  };
   using Estimates = testing::Types<StepDoubling, EmbeddedEstimate>;
   TYPED_TEST_SUITE(StepControl, Estimates);
 } // namespace

@@ -32,7 +32,8 @@ namespace signorini
     {
       double tolerance; ///< relative
       double first;     ///< size of the first step
-      double minimum;   ///< > 0: sizes are not below, but those of the halves of a doubled step and of the last two of the run
+      double
+        minimum; ///< > 0: sizes are not below, but those of the halves of a doubled step and of the last two of the run
       double maximum;
       double end_time;
     };
@@ -50,13 +51,13 @@ namespace signorini
   private:
     const std::unique_ptr<StepEstimate> estimate;
     const Parameters                    parameters;
-    const int                           lowest, highest; ///< sizes are first 2^level
-    int                                 level = 0;       ///< of the next step
-    unsigned int                        rest  = 0;       ///< steps that are not to be followed by a longer one
+    const int                           lowest, highest;    ///< sizes are first 2^level
+    int                                 level          = 0; ///< of the next step
+    unsigned int                        rest           = 0; ///< steps that are not to be followed by a longer one
     double                              largest_energy = 0.;
-    std::optional<TakenStep>            waiting; ///< the second half of a doubled step, when the first one has been handed out
-    unsigned int                        n_accepted = 0, n_rejected = 0, n_solved = 0;
-    double                              smallest_size = 0., largest_size = 0.; ///< accepted so far
+    std::optional<TakenStep> waiting; ///< the second half of a doubled step, when the first one has been handed out
+    unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
+    double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
 
     StepTrial    find_trial(DynamicalSystem &system, const State &state);
     double       span(const State &state) const;

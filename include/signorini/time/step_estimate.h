@@ -20,11 +20,11 @@ namespace signorini
   struct StepTrial
   {
     std::vector<TakenStep> steps;
-    double                 error    = 0.; ///< estimate, in the energy norm
-    double                 exponent = 1.; ///< the step size goes with this power of the error: 1/p for an error O(tau^p)
-    bool                   is_known  = true;  ///< false: nothing to compare with, no error is known
-    bool                   is_flight = false; ///< no contact at start and end
-    unsigned int           n_solved  = 0;     ///< steps that were computed, those thrown away included
+    double                 error = 0.;   ///< estimate, in the energy norm
+    double       exponent        = 1.;   ///< the step size goes with this power of the error: 1/p for an error O(tau^p)
+    bool         is_known        = true; ///< false: nothing to compare with, no error is known
+    bool         is_flight       = false; ///< no contact at start and end
+    unsigned int n_solved        = 0;     ///< steps that were computed, those thrown away included
   };
 
   /**
