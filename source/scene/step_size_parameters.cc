@@ -40,27 +40,36 @@ namespace signorini
 
   StepSizeParameters parse_step_sizes(const SectionReader &in, const TimeParameters &time)
   {
-    StepSizeParameters sizes;
-    sizes.control = in.text("Step size control");
-    for (const std::string key : {"Step tolerance", "Minimum step size", "Maximum step size"})
-      if (!sizes.is_variable() && in.given(key))
+    const StepSizeParameters defaults;
+    StepSizeParameters       sizes;
+    sizes.control           = in.text("Step size control");
+    sizes.tolerance         = in.number("Step tolerance");
+    sizes.minimum           = in.number("Minimum step size");
+    sizes.maximum           = in.number("Maximum step size");
+    const auto check_unused = [&](const std::string &key, const double value, const double unused) {
+      if (value != unused)
         in.fail(key,
                 "is for steps of variable size, but Step size control = fixed. Remove this key or set "
                 "`Step size control = doubling`.");
+    };
     if (!sizes.is_variable())
-      return sizes;
+      {
+        check_unused("Step tolerance", sizes.tolerance, defaults.tolerance);
+        check_unused("Minimum step size", sizes.minimum, defaults.minimum);
+        check_unused("Maximum step size", sizes.maximum, defaults.maximum);
+        return sizes;
+      }
     if (time.scheme == "reference")
       in.fail("Step size control",
               "does not fit Scheme = reference, which controls its error itself within each step. Remove this key, or "
               "take another scheme.");
-    sizes.tolerance = in.number("Step tolerance");
     if (!(sizes.tolerance >= 1e-8 && sizes.tolerance <= 1.))
       in.fail("Step tolerance", "must lie between 1e-8 and 1: it is relative to the norm of the motion.");
-    if (in.given("Minimum step size"))
-      sizes.minimum =
-        in.positive_number("Minimum step size", "a run of ever shorter steps would not end; give a number > 0");
-    if (in.given("Maximum step size"))
-      sizes.maximum = in.positive_number("Maximum step size", "the run goes forward in time; give a number > 0");
+    for (const auto &[key, value] :
+         {std::pair("Minimum step size", sizes.minimum), {"Maximum step size", sizes.maximum}})
+      if (value < 0.)
+        in.fail(key,
+                "must not be negative: the run goes forward in time. Give a positive number, or 0 for the default.");
     if (sizes.minimum > time.step_size)
       in.fail("Minimum step size",
               "is larger than the first `Step size` = " + in.text("Step size")

@@ -62,7 +62,7 @@ TEST(Mistakes, StepsOfVariableSize)
 {
   const std::vector<Mistake> mistakes = {{"Time/Step tolerance", "0", {"between 1e-8 and 1"}},
                                          {"Time/Step tolerance", "nan", {"must be a finite number"}},
-                                         {"Time/Minimum step size", "0", {"must be positive"}},
+                                         {"Time/Minimum step size", "-1", {"must not be negative"}},
                                          {"Time/Minimum step size", "0.4", {"larger than the first `Step size`"}},
                                          {"Time/Maximum step size", "1e-9", {"smaller than the first `Step size`"}},
                                          {"Time/Scheme", "reference", {"Step size control", "another scheme"}}};
