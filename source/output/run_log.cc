@@ -164,6 +164,7 @@ namespace signorini
 
   void RunLog::progress(const unsigned int step,
                         const unsigned int n_steps,
+                        const double       fraction,
                         const double       time,
                         const double       contact_force,
                         const double       relative_energy_change,
@@ -171,10 +172,10 @@ namespace signorini
   {
     if (!first_process)
       return;
-    const Clock::time_point now       = Clock::now();
-    const bool              end       = step >= n_steps;
-    const auto              tenths    = [&](const unsigned int n) { return 10ull * n / n_steps; };
-    const bool              milestone = end || step <= 1 || tenths(step) != tenths(step - 1);
+    const Clock::time_point now        = Clock::now();
+    const bool              end        = fraction >= 1.;
+    const int               tenths_now = static_cast<int>(10. * fraction + 1e-9);
+    const bool              milestone  = end || step <= 1 || tenths_now != tenths;
     const bool              refresh = on_terminal && (milestone || now - last_update > std::chrono::milliseconds(100));
     if (!milestone && !refresh)
       return;
@@ -182,14 +183,15 @@ namespace signorini
     char line[160];
     std::snprintf(line,
                   sizeof(line),
-                  "step %u of %u  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
+                  "step %u%s  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
                   step,
-                  n_steps,
+                  n_steps > 0 ? (" of " + std::to_string(n_steps)).c_str() : "",
                   time,
                   contact_force,
                   100. * relative_energy_change,
                   n_active);
-    const std::string text = line + time_left(step, n_steps);
+    const std::string text = line + time_left(fraction);
+    tenths                 = tenths_now;
     if (milestone)
       log << text << '\n' << std::flush;
     if (refresh)
@@ -206,12 +208,12 @@ namespace signorini
   }
 
 
-  std::string RunLog::time_left(const unsigned int step, const unsigned int n_steps) const
+  std::string RunLog::time_left(const double fraction) const
   {
     const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
-    if (step >= n_steps)
+    if (fraction >= 1.)
       return duration(elapsed);
-    return step > 0 ? duration(elapsed / step * (n_steps - step)) + " left" : "";
+    return fraction > 0. ? duration(elapsed * (1. - fraction) / fraction) + " left" : "";
   }
 
 

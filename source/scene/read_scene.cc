@@ -100,6 +100,7 @@ namespace signorini
     scene.output_directory = in.text("Output directory");
     scene.mapping          = in.text("Mapping");
     scene.time             = parse_time(in.section("Time"));
+    scene.step_sizes       = parse_step_sizes(in.section("Time"), scene.time);
     for (const std::string &name : names.bodies)
       scene.bodies.push_back(parse_body<dim>(in.section("Bodies").section(name), name));
     check_start(in.section("Bodies"), scene);

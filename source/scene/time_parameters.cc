@@ -112,11 +112,13 @@ namespace signorini
       "equilibrium under the loads and the contact of time 0; rigid motions that nothing holds stay "
       "free. The initial velocity counts in both.");
     prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
-    prm.declare_entry("End time",
-                      "0",
-                      Double(),
-                      "The run ends here, in units of time, after End time / Step size steps (rounded to the "
-                      "nearest integer). Must be given.");
+    prm.declare_entry(
+      "End time",
+      "0",
+      Double(),
+      "The run ends here, in units of time; with fixed steps after End time / Step size of them (rounded "
+      "to the nearest integer). Must be given.");
+    declare_step_sizes(prm);
   }
 
   namespace

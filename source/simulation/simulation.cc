@@ -3,6 +3,7 @@
 
 #include <signorini/output/earlier_results.h>
 #include <signorini/simulation/change_mesh.h>
+#include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
 
@@ -51,77 +52,79 @@ namespace signorini
     Observation<dim> observation(discretization, *meshed);
     observation.start(state);
     meshed->system.set_energy(observation.energy_of_motion());
-    if (writes_fields(0))
+    if (writes_fields(0, false))
       fields.write(state, meshed->surface, mesh_control.indicators());
 
-    const unsigned int n_steps = scene.time.n_steps();
-    while (state.step < n_steps)
+    const auto stepping = make_time_stepping(scene.time, scene.step_sizes, *scheme, meshed->system);
+    while (!stepping->finished(state))
       {
-        const StepReport report = advance(*scheme, observation);
+        const AcceptedStep step = advance(*stepping, observation);
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          observation.observe(state, report, scene.time.step_size);
+          observation.observe(state, step.report, step.step_size);
           meshed->system.set_energy(observation.energy_of_motion());
           log.progress(state.step,
-                       n_steps,
+                       scene.step_sizes.is_variable() ? 0 : scene.time.n_steps(),
+                       stepping->fraction_done(state),
                        state.time,
                        observation.contact().normal_force,
                        observation.relative_energy_change(),
                        observation.contact().n_active);
         }
-        if (writes_fields(state.step))
+        if (writes_fields(state.step, stepping->finished(state)))
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
             fields.write(state, meshed->surface, mesh_control.indicators());
             observation.resume_clock();
           }
-        if (flags.any() && state.step < n_steps)
-          adapt_mesh(observation);
+        if (flags.any() && !stepping->finished(state))
+          adapt_mesh(*stepping, observation);
       }
 
     timer.print_wall_time_statistics(discretization.communicator());
-    log.message(observation.summary() + meshed->system.cost_summary() + timer_table.str());
+    log.message(stepping->summary() + observation.summary() + meshed->system.cost_summary() + timer_table.str());
     log.finish();
   }
 
 
   template <int dim>
-  StepReport Simulation<dim>::advance(TimeScheme &scheme, Observation<dim> &observation)
+  AcceptedStep Simulation<dim>::advance(TimeStepping &stepping, Observation<dim> &observation)
   {
     flags = MeshChange();
     if (!mesh_control.is_due(state.step + 1))
-      return advance_on_this_mesh(scheme);
+      return advance_on_this_mesh(stepping);
     for (unsigned int repetition = 0;; ++repetition)
       {
-        const State      start  = state;
-        const StepReport report = advance_on_this_mesh(scheme);
+        const State        start = state;
+        const AcceptedStep step  = advance_on_this_mesh(stepping);
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
-          flags = mesh_control.judge(*meshed, {start, state, scene.time.step_size});
+          flags = mesh_control.judge(*meshed, {start, state, step.step_size});
         }
         if (!flags.refines() || repetition == mesh_control.repetitions())
-          return report;
+          return step;
         state = start;
-        adapt_mesh(observation);
+        adapt_mesh(stepping, observation);
       }
   }
 
 
   template <int dim>
-  StepReport Simulation<dim>::advance_on_this_mesh(TimeScheme &scheme)
+  AcceptedStep Simulation<dim>::advance_on_this_mesh(TimeStepping &stepping)
   {
     TimerOutput::Scope scope(timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
     mesh_has_just_changed = false;
-    return scheme.advance(meshed->system, state, scene.time.step_size);
+    return stepping.advance(meshed->system, state);
   }
 
 
   template <int dim>
-  void Simulation<dim>::adapt_mesh(Observation<dim> &observation)
+  void Simulation<dim>::adapt_mesh(TimeStepping &stepping, Observation<dim> &observation)
   {
     TimerOutput::Scope scope(timer, "mesh: all of a change");
     change_mesh(discretization, meshed, state, timer);
+    stepping.forget();
     mesh_control.mesh_changed(state.step);
     observation.change_mesh(*meshed, state);
     mesh_has_just_changed = true;
@@ -180,12 +183,11 @@ namespace signorini
 
 
   template <int dim>
-  bool Simulation<dim>::writes_fields(const unsigned int step) const
+  bool Simulation<dim>::writes_fields(const unsigned int step, const bool is_last) const
   {
     if (!scene.output.vtu)
       return false;
-    return step == 0 || step == scene.time.n_steps()
-           || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
+    return step == 0 || is_last || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
   }
 
 
@@ -193,8 +195,12 @@ namespace signorini
   std::string Simulation<dim>::description() const
   {
     std::ostringstream text;
-    text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
-         << scene.time.step_size << "\n";
+    text << "  scheme            " << scene.time.scheme << ", ";
+    if (scene.step_sizes.is_variable())
+      text << "steps by " << scene.step_sizes.control << ", the first of ";
+    else
+      text << scene.time.n_steps() << " steps of ";
+    text << scene.time.step_size << "\n";
     if (n_equilibrium_steps > 0)
       text << "  start             equilibrium, found in " << n_equilibrium_steps << " proximal steps\n";
     if (!meshed->mass_note.empty())

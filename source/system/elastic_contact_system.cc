@@ -43,6 +43,7 @@ namespace signorini
     , coordinates(coordinates)
     , loads(loads)
     , timer(timer)
+    , step_matrices(discretization, coordinates, timer)
     , mass_problems(discretization, surface, coordinates, timer)
     , friction(coordinates, discretization.communicator())
     , solver(make_solver(friction.any(), discretization.scene.solver))
@@ -82,33 +83,16 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::prepare(const double new_stiffness_factor, const double step_size)
-  {
-    if (new_stiffness_factor == stiffness_factor)
-      return;
-    stiffness_factor = new_stiffness_factor;
-    dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-    forecast.clear();
-    const auto &scene     = discretization.scene;
-    chosen_preconditioner = scene.solver.preconditioner;
-    if (chosen_preconditioner == "automatic")
-      chosen_preconditioner = choose_preconditioner(discretization.courant_number(step_size), scene.time.n_steps());
-    step_operator = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor);
-    step_preconditioner =
-      make_preconditioner(chosen_preconditioner, discretization.matrices, coordinates, 1., stiffness_factor);
-  }
-
-
-  template <int dim>
-  double ElasticContactSystem<dim>::solver_tolerance(const double               step_size,
+  double ElasticContactSystem<dim>::solver_tolerance(const StepMatrix<dim>     &matrix,
+                                                     const double               step_size,
                                                      const Vector              &right_hand_side,
                                                      const std::vector<double> &prescribed) const
   {
     // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most 2/tau^2 e'K e.
     const double scale = energy_scale > 0. ? step_size * std::sqrt(energy_scale / 2.)
                                            : response_size( // at rest: what this step is going to bring
-                                             *step_operator,
-                                             *step_preconditioner,
+                                             *matrix.product,
+                                             *matrix.preconditioner,
                                              right_hand_side,
                                              coordinates.supported_entries(),
                                              prescribed);
@@ -119,14 +103,14 @@ namespace signorini
   template <int dim>
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem, IncrementSolution &solution)
   {
-    prepare(problem.stiffness_factor, problem.step_size);
+    StepMatrix<dim>           &matrix = step_matrices.get(problem.stiffness_factor, problem.step_size);
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;
     coordinates.force_to_contact(right_hand_side);
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
-    forecast.guess(right_hand_side, increment);
+    matrix.forecast.guess(right_hand_side, increment);
 
     std::vector<double> prescribed = coordinates.supported_values(problem.start_time + problem.step_size);
     if (!prescribed.empty())
@@ -148,21 +132,21 @@ namespace signorini
         problem.force_factor, problem.bounds, 1e-10 * discretization.body_size(), problem.further_reaction);
 
     Vector residual = discretization.make_vector();
-    solution.effort = effort_of(solver->solve({*step_operator,
-                                               *step_preconditioner,
+    solution.effort = effort_of(solver->solve({*matrix.product,
+                                               *matrix.preconditioner,
                                                right_hand_side,
                                                coordinates.normal_entries(),
                                                problem.bounds,
                                                coordinates.supported_entries(),
                                                prescribed,
-                                               solver_tolerance(problem.step_size, right_hand_side, prescribed),
+                                               solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
                                                bound_tolerance(increment, discretization.body_size()),
                                                friction_of_nodes},
                                               active,
                                               increment,
                                               residual));
 
-    forecast.remember(right_hand_side, increment, residual);
+    matrix.forecast.remember(right_hand_side, increment, residual);
 
     solution.contact_reaction = discretization.make_vector();
     solution.support_reaction = solution.contact_reaction;
@@ -261,7 +245,9 @@ namespace signorini
     const ProductCount &products = discretization.matrices.products();
     std::ostringstream  text;
     text << "  products          " << products.combined << " with M + s A, " << products.stiffness << " with A, "
-         << products.mass << " with M; preconditioner " << chosen_preconditioner << "\n";
+         << products.mass << " with M; preconditioner " << step_matrices.preconditioner_name() << "\n";
+    if (step_matrices.n_built() > 1)
+      text << "  step matrices     " << step_matrices.n_built() << " preconditioners built\n";
     return text.str();
   }
 

@@ -43,7 +43,7 @@ TEST(RunLog, ScreenUnlessQuiet)
       {
         RunLog log(folder.name, quiet, MPI_COMM_WORLD);
         log.message("hello");
-        log.progress(1, 1, 0.1, 2., -0.01, 5);
+        log.progress(1, 1, 1., 0.1, 2., -0.01, 5);
         log.finish();
       }
       const std::string screen = testing::internal::GetCapturedStdout();
@@ -60,7 +60,7 @@ TEST(RunLog, ProgressEveryTenth)
   const ScratchFolder folder;
   RunLog              log(folder.name, true, MPI_COMM_WORLD);
   for (unsigned int step = 1; step <= 1000; ++step)
-    log.progress(step, 1000, 1e-3 * step, 2.5, -0.0025, 12);
+    log.progress(step, 1000, 1e-3 * step, 1e-3 * step, 2.5, -0.0025, 12);
   log.finish();
   const std::string text = contents(folder.name + "/log.txt");
   // Head, first step, and ten tenths.

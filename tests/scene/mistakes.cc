@@ -51,7 +51,29 @@ TEST(Mistakes, TopLevelAndTime)
                    {"Time/Step size", "1", {"larger than the end time 0.5", "Reduce"}},
                    {"Time/Step size", "1e-12", {"hundred million", "Increase"}},
                    {"Time/End time", "0", {"must be positive"}},
-                   {"Time/End time", "inf", {"must be a finite number"}}});
+                   {"Time/End time", "inf", {"must be a finite number"}},
+                   {"Time/Step size control", "doubled", {"Did you mean `doubling`?"}},
+                   {"Time/Step tolerance", "0.1", {"Step size control = fixed", "Remove"}},
+                   {"Time/Minimum step size", "1e-4", {"Step size control = fixed", "Remove"}},
+                   {"Time/Maximum step size", "1e-1", {"Step size control = fixed", "Remove"}}});
+}
+
+TEST(Mistakes, StepsOfVariableSize)
+{
+  const std::vector<Mistake> mistakes = {{"Time/Step tolerance", "0", {"between 1e-8 and 1"}},
+                                         {"Time/Step tolerance", "nan", {"must be a finite number"}},
+                                         {"Time/Minimum step size", "-1", {"must not be negative"}},
+                                         {"Time/Minimum step size", "0.4", {"larger than the first `Step size`"}},
+                                         {"Time/Maximum step size", "1e-9", {"smaller than the first `Step size`"}},
+                                         {"Time/Scheme", "reference", {"Step size control", "another scheme"}}};
+  for (const Mistake &mistake : mistakes)
+    for (const std::string control : {"doubling", "embedded"})
+      {
+        SCOPED_TRACE(mistake.path + " = " + mistake.value);
+        const TemporaryFile correct(correct_scene());
+        expect_words(refusal(correct.name, {{"Time/Step size control", control}, {mistake.path, mistake.value}}),
+                     mistake.words);
+      }
 }
 
 TEST(Mistakes, ShapesAndMaterial)

@@ -36,9 +36,14 @@ namespace signorini
     /** One or several lines of text, without the last end of line. */
     void message(const std::string &text);
 
-    /** State of the run after a step. The time left is estimated from the time since this log was begun. */
+    /**
+     * State of the run after a step. The time left is estimated from the time since this log was begun.
+     * @param n_steps  of the whole run, 0 if that is not known
+     * @param fraction of the run that is done, 1 at the end
+     */
     void progress(unsigned int step,
                   unsigned int n_steps,
+                  double       fraction,
                   double       time,
                   double       contact_force,
                   double       relative_energy_change,
@@ -63,9 +68,10 @@ namespace signorini
     bool                 finished     = false; ///< the log says how the run ended
     bool                 line_is_open = false; ///< the cursor stands behind the progress on a terminal
     Clock::time_point    start, last_update;
+    int                  tenths = -1; ///< of the run, at the last line of the log
 
     void        close_line();
-    std::string time_left(unsigned int step, unsigned int n_steps) const;
+    std::string time_left(double fraction) const;
   };
 } // namespace signorini
 

@@ -9,6 +9,7 @@
 #include <signorini/scene/contact_description.h>
 #include <signorini/scene/obstacle_description.h>
 #include <signorini/scene/run_parameters.h>
+#include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
 
 #include <array>
@@ -44,6 +45,7 @@ namespace signorini
     OutputParameters                      output;
     std::string                           original_text;  ///< the scene file as it was read
     std::string                           all_parameters; ///< every key with the value used, as a .prm
+    StepSizeParameters                    step_sizes;
   };
 } // namespace signorini
 

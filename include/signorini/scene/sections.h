@@ -22,6 +22,10 @@ namespace signorini
   void           declare_time(dealii::ParameterHandler &prm);
   TimeParameters parse_time(const SectionReader &in);
 
+  // More keys of the section Time.
+  void               declare_step_sizes(dealii::ParameterHandler &prm);
+  StepSizeParameters parse_step_sizes(const SectionReader &in, const TimeParameters &time);
+
   template <int dim>
   void declare_body(dealii::ParameterHandler &prm);
   template <int dim>

@@ -55,11 +55,11 @@ namespace signorini
     /** Refine the mesh of the initial state as far as the indicator wants it. */
     void adapt_initial_mesh();
     /** The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a refined one. */
-    StepReport advance(TimeScheme &scheme, Observation<dim> &observation);
-    StepReport advance_on_this_mesh(TimeScheme &scheme);
+    AcceptedStep advance(TimeStepping &stepping, Observation<dim> &observation);
+    AcceptedStep advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */
-    void        adapt_mesh(Observation<dim> &observation);
-    bool        writes_fields(unsigned int step) const;
+    void        adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
+    bool        writes_fields(unsigned int step, bool is_last) const;
     std::string description() const;
   };
 } // namespace signorini

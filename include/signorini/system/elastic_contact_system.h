@@ -5,10 +5,10 @@
 #define signorini_system_elastic_contact_system_h
 
 #include <signorini/discretization/loads.h>
-#include <signorini/system/increment_forecast.h>
 #include <signorini/system/mass_problems.h>
 #include <signorini/system/massless_equilibrium.h>
 #include <signorini/system/step_friction.h>
+#include <signorini/system/step_matrices.h>
 #include <signorini/variational_inequality/constrained_solver.h>
 
 #include <deal.II/base/timer.h>
@@ -37,6 +37,7 @@ namespace signorini
     NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
     Vector      normal_forces(const std::vector<double> &forces) const override;
     double      length() const override { return discretization.body_size(); }
+    double      shortest_wave_time() const override { return 1. / discretization.courant_number(1.); }
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     Vector      solve_mass(const Vector &force) override { return mass_problems.solve(force); }
     SolveEffort project(const Vector    &free_increment,
@@ -70,7 +71,7 @@ namespace signorini
     double energy() const { return energy_scale; }
 
     /** The preconditioner in use. */
-    const std::string &preconditioner_name() const { return chosen_preconditioner; }
+    const std::string &preconditioner_name() const { return step_matrices.preconditioner_name(); }
 
     /** Matrix-vector products so far in words. */
     std::string cost_summary() const;
@@ -82,22 +83,19 @@ namespace signorini
     Loads<dim>                    &loads;
     dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
-    double                                    energy_scale     = 0.;
-    double                                    stiffness_factor = -1.; ///< of the preconditioner at hand
-    std::string                               chosen_preconditioner;
-    std::unique_ptr<StepOperator<dim>>        step_operator;
-    std::unique_ptr<MaskedPreconditioner>     step_preconditioner;
+    double                                    energy_scale = 0.;
+    StepMatrices<dim>                         step_matrices;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
     MassProblems<dim>                         mass_problems;
     const StepFriction<dim>                   friction;
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
-    IncrementForecast                         forecast;
 
-    void prepare(double stiffness_factor, double step_size);
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
-    double
-    solver_tolerance(double step_size, const Vector &right_hand_side, const std::vector<double> &prescribed) const;
+    double solver_tolerance(const StepMatrix<dim>     &matrix,
+                            double                     step_size,
+                            const Vector              &right_hand_side,
+                            const std::vector<double> &prescribed) const;
   };
 } // namespace signorini
 

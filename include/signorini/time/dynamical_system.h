@@ -147,6 +147,9 @@ namespace signorini
       none        = 0.;
       return none;
     }
+
+    /** The time that a wave takes through the smallest cell: much shorter steps resolve nothing. Zero: there are no cells. Collective. */
+    virtual double shortest_wave_time() const { return 0.; }
   };
 } // namespace signorini
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_scene_step_size_parameters_h
+#define signorini_scene_step_size_parameters_h
+
+#include <string>
+
+namespace signorini
+{
+  /** Keys of section `Time`: how the size of steps follows the motion. Step size and end time are in TimeParameters. */
+  struct StepSizeParameters
+  {
+    std::string control   = "fixed"; ///< fixed | doubling | embedded: see doc/step_size.md
+    double      tolerance = 1e-2;    ///< accepted error of a step, relative to the norm of the motion
+    double      minimum   = 0.;      ///< zero: half the time of a wave through the smallest cell
+    double      maximum   = 0.;      ///< zero: a tenth of the end time
+
+    bool is_variable() const { return control != "fixed"; }
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_simulation_make_time_stepping_h
+#define signorini_simulation_make_time_stepping_h
+
+#include <signorini/scene/step_size_parameters.h>
+#include <signorini/scene/time_parameters.h>
+#include <signorini/time/time_stepping.h>
+
+#include <memory>
+
+namespace signorini
+{
+  /** The steps that a scene asks for. The system tells the sizes below which nothing is gained. The scheme must outlive the result. */
+  std::unique_ptr<TimeStepping> make_time_stepping(const TimeParameters     &time,
+                                                   const StepSizeParameters &sizes,
+                                                   TimeScheme               &scheme,
+                                                   const DynamicalSystem    &system);
+} // namespace signorini
+
+#endif

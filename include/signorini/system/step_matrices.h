@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_step_matrices_h
+#define signorini_system_step_matrices_h
+
+#include <signorini/discretization/discretization.h>
+#include <signorini/system/increment_forecast.h>
+#include <signorini/system/preconditioners.h>
+
+#include <deal.II/base/timer.h>
+
+#include <list>
+
+namespace signorini
+{
+  /** What belongs to one M + s A: the product, its preconditioner, and the increments that were its solutions. */
+  template <int dim>
+  struct StepMatrix
+  {
+    double                                stiffness_factor; ///< s
+    std::unique_ptr<StepOperator<dim>>    product;          ///< M + s A
+    std::unique_ptr<MaskedPreconditioner> preconditioner;
+    IncrementForecast                     forecast;
+    unsigned int                          last_use = 0; ///< counted in solutions
+  };
+
+  /**
+   * The matrices of the step sizes that are in use: the latest few. Steps that are doubled come with two sizes in turn, and sizes that
+   * are halved and doubled come back; only a new one costs a preconditioner.
+   */
+  template <int dim>
+  class StepMatrices
+  {
+  public:
+    StepMatrices(const Discretization<dim>     &discretization,
+                 const ContactCoordinates<dim> &coordinates,
+                 dealii::TimerOutput           &timer);
+
+    /** The matrix of a factor s; valid until the next call. @param step_size decides about the preconditioner */
+    StepMatrix<dim> &get(double stiffness_factor, double step_size);
+
+    /** Of the last matrix. */
+    const std::string &preconditioner_name() const { return chosen_preconditioner; }
+
+    /** Number of preconditioners built so far. */
+    unsigned int n_built() const { return built; }
+
+  private:
+    const Discretization<dim>     &discretization;
+    const ContactCoordinates<dim> &coordinates;
+    dealii::TimerOutput           &timer;
+    std::string                    chosen_preconditioner;
+    std::list<StepMatrix<dim>>     recent; ///< latest first
+    unsigned int                   uses = 0, built = 0;
+  };
+} // namespace signorini
+
+#endif

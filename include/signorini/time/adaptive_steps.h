@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_time_adaptive_steps_h
+#define signorini_time_adaptive_steps_h
+
+#include <signorini/time/time_stepping.h>
+
+#include <memory>
+#include <optional>
+
+namespace signorini
+{
+  /**
+   * Steps whose size follows an estimate of their error: with the tolerance TOL and an error eps = O(tau^(1/kappa)),
+   *
+   *   tau_new = tau min(2, max(1/4, (0.8 TOL / eps)^kappa)),   accepted if eps <= TOL or tau is the smallest size.
+   *
+   * - TOL is relative to the square root of the largest energy of the motion so far.
+   * - Sizes are the first one times powers of two, so that a size comes back and with it its matrix; only the last two steps of a run are
+   *   of another size, because the end time is met exactly.
+   * - Longer steps are tried only where the factor reaches 2, and not in the steps after a rejection; in flight already where the error is
+   *   half of TOL, because vibrations weaker than TOL need not be followed and their error does not grow with the step.
+   * - In flight a step is at most half as long as the time until the first node touches, but not shorter than the smallest
+   *   size: the approach ends after some steps, and contact begins with a small one.
+   * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
+   */
+  class AdaptiveSteps : public TimeStepping
+  {
+  public:
+    struct Parameters
+    {
+      double tolerance; ///< relative
+      double first;     ///< size of the first step
+      double
+        minimum; ///< > 0: sizes are not below, but those of the halves of a doubled step and of the last two of the run
+      double maximum;
+      double end_time;
+    };
+
+    AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
+
+    AcceptedStep advance(DynamicalSystem &system, State &state) override;
+    double       fraction_done(const State &state) const override;
+    void         forget() override;
+    std::string  summary() const override;
+
+    unsigned int rejected() const { return n_rejected; }
+    unsigned int solved() const { return n_solved; }
+
+  private:
+    const std::unique_ptr<StepEstimate> estimate;
+    const Parameters                    parameters;
+    const int                           lowest, highest;    ///< sizes are first 2^level
+    int                                 level          = 0; ///< of the next step
+    unsigned int                        rest           = 0; ///< steps that are not to be followed by a longer one
+    double                              largest_energy = 0.;
+    std::optional<TakenStep> waiting; ///< the second half of a doubled step, when the first one has been handed out
+    unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
+    double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
+
+    StepTrial    find_trial(DynamicalSystem &system, const State &state);
+    double       span(const State &state) const;
+    AcceptedStep hand_out(State &state, TakenStep &&step);
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_time_time_stepping_h
+#define signorini_time_time_stepping_h
+
+#include <signorini/time/step_estimate.h>
+
+#include <string>
+
+namespace signorini
+{
+  /** What is known about an accepted step besides the state. */
+  struct AcceptedStep
+  {
+    StepReport report;
+    double     step_size;
+  };
+
+  /** Leads a scheme through a run, from one accepted step to the next. */
+  class TimeStepping
+  {
+  public:
+    virtual ~TimeStepping() = default;
+
+    /** The state one accepted step later. If an exception leaves, the state is as it was. Collective. */
+    virtual AcceptedStep advance(DynamicalSystem &system, State &state) = 0;
+
+    /** The part of the run that is done: 1 at its end. */
+    virtual double fraction_done(const State &state) const = 0;
+
+    bool finished(const State &state) const { return fraction_done(state) >= 1.; }
+
+    /** The mesh has changed: keep no vectors. The next step is the next one all the same. */
+    virtual void forget() {}
+
+    /** How the sizes came out, in words; empty if there is nothing to say. */
+    virtual std::string summary() const { return ""; }
+  };
+
+  /** Steps of equal size. */
+  class FixedSteps : public TimeStepping
+  {
+  public:
+    FixedSteps(TimeScheme &scheme, const double step_size, const unsigned int n_steps)
+      : scheme(scheme)
+      , step_size(step_size)
+      , n_steps(n_steps)
+    {
+    }
+
+    AcceptedStep advance(DynamicalSystem &system, State &state) override
+    {
+      return {scheme.advance(system, state, step_size), step_size};
+    }
+
+    double fraction_done(const State &state) const override { return static_cast<double>(state.step) / n_steps; }
+
+  private:
+    TimeScheme        &scheme;
+    const double       step_size;
+    const unsigned int n_steps;
+  };
+} // namespace signorini
+
+#endif

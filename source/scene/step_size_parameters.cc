@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace signorini
+{
+  void declare_step_sizes(dealii::ParameterHandler &prm)
+  {
+    using namespace dealii::Patterns;
+    prm.declare_entry(
+      "Step size control",
+      "fixed",
+      Selection("fixed|doubling|embedded"),
+      "How long steps are. fixed: all as long as Step size. doubling: so that the error of a step, estimated by taking "
+      "it once more in two halves, stays below Step tolerance; the halves are kept. embedded: the same with the "
+      "difference from what the last step predicted, which costs nothing but is coarser. Step size is then the first "
+      "one.");
+    prm.declare_entry(
+      "Step tolerance",
+      "1e-2",
+      Double(),
+      "Accepted error of a step of variable size, in the energy norm, relative to the square root of the largest "
+      "kinetic and elastic energy of the motion so far (no unit).");
+    prm.declare_entry("Minimum step size",
+                      "0",
+                      Double(),
+                      "Steps of variable size are not shorter, whatever their error (but for the halves of doubling). "
+                      "0: half the time that a wave takes through "
+                      "the smallest cell (with doubling all of it), or Step size if that is shorter.");
+    prm.declare_entry("Maximum step size",
+                      "0",
+                      Double(),
+                      "Steps of variable size are not longer. 0: a tenth of End time. Make it short enough that no "
+                      "change of loads and supports can be stepped over.");
+  }
+
+
+  StepSizeParameters parse_step_sizes(const SectionReader &in, const TimeParameters &time)
+  {
+    const StepSizeParameters defaults;
+    StepSizeParameters       sizes;
+    sizes.control           = in.text("Step size control");
+    sizes.tolerance         = in.number("Step tolerance");
+    sizes.minimum           = in.number("Minimum step size");
+    sizes.maximum           = in.number("Maximum step size");
+    const auto check_unused = [&](const std::string &key, const double value, const double unused) {
+      if (value != unused)
+        in.fail(key,
+                "is for steps of variable size, but Step size control = fixed. Remove this key or set "
+                "`Step size control = doubling`.");
+    };
+    if (!sizes.is_variable())
+      {
+        check_unused("Step tolerance", sizes.tolerance, defaults.tolerance);
+        check_unused("Minimum step size", sizes.minimum, defaults.minimum);
+        check_unused("Maximum step size", sizes.maximum, defaults.maximum);
+        return sizes;
+      }
+    if (time.scheme == "reference")
+      in.fail("Step size control",
+              "does not fit Scheme = reference, which controls its error itself within each step. Remove this key, or "
+              "take another scheme.");
+    if (!(sizes.tolerance >= 1e-8 && sizes.tolerance <= 1.))
+      in.fail("Step tolerance", "must lie between 1e-8 and 1: it is relative to the norm of the motion.");
+    for (const auto &[key, value] :
+         {std::pair("Minimum step size", sizes.minimum), {"Maximum step size", sizes.maximum}})
+      if (value < 0.)
+        in.fail(key,
+                "must not be negative: the run goes forward in time. Give a positive number, or 0 for the default.");
+    if (sizes.minimum > time.step_size)
+      in.fail("Minimum step size",
+              "is larger than the first `Step size` = " + in.text("Step size")
+                + ". Reduce it, or increase `Step size`.");
+    if (sizes.maximum > 0. && sizes.maximum < time.step_size)
+      in.fail("Maximum step size",
+              "is smaller than the first `Step size` = " + in.text("Step size")
+                + ". Increase it, or reduce `Step size`.");
+    return sizes;
+  }
+} // namespace signorini

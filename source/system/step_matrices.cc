@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/system/step_matrices.h>
+
+#include <algorithm>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr unsigned int n_kept     = 4; ///< matrices: sizes of steps and half steps, and their neighbours
+    constexpr unsigned int forget_age = 4; ///< in solutions: older increments belong to another phase of the motion
+  }                                        // namespace
+
+
+  template <int dim>
+  StepMatrices<dim>::StepMatrices(const Discretization<dim>     &discretization,
+                                  const ContactCoordinates<dim> &coordinates,
+                                  dealii::TimerOutput           &timer)
+    : discretization(discretization)
+    , coordinates(coordinates)
+    , timer(timer)
+  {
+  }
+
+
+  template <int dim>
+  StepMatrix<dim> &StepMatrices<dim>::get(const double stiffness_factor, const double step_size)
+  {
+    ++uses;
+    const auto known = std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
+      return matrix.stiffness_factor == stiffness_factor;
+    });
+    if (known != recent.end())
+      recent.splice(recent.begin(), recent, known);
+    else
+      {
+        dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
+        const auto                &scene = discretization.scene;
+        chosen_preconditioner            = scene.solver.preconditioner;
+        if (chosen_preconditioner == "automatic")
+          chosen_preconditioner = choose_preconditioner(discretization.courant_number(step_size), scene.time.n_steps());
+        if (recent.size() == n_kept)
+          recent.pop_back();
+        recent.push_front(
+          {stiffness_factor,
+           std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor),
+           make_preconditioner(chosen_preconditioner, discretization.matrices, coordinates, 1., stiffness_factor),
+           {},
+           uses});
+        ++built;
+      }
+    StepMatrix<dim> &matrix = recent.front();
+    if (uses - matrix.last_use > forget_age)
+      matrix.forecast.clear();
+    matrix.last_use = uses;
+    return matrix;
+  }
+
+
+  template class StepMatrices<2>;
+  template class StepMatrices<3>;
+} // namespace signorini

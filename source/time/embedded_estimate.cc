@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/time/contact_events.h>
+#include <signorini/time/embedded_estimate.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  StepTrial EmbeddedEstimate::attempt(DynamicalSystem &system, const State &start, const double span, double)
+  {
+    StepTrial trial;
+    trial.n_solved = 1;
+    trial.steps.push_back({start, {}, span});
+    TakenStep &step = trial.steps.back();
+    step.report     = scheme.advance(system, step.state, span);
+
+    const bool changed =
+      differ(contact_statuses(system, start), contact_statuses(system, step.state), start.displacement);
+    trial.exponent  = changed ? 2. : 0.5;
+    trial.is_flight = !changed && !any_contact(system, start);
+    trial.is_known  = last_size > 0.;
+    if (!trial.is_known)
+      return trial;
+    Vector velocity = step.state.velocity, momentum = step.state.momentum;
+    velocity -= start.velocity;
+    momentum -= start.momentum;
+    const double at_rest = velocity * momentum;
+    velocity.add(-span / last_size, velocity_change);
+    momentum.add(-span / last_size, momentum_change);
+    trial.error = std::sqrt(0.5 * std::max(0., std::min(at_rest, velocity * momentum)));
+    return trial;
+  }
+
+
+  void EmbeddedEstimate::accept(const State &start, const StepTrial &trial)
+  {
+    const State &before = trial.steps.size() > 1 ? trial.steps[trial.steps.size() - 2].state : start;
+    const State &after  = trial.steps.back().state;
+    velocity_change     = after.velocity;
+    velocity_change -= before.velocity;
+    momentum_change = after.momentum;
+    momentum_change -= before.momentum;
+    last_size = trial.steps.back().step_size;
+  }
+} // namespace signorini

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The size of steps follows the motion: undeformed flight takes growing steps that cost one solution each, contact begins with a small one,
+// the end time is met exactly, a rejected step leaves no trace, and every run ends.
+
+#include <signorini/time/adaptive_steps.h>
+#include <signorini/time/step_doubling.h>
+
+#include <gtest/gtest.h>
+
+#include "bouncing_mass.h"
+#include "elastic_bar.h"
+
+using namespace signorini;
+
+namespace
+{
+  constexpr double minimum = 1e-3, maximum = 0.5;
+
+  struct Record
+  {
+    std::vector<State>  states; ///< after each accepted step
+    std::vector<double> sizes;
+    unsigned int        solved = 0, rejected = 0;
+  };
+
+  template <typename Estimate>
+  Record run(DynamicalSystem &system, const State &start, const double tolerance, const double end_time)
+  {
+    const auto    scheme = make_time_scheme("contact-stabilized");
+    AdaptiveSteps steps(std::make_unique<Estimate>(*scheme), {tolerance, 0.01, minimum, maximum, end_time});
+    Record        record;
+    State         state = start;
+    while (!steps.finished(state))
+      {
+        record.sizes.push_back(steps.advance(system, state).step_size);
+        record.states.push_back(state);
+        if (record.sizes.size() > 20000)
+          throw std::runtime_error("the run does not end");
+      }
+    record.solved   = steps.solved();
+    record.rejected = steps.rejected();
+    return record;
+  }
+
+  /** A bar of unit length and wave speed that flies towards the right wall. */
+  ElasticBar make_bar(const double distance)
+  {
+    ElasticBar bar(21);
+    bar.distance = {{100., distance}};
+    return bar;
+  }
+
+  State flying(const DynamicalSystem &system, const double speed)
+  {
+    Vector velocity = system.make_vector();
+    velocity        = speed;
+    return make_state(system, system.make_vector(), velocity);
+  }
+
+  template <typename Estimate>
+  class StepControl : public testing::Test
+  {
+  };
+  using Estimates = testing::Types<StepDoubling, EmbeddedEstimate>;
+  TYPED_TEST_SUITE(StepControl, Estimates);
+} // namespace
+
+TYPED_TEST(StepControl, UndeformedFlightTakesGrowingStepsOfOneSolution)
+{
+  ElasticBar   system = make_bar(1e3);
+  const Record record = run<TypeParam>(system, flying(system, 1.), 1e-6, 5.);
+  EXPECT_EQ(record.rejected, 0u);
+  // The first step has nothing to be compared with and is doubled: two solutions are thrown away at most.
+  EXPECT_LE(record.solved, record.sizes.size() + 2);
+  EXPECT_LE(record.sizes.size(), 22u) << "twice 0.01, then 0.02 to 0.32, and 0.32 for the rest";
+  for (std::size_t i = 3; i + 2 < record.sizes.size(); ++i)
+    EXPECT_TRUE(record.sizes[i] > 1.9 * record.sizes[i - 1] || record.sizes[i] > 0.3) << i;
+}
+
+TYPED_TEST(StepControl, ConstantAccelerationIsFlight)
+{
+  BouncingMass system;
+  system.load         = [](double) { return -1.; };
+  const Record record = run<TypeParam>(system, make_state(system, 0., 0.), 1e-6, 5.);
+  EXPECT_LE(record.solved, 30u);
+  EXPECT_NEAR(record.states.back().displacement(0), -12.5, 1e-10);
+}
+
+TYPED_TEST(StepControl, TheEndIsMetExactly)
+{
+  for (const double end : {0.017, 0.5, 1. / 3., 1.999999})
+    {
+      ElasticBar   system = make_bar(0.3);
+      const Record record = run<TypeParam>(system, flying(system, 1.), 0.1, end);
+      EXPECT_EQ(record.states.back().time, end);
+      EXPECT_GT(record.sizes.back(), 0.3 * minimum) << "a tiny last step";
+      double sum = 0.;
+      for (const double size : record.sizes)
+        sum += size;
+      EXPECT_NEAR(sum, end, 1e-13);
+    }
+}
+
+TYPED_TEST(StepControl, FirstTouchIsMetByASmallStep)
+{
+  ElasticBar   system = make_bar(2.);
+  const Record record = run<TypeParam>(system, flying(system, 1.), 0.1, 6.);
+  std::size_t  first  = 0;
+  while (record.states[first].contact_force.linfty_norm() == 0.)
+    ++first;
+  EXPECT_LE(record.sizes[first], 2. * minimum);
+  EXPECT_NEAR(record.states[first].time, 2., 3. * minimum);
+  const auto largest = std::max_element(record.sizes.begin(), record.sizes.begin() + first);
+  EXPECT_GT(*largest, 0.3) << "and the flight before by large ones";
+  EXPECT_GT(*std::max_element(record.sizes.begin() + first, record.sizes.end()), 0.02) << "and those after grow again";
+}
+
+TYPED_TEST(StepControl, RejectedStepsLeaveNoTrace)
+{
+  ElasticBar   system = make_bar(0.7);
+  const State  start  = flying(system, 1.);
+  const Record record = run<TypeParam>(system, start, 0.02, 4.);
+  ASSERT_GT(record.rejected, 0u) << "this test shows nothing";
+  const auto scheme = make_time_scheme("contact-stabilized");
+  State      state  = start;
+  for (std::size_t i = 0; i < record.sizes.size(); ++i)
+    {
+      scheme->advance(system, state, record.sizes[i]);
+      const State &recorded = record.states[i];
+      ASSERT_EQ(state.step, recorded.step);
+      ASSERT_NEAR(state.time, recorded.time, 1e-12);
+      for (unsigned int k = 0; k < state.displacement.size(); ++k)
+        {
+          ASSERT_EQ(state.displacement(k), recorded.displacement(k));
+          ASSERT_EQ(state.velocity(k), recorded.velocity(k));
+          ASSERT_EQ(state.contact_force(k), recorded.contact_force(k));
+        }
+    }
+}
+
+TYPED_TEST(StepControl, ASmallerToleranceMakesASmallerError)
+{
+  // A mass on a spring, compared with the cosine.
+  std::vector<double> errors;
+  for (const double tolerance : {1e-2, 1e-4})
+    {
+      BouncingMass system;
+      system.spring       = 1.;
+      const Record record = run<TypeParam>(system, make_state(system, 1., 0.), tolerance, 10.);
+      errors.push_back(std::abs(record.states.back().displacement(0) - std::cos(10.)));
+    }
+  EXPECT_LT(errors[1], errors[0] / 10.);
+  EXPECT_LT(errors[1], 1e-2);
+}
+
+TYPED_TEST(StepControl, EveryRunEnds)
+{
+  // No tolerance can be met where contact begins; at rest there is no error; the run may end in contact.
+  ElasticBar   tight  = make_bar(0.1);
+  const Record record = run<TypeParam>(tight, flying(tight, 1.), 1e-8, 0.5);
+  EXPECT_LE(record.sizes.size(), 1100u) << "halves of the smallest size everywhere";
+  EXPECT_GT(record.states.back().contact_force.linfty_norm(), 0.);
+
+  BouncingMass rest;
+  EXPECT_LE((run<TypeParam>(rest, make_state(rest, 0., 0.), 1e-3, 5.).sizes.size()), 30u);
+
+  BouncingMass lying; // on the wall, and pressed by a load
+  lying.wall = 0.;
+  lying.load = [](double) { return 1.; };
+  EXPECT_LE((run<TypeParam>(lying, make_state(lying, 0., 0.), 1e-3, 5.).sizes.size()), 60u);
+
+  BouncingMass gliding = rest; // at the wall, approaching by round-off
+  gliding.wall         = 0.;
+  EXPECT_LE((run<TypeParam>(gliding, make_state(gliding, 0., 1e-17), 1e-3, 5.).sizes.size()), 30u);
+}
+
+TEST(StepEstimates, Orders)
+{
+  // In free vibration the doubled step is compared to O(tau^3), the embedded prediction to O(tau^2).
+  BouncingMass system;
+  system.spring     = 1.;
+  const auto scheme = make_time_scheme("contact-stabilized");
+  State      start  = make_state(system, 0.6, 0.8);
+  const auto error  = [&](StepEstimate &estimate, const double tau) {
+    State     before = start;
+    StepTrial first;
+    first.steps.push_back({before, {}, tau});
+    first.steps.back().report = scheme->advance(system, first.steps.back().state, tau);
+    estimate.accept(before, first);
+    return estimate.attempt(system, first.steps.back().state, tau, 0.).error;
+  };
+  StepDoubling     doubling(*scheme);
+  EmbeddedEstimate embedded(*scheme);
+  EXPECT_NEAR(std::log2(error(doubling, 0.02) / error(doubling, 0.01)), 3., 0.1);
+  EXPECT_NEAR(std::log2(error(embedded, 0.02) / error(embedded, 0.01)), 2., 0.1);
+}

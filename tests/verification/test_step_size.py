@@ -1,0 +1,73 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Steps that follow the motion against steps of equal size, at equal error of the contact force.
+
+The error is the norm in L2 of time of the difference from the exact force of the bar; a force is constant over the step that has it. The bar
+after a long flight takes at least 2 times fewer steps. Computed steps, those thrown away included, are compared, too.
+"""
+
+import math
+import re
+
+import check_history
+
+
+def pieces(run):
+    """(start, end, force) of each step."""
+    return list(zip(run["time"], run["time"][1:], run["contact_force"][1:]))
+
+
+def distance(first, second):
+    """L2 in time of the difference of two forces that are constant in pieces."""
+    total, i, k, time = 0., 0, 0, 0.
+    while i < len(first) and k < len(second):
+        end = min(first[i][1], second[k][1])
+        total += max(0., end - time) * (first[i][2] - second[k][2])**2
+        time = end
+        i, k = i + (first[i][1] <= end + 1e-12), k + (second[k][1] <= end + 1e-12)
+    return math.sqrt(total)
+
+
+def computed(run):
+    """Number of steps that were computed for the accepted ones."""
+    return int(re.search(r"(\d+) steps computed", run.log).group(1))
+
+
+def steps_needed(curve, error):
+    """Steps of equal size for an error, interpolated in logarithms; curve: (steps, error), the error falls."""
+    for (few, large), (many, small) in zip(curve, curve[1:]):
+        if small <= error <= large:
+            return few * (many / few)**(math.log(large / error) / math.log(large / small))
+    raise AssertionError(f"error {error} is not among those of equal steps: {curve}")
+
+
+class StepSize(check_history.SceneTest):
+    def compare(self, scene, name, common, step_sizes, exact, controls):
+        """controls: (settings, factor for steps, factor for computed steps)."""
+        curve = []
+        for size in step_sizes:
+            run = check_history.Run(check_history.PARAMETERS / scene, f"{name}-{size:g}", common + [f"Time/Step size={size}"])
+            curve.append((len(run) - 1, distance(pieces(run), exact)))
+            print(f"{name}: fixed {size:g}: {curve[-1][0]} steps, error {curve[-1][1]:.5g}")
+        for number, (settings, factor, factor_computed) in enumerate(controls):
+            run = check_history.Run(check_history.PARAMETERS / scene, f"{name}-{number}", common + settings)
+            error, steps = distance(pieces(run), exact), len(run) - 1
+            needed = steps_needed(curve, error)
+            print(f"{name}: {settings}: {steps} steps, {computed(run)} computed, error {error:.5g}; "
+                  f"{needed / steps:.2f} and {needed / computed(run):.2f} times fewer")
+            self.expect_ledger_closes(run)
+            self.assertGreaterEqual(needed / steps, factor, f"{settings}: steps")
+            self.assertGreaterEqual(needed / computed(run), factor_computed, f"{settings}: computed steps")
+
+    def test_bar_after_a_long_flight(self):
+        # Touches at 1.5, leaves at 1.5 + 2/3.
+        exact = [(0., 1.5, 0.), (1.5, 1.5 + 2. / 3., 30.), (1.5 + 2. / 3., 3., 0.)]
+        self.compare("bar_2d.prm", "bar", ["Time/End time=3", "Obstacles/wall/Point=0, -15"], (12e-3, 8e-3, 6e-3, 4e-3, 3e-3), exact,
+                     [(["Time/Step size=6e-3", "Time/Step size control=embedded", "Time/Step tolerance=0.3"], 2., 2.),
+                      (["Time/Step size=6e-3", "Time/Step size control=doubling", "Time/Step tolerance=0.4"], 2., 2.)])
+
+
+if __name__ == "__main__":
+    check_history.main()
