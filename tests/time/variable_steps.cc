@@ -44,7 +44,8 @@ TEST_P(VariableSteps, EnergyIdentity)
       const double explained =
         report.work_contact + report.work_predictor + report.work_support + report.work_scheme + load * d;
       const double energy_before = energy(system, before), energy_now = energy(system, state);
-      ASSERT_NEAR(energy_now - energy_before, explained, 1e-10 * std::max({1., energy_before, energy_now})) << "step " << step;
+      ASSERT_NEAR(energy_now - energy_before, explained, 1e-10 * std::max({1., energy_before, energy_now}))
+        << "step " << step;
       n_contact += state.contact_force.linfty_norm() > 0.;
     }
   EXPECT_GE(n_contact, 2u) << "without impacts this test shows little";
