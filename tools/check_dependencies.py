@@ -22,8 +22,8 @@ MAY_USE = {
     "time": {"base"},
 }
 MAY_USE["system"] = set(MAY_USE)
+MAY_USE["adaptivity"] = set(MAY_USE)
 MAY_USE["diagnostics"] = {"base", "linear_algebra", "scene", "discretization", "friction", "contact", "time"}
-MAY_USE["adaptivity"] = MAY_USE["diagnostics"]
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics"}
 MAY_USE["simulation"] = set(MAY_USE)
 

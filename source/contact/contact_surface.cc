@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/complaints.h>
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/mortar_coupling.h>
@@ -21,22 +22,6 @@ namespace signorini
   {
     // What facets of curved surfaces that fit together may overlap, relative to the size of a face.
     constexpr double facet_overlap = 0.05;
-
-    /** Something wrong, and how bad it is. */
-    using Complaint = std::pair<double, std::string>;
-
-    /** The worst complaint of all processes; among equal ones the first in the alphabet, whoever has it. */
-    void throw_worst(const std::vector<Complaint> &complaints, const MPI_Comm communicator)
-    {
-      Complaint worst;
-      for (const auto &of_process : Utilities::MPI::all_gather(communicator, complaints))
-        for (const Complaint &complaint : of_process)
-          if (worst.second.empty() || complaint.first > worst.first
-              || (complaint.first == worst.first && complaint.second < worst.second))
-            worst = complaint;
-      if (!worst.second.empty())
-        throw UserError(worst.second);
-    }
   } // namespace
 
 
@@ -218,6 +203,15 @@ namespace signorini
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       gap[k] = contact_nodes[k].gap - gap[k];
     return gap;
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::admit(const Vector &displacement)
+  {
+    const std::vector<double> gap = normal_gap(displacement);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      contact_nodes[k].gap -= std::min(0., gap[k]);
   }
 
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/complaints.h>
 #include <signorini/base/expressions.h>
-#include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/nodal_friction.h>
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -35,26 +34,18 @@ namespace signorini
             std::ostringstream message;
             message << head << " is " << value << " at (" << place
                     << "). Write an expression that is a number >= 0 on the whole contact surface.";
-            complaint = complaint.empty() ? message.str() : std::min(complaint, message.str());
+            complaints.emplace_back(0., message.str());
           }
         return value;
       }
 
       /** All processes throw the same, if any has a complaint. Collective. */
-      void check(const MPI_Comm communicator) const
-      {
-        std::string first;
-        for (const std::string &message : Utilities::MPI::all_gather(communicator, complaint))
-          if (!message.empty())
-            first = first.empty() ? message : std::min(first, message);
-        if (!first.empty())
-          throw UserError(first);
-      }
+      void check(const MPI_Comm communicator) const { throw_worst(complaints, communicator); }
 
     private:
       const std::string                          head;
       const std::unique_ptr<FunctionParser<dim>> function;
-      std::string                                complaint;
+      std::vector<Complaint>                     complaints;
     };
 
 

@@ -3,11 +3,22 @@
 
 #include <signorini/diagnostics/energy_ledger.h>
 
+#include <utility>
+
 namespace signorini
 {
   void EnergyLedger::open(const State &state, const Vector *load)
   {
     first = last = evaluate(state, load);
+    remember(state, load);
+  }
+
+
+  void EnergyLedger::transfer(const State &state, const Vector *load)
+  {
+    const Energy now = evaluate(state, load);
+    transferred += now.total() - last.total();
+    last = now;
     remember(state, load);
   }
 
@@ -29,8 +40,9 @@ namespace signorini
         booking.external -= 0.5 * (change * last_displacement + change * state.displacement);
       }
     booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction
-                       - booking.scheme - booking.external - booking.transfer;
-    last = now;
+                       - booking.scheme - booking.external;
+    booking.transfer = std::exchange(transferred, 0.); // `last` contains it
+    last             = now;
     remember(state, load);
     return booking;
   }

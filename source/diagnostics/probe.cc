@@ -20,7 +20,7 @@ namespace signorini
                     const MPI_Comm               communicator)
     : probe_name(description.name)
     , communicator(communicator)
-    , surface(surface)
+    , surface(&surface)
   {
     double distance = std::numeric_limits<double>::max();
     for (unsigned int k = 0; k < surface.nodes().size(); ++k)
@@ -43,13 +43,13 @@ namespace signorini
   template <int dim>
   ProbeReading Probe<dim>::read(const State &state) const
   {
-    const std::vector<double> displacement = surface.relative_normal(state.displacement),
-                              velocity     = surface.relative_normal(state.velocity);
+    const std::vector<double> displacement = surface->relative_normal(state.displacement),
+                              velocity     = surface->relative_normal(state.velocity);
     ProbeReading reading;
     if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
-        const ContactNode<dim> &contact_node = surface.nodes()[node];
-        const NodeFriction<dim> friction     = node_friction(surface, state.friction, node);
+        const ContactNode<dim> &contact_node = surface->nodes()[node];
+        const NodeFriction<dim> friction     = node_friction(*surface, state.friction, node);
         const double            scale        = 1. / contact_node.transmission;
         // Zero is added: there is no negative zero in tables.
         reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;

@@ -49,9 +49,10 @@ namespace signorini
             if (level <= base_levels[cell->material_id()])
               {
                 const auto known = base_points.find(cell->id());
-                mine             = known != base_points.end() ?
-                         known->second :
-                         base_points.emplace(cell->id(), manifold_points.compute_mapping_support_points(cell)).first->second;
+                mine             = known != base_points.end()
+                                     ? known->second
+                                     : base_points.emplace(cell->id(), manifold_points.compute_mapping_support_points(cell))
+                             .first->second;
                 continue;
               }
             const auto   &parent = cell->parent();
@@ -69,8 +70,7 @@ namespace signorini
               cell->vertex(v) = mine[v];
           }
       }
-    cached_mapping.initialize(triangulation,
-                              [&](const auto &cell) { return points[cell->level()][cell->index()]; });
+    cached_mapping.initialize(triangulation, [&](const auto &cell) { return points[cell->level()][cell->index()]; });
   }
 
 

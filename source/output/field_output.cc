@@ -36,11 +36,8 @@ namespace signorini
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const Discretization<dim> &discretization,
-                                const ContactSurface<dim> &surface,
-                                const std::string         &directory)
+  FieldOutput<dim>::FieldOutput(const Discretization<dim> &discretization, const std::string &directory)
     : discretization(discretization)
-    , surface_patches(discretization, surface)
     , volume_series(directory, "volume", discretization.communicator())
     , surface_series(directory, "surface", discretization.communicator())
   {
@@ -48,15 +45,18 @@ namespace signorini
 
 
   template <int dim>
-  void FieldOutput<dim>::write(const State &state)
+  void FieldOutput<dim>::write(const State                  &state,
+                               const ContactSurface<dim>    &surface,
+                               const dealii::Vector<double> &indicators)
   {
     if (last_step == state.step)
       return;
     const Vector displacement = discretization.interpolate_hanging_nodes(state.displacement);
     const Vector velocity     = discretization.interpolate_hanging_nodes(state.velocity);
-    write_volume(state, displacement, velocity);
+    write_volume(state, displacement, velocity, indicators);
     if (!discretization.scene.pairs.empty())
       {
+        SurfacePatches<dim> surface_patches(discretization, surface);
         surface_patches.build(state, displacement, velocity);
         surface_series.write(surface_patches, state.step, state.time);
       }
@@ -65,7 +65,10 @@ namespace signorini
 
 
   template <int dim>
-  void FieldOutput<dim>::write_volume(const State &state, const Vector &displacement, const Vector &velocity)
+  void FieldOutput<dim>::write_volume(const State                  &state,
+                                      const Vector                 &displacement,
+                                      const Vector                 &velocity,
+                                      const dealii::Vector<double> &indicators)
   {
     const auto  &triangulation = discretization.triangulation;
     DataOut<dim> data;
@@ -96,6 +99,8 @@ namespace signorini
     for (unsigned int c = 0; c < components.size(); ++c)
       data.add_data_vector(stress_values[c], components[c].name, DataOut<dim>::type_cell_data);
     data.add_data_vector(subdomain, "subdomain", DataOut<dim>::type_cell_data);
+    if (indicators.size() > 0)
+      data.add_data_vector(indicators, "error_indicator", DataOut<dim>::type_cell_data);
 
     data.build_patches(discretization.mapping, 1);
     volume_series.write(data, state.step, state.time);

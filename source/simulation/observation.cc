@@ -12,15 +12,11 @@
 namespace signorini
 {
   template <int dim>
-  Observation<dim>::Observation(const Discretization<dim> &discretization,
-                                const ContactSurface<dim> &surface,
-                                Loads<dim>                &loads,
-                                const std::string         &directory)
+  Observation<dim>::Observation(const Discretization<dim> &discretization, MeshedScene<dim> &meshed)
     : discretization(discretization)
-    , surface(surface)
-    , loads(loads)
-    , probes(make_probes(discretization, surface))
-    , history(directory,
+    , meshed(&meshed)
+    , probes(make_probes(discretization, meshed.surface))
+    , history(discretization.scene.output_directory,
               discretization.scene.exact_solution.given,
               has_friction(discretization.scene.pairs),
               probes,
@@ -44,25 +40,32 @@ namespace signorini
 
 
   template <int dim>
-  const Vector *Observation<dim>::load(const double time)
+  void Observation<dim>::start(const State &state)
   {
-    return loads.any() ? &loads.at(time) : nullptr;
+    ledger.open(state, meshed->load(state.time));
+    largest_energy = energy_of_motion();
+    fewest_cells = most_cells = discretization.triangulation.n_global_active_cells();
+    write(state, StepReport(), EnergyBooking(), 0.);
   }
 
 
   template <int dim>
-  void Observation<dim>::start(const State &state)
+  void Observation<dim>::change_mesh(MeshedScene<dim> &new_meshed, const State &state)
   {
-    ledger.open(state, load(state.time));
-    largest_energy = energy_of_motion();
-    write(state, StepReport(), EnergyBooking(), 0.);
+    meshed = &new_meshed;
+    probes = make_probes(discretization, meshed->surface);
+    ledger.transfer(state, meshed->load(state.time));
+    ++n_mesh_changes;
+    const unsigned long cells = discretization.triangulation.n_global_active_cells();
+    fewest_cells              = std::min(fewest_cells, cells);
+    most_cells                = std::max(most_cells, cells);
   }
 
 
   template <int dim>
   void Observation<dim>::observe(const State &state, const StepReport &report, const double step_size)
   {
-    const EnergyBooking booking = ledger.book(state, report, load(state.time));
+    const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)
                      + " is not a finite number. Check the loads, velocities and material constants of the scene.");
@@ -75,6 +78,7 @@ namespace signorini
     n_common_impulses += report.common_impulses;
     impulse += step_size * contact_now.normal_force;
     work_friction += booking.friction;
+    transferred += booking.transfer;
     most_sticking       = std::max(most_sticking, contact_now.n_stick);
     most_slipping       = std::max(most_slipping, contact_now.n_slip);
     largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
@@ -98,7 +102,7 @@ namespace signorini
                                const double         step_size)
   {
     const ProductCount products = products_of_step();
-    contact_now                 = contact_summary(surface, discretization, state);
+    contact_now                 = contact_summary(meshed->surface, discretization, state);
     if (discretization.scene.exact_solution.given)
       latest_errors = errors.evaluate(state);
     double standard_kinetic = ledger.current().kinetic;
@@ -177,6 +181,10 @@ namespace signorini
          << (relative_scale() > 0. ? 100. * largest_change / relative_scale() : 0.)
          << " % at most); largest unexplained part of a step "
          << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
+    if (n_mesh_changes > 0)
+      text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells << " and "
+           << most_cells << " cells; this changed the energy by "
+           << (relative_scale() > 0. ? 100. * transferred / relative_scale() : 0.) << " %\n";
     if (discretization.scene.time.has_massless_contact_nodes())
       text << "                    (with the mass of the scheme; with the consistent one it changed by "
            << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/mass/redistribute_mass.h>
 #include <signorini/output/earlier_results.h>
+#include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
 
@@ -16,7 +16,8 @@ namespace signorini
     , quiet(quiet)
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
-    , discretization(scene, communicator)
+    , discretization(scene, communicator, scene.adaptivity.any())
+    , mesh_control(discretization)
   {
   }
 
@@ -46,25 +47,21 @@ namespace signorini
                                                 scene.time.reference_tolerance,
                                                 scene.time.impulses == "per node",
                                                 scene.time.stop_sticking_nodes});
-    FieldOutput<dim> fields(discretization, *surface, scene.output_directory);
-    Observation<dim> observation(discretization, *surface, *loads, scene.output_directory);
+    FieldOutput<dim> fields(discretization, scene.output_directory);
+    Observation<dim> observation(discretization, *meshed);
     observation.start(state);
-    system->set_energy(observation.energy_of_motion());
+    meshed->system.set_energy(observation.energy_of_motion());
     if (writes_fields(0))
-      fields.write(state);
+      fields.write(state, meshed->surface, mesh_control.indicators());
 
     const unsigned int n_steps = scene.time.n_steps();
     while (state.step < n_steps)
       {
-        StepReport report;
-        {
-          TimerOutput::Scope scope(timer, "step, all of it");
-          report = scheme->advance(*system, state, scene.time.step_size);
-        }
+        const StepReport report = advance(*scheme, observation);
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
           observation.observe(state, report, scene.time.step_size);
-          system->set_energy(observation.energy_of_motion());
+          meshed->system.set_energy(observation.energy_of_motion());
           log.progress(state.step,
                        n_steps,
                        state.time,
@@ -76,32 +73,86 @@ namespace signorini
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
-            fields.write(state);
+            fields.write(state, meshed->surface, mesh_control.indicators());
             observation.resume_clock();
           }
+        if (flags.any() && state.step < n_steps)
+          adapt_mesh(observation);
       }
 
     timer.print_wall_time_statistics(discretization.communicator());
-    log.message(observation.summary() + system->cost_summary() + timer_table.str());
+    log.message(observation.summary() + meshed->system.cost_summary() + timer_table.str());
     log.finish();
+  }
+
+
+  template <int dim>
+  StepReport Simulation<dim>::advance(TimeScheme &scheme, Observation<dim> &observation)
+  {
+    flags = MeshChange();
+    if (!mesh_control.is_due(state.step + 1))
+      return advance_on_this_mesh(scheme);
+    for (unsigned int repetition = 0;; ++repetition)
+      {
+        const State      start  = state;
+        const StepReport report = advance_on_this_mesh(scheme);
+        {
+          TimerOutput::Scope scope(timer, "mesh: indicator and marking");
+          flags = mesh_control.judge(*meshed, {start, state, scene.time.step_size});
+        }
+        if (!flags.refines() || repetition == mesh_control.repetitions())
+          return report;
+        state = start;
+        adapt_mesh(observation);
+      }
+  }
+
+
+  template <int dim>
+  StepReport Simulation<dim>::advance_on_this_mesh(TimeScheme &scheme)
+  {
+    TimerOutput::Scope scope(timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
+    mesh_has_just_changed = false;
+    return scheme.advance(meshed->system, state, scene.time.step_size);
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::adapt_mesh(Observation<dim> &observation)
+  {
+    TimerOutput::Scope scope(timer, "mesh: all of a change");
+    change_mesh(discretization, meshed, state, timer);
+    mesh_control.mesh_changed(state.step);
+    observation.change_mesh(*meshed, state);
+    mesh_has_just_changed = true;
   }
 
 
   template <int dim>
   void Simulation<dim>::prepare()
   {
-    {
-      TimerOutput::Scope scope(timer, "assembly of mass and stiffness");
-      discretization.assemble();
-    }
-    TimerOutput::Scope scope(timer, "contact surface and system");
-    supports    = std::make_unique<Supports<dim>>(discretization);
-    surface     = std::make_unique<ContactSurface<dim>>(discretization, *supports);
-    mass_note   = redistribute_mass(discretization, *surface);
-    coordinates = std::make_unique<ContactCoordinates<dim>>(discretization, *surface, *supports);
-    loads       = std::make_unique<Loads<dim>>(discretization);
-    system      = std::make_unique<ElasticContactSystem<dim>>(discretization, *surface, *coordinates, *loads, timer);
+    meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
     set_initial_state();
+    if (mesh_control.any())
+      adapt_initial_mesh();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::adapt_initial_mesh()
+  {
+    for (unsigned int level = 0; level < scene.adaptivity.maximum_level; ++level)
+      {
+        if (!mesh_control.judge(*meshed, {state, state, 0.}).refines())
+          return;
+        discretization.triangulation.execute_coarsening_and_refinement();
+        meshed.reset();
+        discretization.distribute();
+        meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
+        state  = State();
+        set_initial_state();
+        mesh_control.mesh_changed(0);
+      }
   }
 
 
@@ -119,12 +170,12 @@ namespace signorini
     state.contact_force  = discretization.make_vector();
     state.momentum       = discretization.make_vector();
     state.internal_force = discretization.make_vector();
-    surface->check_initial_gap(state.displacement); // of the scene as it is given
+    meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
-      StaticEquilibrium<dim>(discretization, *surface, *coordinates)
-        .find(state, loads->any() ? &loads->at(0.) : nullptr);
-    system->apply_mass(state.momentum, state.velocity);
-    system->apply_stiffness(state.internal_force, state.displacement);
+      n_equilibrium_steps =
+        StaticEquilibrium<dim>(discretization, meshed->surface, meshed->coordinates).find(state, meshed->load(0.));
+    meshed->system.apply_mass(state.momentum, state.velocity);
+    meshed->system.apply_stiffness(state.internal_force, state.displacement);
   }
 
 
@@ -144,22 +195,24 @@ namespace signorini
     std::ostringstream text;
     text << "  scheme            " << scene.time.scheme << ", " << scene.time.n_steps() << " steps of "
          << scene.time.step_size << "\n";
-    if (!mass_note.empty())
-      text << "  mass              " << mass_note << "\n";
+    if (n_equilibrium_steps > 0)
+      text << "  start             equilibrium, found in " << n_equilibrium_steps << " proximal steps\n";
+    if (!meshed->mass_note.empty())
+      text << "  mass              " << meshed->mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "
          << discretization.triangulation.n_global_active_cells() << " cells, " << discretization.dof_handler.n_dofs()
          << " degrees of freedom"
-         << "\n  contact nodes     " << surface->n_global_nodes() << "\n  Courant number    "
+         << "\n  contact nodes     " << meshed->surface.n_global_nodes() << "\n  Courant number    "
          << discretization.courant_number(scene.time.step_size) << "\n  processes         "
          << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
-    if (!scene.pairs.empty() && surface->n_global_nodes() == 0)
+    if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces its obstacle, or "
               "supports hold them all\n";
-    if (surface->n_supported() > 0)
+    if (meshed->surface.n_supported() > 0)
       text
-        << "  note: " << surface->n_supported()
+        << "  note: " << meshed->surface.n_supported()
         << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
-    for (const std::string &note : surface->notes())
+    for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
     return text.str();
   }

@@ -24,11 +24,10 @@ namespace signorini
     /** Without friction, none of its cost. */
     std::unique_ptr<ConstrainedSolver> make_solver(const bool with_friction, const SolverParameters &parameters)
     {
-      const unsigned int n_sets   = parameters.maximum_active_set_iterations,
-                         n_linear = parameters.maximum_linear_iterations;
+      const ActiveSetLimits limits{parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations};
       if (with_friction)
-        return std::make_unique<FrictionalNewton>(FrictionalNewton::Parameters{n_sets, n_linear});
-      return std::make_unique<PrimalDualActiveSet>(PrimalDualActiveSet::Parameters{n_sets, n_linear});
+        return std::make_unique<FrictionalNewton>(limits);
+      return std::make_unique<PrimalDualActiveSet>(limits);
     }
   } // namespace
 
@@ -173,16 +172,10 @@ namespace signorini
         solution.contact_reaction.local_element(i) = solution.normal_reaction[k] = -residual.local_element(i);
     for (const unsigned int i : coordinates.supported_entries())
       solution.support_reaction.local_element(i) = -residual.local_element(i);
-    solution.status = active;
-    for (std::size_t k = 0; k < friction_of_nodes.size(); ++k)
-      if (problem.further_reaction != nullptr && friction_of_nodes[k].law.constant > 0.
-          && !contact_status::is_closed(active[k]))
-        solution.status[k] =
-          contact_status::sticks(active[k]) ? contact_status::stick : contact_status::slip; // pressed by others
-    std::replace(solution.status.begin(), solution.status.end(), contact_status::hang, contact_status::open);
     if (friction.any())
       {
-        friction.extract(friction_of_nodes, active, increment, residual, solution);
+        const bool pressed_from_elsewhere = problem.further_reaction != nullptr;
+        friction.extract(friction_of_nodes, active, increment, residual, pressed_from_elsewhere, solution);
         coordinates.force_to_cartesian(solution.friction_reaction);
       }
 

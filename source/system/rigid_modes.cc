@@ -38,11 +38,10 @@ namespace signorini
 
 
   template <int dim>
-  RigidModes<dim>::RigidModes(const Discretization<dim> &discretization)
+  RigidModes<dim>::RigidModes(const Discretization<dim> &discretization, const ContactCoordinates<dim> &coordinates)
     : discretization(discretization)
   {
     const std::size_t n_bodies = discretization.scene.bodies.size();
-    Vector            product  = discretization.make_vector();
     for (std::size_t body = 0; body < n_bodies; ++body)
       {
         const std::size_t first = modes.size();
@@ -52,49 +51,45 @@ namespace signorini
             rest.fill("0");
             std::vector<std::array<std::string, dim>> expressions(n_bodies, rest);
             expressions[body] = motion;
-            modes.push_back(discretization.interpolate(expressions));
+            Motion mode{discretization.interpolate(expressions), discretization.make_vector()};
             // Twice: far from the origin a rotation is nearly a translation.
             for (unsigned int pass = 0; pass < 2; ++pass)
-              for (std::size_t j = first; j + 1 < modes.size(); ++j)
-                {
-                  discretization.matrices.apply_mass(product, modes[j]);
-                  modes.back().add(-dot(product, modes.back()), modes[j]);
-                }
-            discretization.matrices.apply_mass(product, modes.back());
-            modes.back() /= std::sqrt(dot(product, modes.back()));
+              for (std::size_t j = first; j < modes.size(); ++j)
+                mode.displacement.add(-dot(modes[j].momentum, mode.displacement), modes[j].displacement);
+            discretization.matrices.apply_mass(mode.momentum, mode.displacement);
+            const double size = std::sqrt(dot(mode.momentum, mode.displacement));
+            mode.displacement /= size;
+            mode.momentum /= size;
+            local.push_back(mode.displacement);
+            coordinates.displacement_to_contact(local.back());
+            modes.push_back(std::move(mode));
           }
       }
   }
 
 
   template <int dim>
-  std::vector<Vector> RigidModes<dim>::free_of(const ContactCoordinates<dim>   &coordinates,
-                                               const std::vector<unsigned int> &entries) const
+  std::vector<Motion> RigidModes<dim>::free_of(const std::vector<unsigned int> &entries) const
   {
-    const Eigen::Index  n = modes.size();
-    std::vector<Vector> local; // in contact coordinates
-    for (const Vector &mode : modes)
-      {
-        local.push_back(mode);
-        coordinates.displacement_to_contact(local.back());
-      }
-    Eigen::MatrixXd gram(n, n);
+    const Eigen::Index n    = modes.size();
+    Eigen::MatrixXd    gram = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index j = 0; j < n; ++j)
-        {
-          double sum = 0.;
-          for (const unsigned int entry : entries)
-            sum += local[i].local_element(entry) * local[j].local_element(entry);
-          gram(i, j) = dealii::Utilities::MPI::sum(sum, discretization.communicator());
-        }
+        for (const unsigned int entry : entries)
+          gram(i, j) += local[i].local_element(entry) * local[j].local_element(entry);
+    const dealii::ArrayView<double> sums(gram.data(), gram.size());
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums), discretization.communicator(), sums);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-    std::vector<Vector>                                  free;
+    std::vector<Motion>                                  free;
     for (Eigen::Index k = 0; k < n; ++k)
       if (eigen.eigenvalues()[k] <= 1e-10 * eigen.eigenvalues()[n - 1] || eigen.eigenvalues()[n - 1] == 0.)
         {
-          free.push_back(discretization.make_vector());
+          free.push_back({discretization.make_vector(), discretization.make_vector()});
           for (Eigen::Index i = 0; i < n; ++i)
-            free.back().add(eigen.eigenvectors()(i, k), modes[i]);
+            {
+              free.back().displacement.add(eigen.eigenvectors()(i, k), modes[i].displacement);
+              free.back().momentum.add(eigen.eigenvectors()(i, k), modes[i].momentum);
+            }
         }
     return free;
   }

@@ -27,6 +27,88 @@ namespace signorini
         speed = std::min(speed, body.material.pressure_wave_speed());
       return std::pow(0.1 * speed / discretization.body_size(), 2);
     }
+
+    /** The definite problem of every proximal step, (A + sigma M) u = b with contact. */
+    template <int dim>
+    class ProximalProblem
+    {
+    public:
+      ProximalProblem(const Discretization<dim>     &discretization,
+                      const ContactCoordinates<dim> &coordinates,
+                      const double                   sigma)
+        : parameters(discretization.scene.solver)
+        , coordinates(coordinates)
+        , matrix(discretization.matrices, coordinates, sigma, 1.)
+        , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
+        , prescribed(coordinates.supported_values(0.))
+        , bound_tolerance(1e-12 * discretization.body_size())
+      {
+        std::string name = parameters.preconditioner;
+        if (name == "automatic")
+          name = choose_preconditioner(discretization.courant_number(1. / std::sqrt(sigma)), maximum_steps);
+        preconditioner = make_preconditioner(name, discretization.matrices, coordinates, sigma, 1.);
+      }
+
+      /** @param force b, Cartesian @param solution, residual in contact coordinates, the former also a guess */
+      void solve(Vector           force,
+                 const NormalGap &gap,
+                 const Friction  &laws,
+                 ActiveSet       &status,
+                 Vector          &solution,
+                 Vector          &residual)
+      {
+        coordinates.force_to_contact(force);
+        if (tolerance < 0.)
+          tolerance = 1e-2 * parameters.tolerance
+                      * response_size(matrix, *preconditioner, force, coordinates.supported_entries(), prescribed);
+        solver.solve({matrix,
+                      *preconditioner,
+                      force,
+                      coordinates.normal_entries(),
+                      gap,
+                      coordinates.supported_entries(),
+                      prescribed,
+                      tolerance,
+                      bound_tolerance,
+                      laws},
+                     status,
+                     solution,
+                     residual);
+      }
+
+    private:
+      const SolverParameters               &parameters;
+      const ContactCoordinates<dim>        &coordinates;
+      const StepOperator<dim>               matrix;
+      std::unique_ptr<MaskedPreconditioner> preconditioner;
+      FrictionalNewton                      solver;
+      const std::vector<double>             prescribed;
+      const double                          bound_tolerance;
+      double                                tolerance = -1.; ///< known with the first force
+    };
+
+
+    /** Take free motions out of a change of the displacement. @return the largest of their amplitudes */
+    double take_out(const std::vector<Motion> &free, const double sigma, Motion &change, Vector &balance)
+    {
+      double largest = 0.;
+      for (const Motion &mode : free)
+        {
+          const double amplitude = dot(change.momentum, mode.displacement);
+          largest                = std::max(largest, std::abs(amplitude));
+          change.displacement.add(-amplitude, mode.displacement);
+          change.momentum.add(-amplitude, mode.momentum);
+          balance.add(-sigma * amplitude, mode.momentum);
+        }
+      return largest;
+    }
+
+
+    /** In the norm of M. */
+    double size_of(const Motion &motion)
+    {
+      return std::sqrt(std::max(0., dot(motion.momentum, motion.displacement)));
+    }
   } // namespace
 
 
@@ -45,80 +127,45 @@ namespace signorini
   template <int dim>
   unsigned int StaticEquilibrium<dim>::find(State &state, const Vector *load)
   {
-    const auto             &scene = discretization.scene;
-    const double            sigma = proximal_factor(discretization);
-    const StepOperator<dim> matrix(discretization.matrices, coordinates, sigma, 1.);
-    std::string             name = scene.solver.preconditioner;
-    if (name == "automatic")
-      name = choose_preconditioner(discretization.courant_number(1. / std::sqrt(sigma)), maximum_steps);
-    const auto            preconditioner = make_preconditioner(name, discretization.matrices, coordinates, sigma, 1.);
-    FrictionalNewton      solver({scene.solver.maximum_active_set_iterations, scene.solver.maximum_linear_iterations});
-    const RigidModes<dim> rigid(discretization);
-    const std::vector<double> prescribed = coordinates.supported_values(0.);
+    const double          sigma = proximal_factor(discretization);
+    ProximalProblem<dim>  problem(discretization, coordinates, sigma);
+    const RigidModes<dim> rigid(discretization, coordinates);
 
-    Vector u = discretization.make_vector(), displacement = u, change = u, product = u, residual = u, balance = u;
-    const NormalGap gap  = surface.normal_gap(u);
+    const Vector    zero = discretization.make_vector();
+    const NormalGap gap  = surface.normal_gap(zero);
     const Friction  laws = friction_of_nodes(gap, state.velocity);
     ActiveSet       status(gap.size(), contact_status::open);
-    if (load != nullptr)
-      balance = *load; // f - M a
-    double tolerance = 0.;
+    Vector          balance  = load != nullptr ? *load : zero; // f - M a
+    Vector          solution = zero, residual = zero;
+    Motion          now{zero, zero};
     for (unsigned int step = 1; step <= maximum_steps; ++step)
       {
-        // b = f - M a + sigma M u
-        discretization.matrices.apply_mass(product, displacement);
-        Vector b = balance;
-        b.add(sigma, product);
-        coordinates.force_to_contact(b);
-        if (step == 1)
-          tolerance = 1e-2 * scene.solver.tolerance
-                      * response_size(matrix, *preconditioner, b, coordinates.supported_entries(), prescribed);
-        solver.solve({matrix,
-                      *preconditioner,
-                      b,
-                      coordinates.normal_entries(),
-                      gap,
-                      coordinates.supported_entries(),
-                      prescribed,
-                      tolerance,
-                      1e-12 * discretization.body_size(),
-                      laws},
-                     status,
-                     u,
-                     residual);
-        change       = displacement;
-        displacement = u;
-        coordinates.displacement_to_cartesian(displacement);
-        change.sadd(-1., 1., displacement);
+        Vector force = balance;
+        force.add(sigma, now.momentum);
+        problem.solve(std::move(force), gap, laws, status, solution, residual);
+
+        Motion change    = now;
+        now.displacement = solution;
+        coordinates.displacement_to_cartesian(now.displacement);
+        discretization.matrices.apply_mass(now.momentum, now.displacement);
+        change.displacement.sadd(-1., 1., now.displacement);
+        change.momentum.sadd(-1., 1., now.momentum);
 
         // What drives a free motion becomes its acceleration; the rest of the change tells how far the equilibrium is.
-        const std::vector<Vector> free   = rigid.free_of(coordinates, held_entries(status));
-        double                    driven = 0.;
-        discretization.matrices.apply_mass(product, change);
-        for (const Vector &mode : free)
+        const std::vector<Motion> free       = rigid.free_of(held_entries(status));
+        const double              driven     = take_out(free, sigma, change, balance);
+        const double              unbalanced = std::hypot(size_of(change), driven);
+        if (unbalanced <= 1e-12 * size_of(now))
           {
-            const double motion = dot(product, mode);
-            driven              = std::max(driven, std::abs(motion));
-            change.add(-motion, mode);
-            discretization.matrices.apply_mass(b, mode);
-            balance.add(-sigma * motion, b);
-          }
-        discretization.matrices.apply_mass(product, change);
-        const double unbalanced = sigma * std::sqrt(std::max(0., dot(product, change)) + driven * driven);
-        discretization.matrices.apply_mass(product, displacement);
-        const double size = sigma * std::sqrt(std::max(0., dot(product, displacement)));
-        if (unbalanced <= 1e-12 * size)
-          {
-            discretization.matrices.apply_mass(product, displacement);
-            for (const Vector &mode : free)
-              displacement.add(-dot(product, mode), mode);
-            state.displacement = displacement;
-            set_forces(state, laws, status, u, residual);
+            for (const Motion &mode : free)
+              now.displacement.add(-dot(now.momentum, mode.displacement), mode.displacement);
+            state.displacement = now.displacement;
+            set_forces(state, laws, status, solution, residual);
             return step;
           }
       }
     throw RunError(
-      scene.file_name + ": Time/Start = equilibrium: no static equilibrium was found in "
+      discretization.scene.file_name + ": Time/Start = equilibrium: no static equilibrium was found in "
       + std::to_string(maximum_steps)
       + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to begin with undeformed bodies.");
   }
@@ -175,15 +222,13 @@ namespace signorini
     if (!friction.any())
       return;
     IncrementSolution solution;
-    friction.extract(laws, status, increment, residual, solution);
+    friction.extract(laws, status, increment, residual, false, solution);
     coordinates.force_to_cartesian(solution.friction_reaction);
     state.contact_force += solution.friction_reaction;
     state.friction.force = solution.friction_reaction;
     state.friction.slip = state.friction.accumulated_slip = discretization.make_vector(); // slip counts from here
     state.friction.slip_path.assign(status.size(), 0.);
-    state.friction.status = status;
-    std::replace(
-      state.friction.status.begin(), state.friction.status.end(), contact_status::hang, contact_status::open);
+    state.friction.status = solution.status;
   }
 
 

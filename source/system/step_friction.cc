@@ -7,6 +7,20 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Of a node for all but the solver: an open one that others press is closed, and none hangs. */
+    char reported_status(const char status, const bool pressed)
+    {
+      if (contact_status::is_closed(status))
+        return status;
+      if (!pressed)
+        return contact_status::open;
+      return contact_status::sticks(status) ? contact_status::stick : contact_status::slip;
+    }
+  } // namespace
+
+
   template <int dim>
   StepFriction<dim>::StepFriction(const ContactCoordinates<dim> &coordinates, const MPI_Comm communicator)
     : coordinates(coordinates)
@@ -51,11 +65,13 @@ namespace signorini
                                   const ActiveSet   &status,
                                   const Vector      &increment,
                                   const Vector      &residual,
+                                  const bool         pressed_from_elsewhere,
                                   IncrementSolution &solution) const
   {
     solution.friction_reaction.reinit(increment);
     solution.slip.reinit(increment);
     solution.slip_length.assign(status.size(), 0.);
+    solution.status.resize(status.size());
     double work = 0.;
     for (std::size_t k = 0; k < status.size(); ++k)
       {
@@ -63,6 +79,7 @@ namespace signorini
         const bool          closed = contact_status::is_closed(status[k]);
         const NodeForces    forces = node_forces(node, coordinates.normal_entries()[k], closed, increment, residual);
         const bool          sticks = contact_status::sticks(status[k]);
+        solution.status[k]         = reported_status(status[k], pressed_from_elsewhere && node.law.constant > 0.);
         if (node.entries.empty() || (!sticks && node.law.bound(forces.normal) == 0.))
           continue;
         const TangentVector force = sticks ? forces.tangential : slip_force(node.law, forces);

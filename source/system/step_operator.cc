@@ -36,6 +36,18 @@ namespace signorini
   template <int dim>
   void StepOperator<dim>::diagonal(Vector &destination) const
   {
+    if (known_diagonal.size() == 0)
+      {
+        known_diagonal.reinit(destination);
+        compute_diagonal(known_diagonal);
+      }
+    destination.copy_locally_owned_data_from(known_diagonal);
+  }
+
+
+  template <int dim>
+  void StepOperator<dim>::compute_diagonal(Vector &destination) const
+  {
     using Block          = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>; // the diagonal blocks are symmetric
     const auto &pattern  = matrices.pattern;
     const auto  block_of = [&](const unsigned int node) {

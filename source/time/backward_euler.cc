@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/time/backward_euler.h>
+#include <signorini/time/record_friction.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 namespace signorini
@@ -36,7 +37,7 @@ namespace signorini
     system.apply_stiffness(products, d);
     report.work_scheme -= 0.5 * (products * d);
 
-    report.work_friction = trapezoidal_rule::record_friction(state, solution, 1. / (tau * tau), r);
+    report.work_friction = record_friction(state, solution, 1. / (tau * tau), r);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/time/contact_stabilized_newmark.h>
+#include <signorini/time/record_friction.h>
+#include <signorini/time/stop_held_nodes.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 namespace signorini
@@ -40,18 +42,11 @@ namespace signorini
     report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
 
     velocity_change *= 2. / tau;
-    report.work_friction = trapezoidal_rule::record_friction(state, solution, 2. / (tau * tau), r);
+    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
     if (stop_sticking_nodes && state.friction.any())
       {
-        Vector velocity = state.velocity;
-        velocity += velocity_change;
-        const ActiveSet held    = trapezoidal_rule::staying_nodes(system, gap, solution, false, true);
-        const auto      stopped = trapezoidal_rule::stop(system, velocity, held);
-        velocity_change += stopped.correction;
-        r.add(1. / tau, stopped.mass_correction);
-        report.work_friction += stopped.work;
-        report.work_support += stopped.work_support;
-        report.predictor.linear_iterations += stopped.effort.linear_iterations;
+        const ActiveSet sticking = staying_nodes(system, gap, solution, false, true);
+        report.work_friction += stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
       }
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;

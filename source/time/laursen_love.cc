@@ -3,6 +3,7 @@
 
 #include <signorini/time/laursen_love.h>
 #include <signorini/time/node_impulses.h>
+#include <signorini/time/record_friction.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 #include <cmath>
@@ -76,7 +77,7 @@ namespace signorini
         report.work_contact += alpha * (alpha * kappa / 2. - omega);
         r.add(alpha / tau, impulses);
       }
-    report.work_friction = trapezoidal_rule::record_friction(state, solution, 2. / (tau * tau), r);
+    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/time/newmark.h>
+#include <signorini/time/record_friction.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 namespace signorini
@@ -29,7 +30,7 @@ namespace signorini
         report.work_friction = 0.5 * (state.friction.force * d);
         report.work_contact -= report.work_friction;
       }
-    report.work_friction += 0.5 * trapezoidal_rule::record_friction(state, solution, 4. / (tau * tau), r);
+    report.work_friction += 0.5 * record_friction(state, solution, 4. / (tau * tau), r);
     report.work_support = trapezoidal_rule::support_work(solution, tau);
 
     // v_new - v = 2/tau (d - tau v)

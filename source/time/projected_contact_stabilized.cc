@@ -2,6 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/time/projected_contact_stabilized.h>
+#include <signorini/time/record_friction.h>
+#include <signorini/time/stop_held_nodes.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 namespace signorini
@@ -43,17 +45,10 @@ namespace signorini
     velocity_change.sadd(2. / tau, 1. / tau, c);
 
     // A neighbour that p stops pulls p of a held node below its gap, and leaves v_new.nu = -p.nu/tau there.
-    Vector velocity = state.velocity;
-    velocity += velocity_change;
-    const ActiveSet held    = trapezoidal_rule::staying_nodes(system, gap, solution, true, stop_sticking_nodes);
-    const auto      stopped = trapezoidal_rule::stop(system, velocity, held);
-    velocity_change += stopped.correction;
-    r.add(1. / tau, stopped.mass_correction);
-    report.work_predictor += stopped.work;
-    report.work_support += stopped.work_support;
-    report.predictor.linear_iterations += stopped.effort.linear_iterations;
+    const ActiveSet held = staying_nodes(system, gap, solution, true, stop_sticking_nodes);
+    report.work_predictor += stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
 
-    report.work_friction = trapezoidal_rule::record_friction(state, solution, 2. / (tau * tau), r);
+    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
     trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
     return report;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/time/record_friction.h>
 #include <signorini/time/trapezoidal_rule.h>
 
 namespace signorini
@@ -41,64 +42,6 @@ namespace signorini
         {square / 4., right_hand_side, gap, state.displacement, state.time, step_size, square / 2., further_reaction},
         solution);
       return solution;
-    }
-
-
-    double record_friction(State &state, const IncrementSolution &solution, const double factor, Vector &contact_force)
-    {
-      if (solution.friction_reaction.size() == 0)
-        return 0.;
-      FrictionState &friction = state.friction;
-      if (!friction.any())
-        {
-          friction.accumulated_slip.reinit(solution.slip);
-          friction.slip_path.assign(solution.slip_length.size(), 0.);
-        }
-      friction.force = solution.friction_reaction;
-      friction.force *= factor;
-      contact_force += friction.force;
-      friction.status = solution.status;
-      friction.slip   = solution.slip;
-      friction.accumulated_slip += solution.slip;
-      for (std::size_t k = 0; k < friction.slip_path.size(); ++k)
-        friction.slip_path[k] += solution.slip_length[k];
-      return factor * solution.friction_work;
-    }
-
-
-    StoppedVelocity stop(DynamicalSystem &system, const Vector &velocity, const ActiveSet &held)
-    {
-      StoppedVelocity result;
-      result.effort = system.stop_relative_motion(velocity, held, result.correction, result.mass_correction);
-      if (result.effort.n_active == 0)
-        return result;
-      const Vector supports = system.support_part(result.mass_correction);
-      result.work_support   = supports * velocity;
-      result.work           = result.mass_correction * velocity + 0.5 * (result.mass_correction * result.correction);
-      result.work -= result.work_support;
-      result.mass_correction -= supports;
-      return result;
-    }
-
-
-    ActiveSet staying_nodes(const DynamicalSystem   &system,
-                            const NormalGap         &gap,
-                            const IncrementSolution &solution,
-                            const bool               normal,
-                            const bool               tangential)
-    {
-      const double touching = 1e-10 * system.length();
-      ActiveSet    held(gap.size(), contact_status::open);
-      for (std::size_t k = 0; k < gap.size(); ++k)
-        if (gap[k] <= touching && solution.normal_reaction[k] < 0.)
-          {
-            const bool sticks = tangential && !solution.status.empty() && contact_status::sticks(solution.status[k]);
-            if (normal)
-              held[k] = sticks ? contact_status::stick : contact_status::slip;
-            else if (sticks)
-              held[k] = contact_status::hang;
-          }
-      return held;
     }
 
 

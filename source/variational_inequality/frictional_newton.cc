@@ -46,7 +46,7 @@ namespace signorini
     slipping.clear();
     if (update(problem, status, solution, residual) > 0)
       hold(problem, status, solution, residual);
-    while (report.active_set_iterations < parameters.maximum_iterations)
+    while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
         set_mask(problem, status);
@@ -212,17 +212,17 @@ namespace signorini
                                        solution,
                                        residual,
                                        problem.tolerance,
-                                       precision == Precision::rough ? parameters.rough_reduction : 0.,
-                                       parameters.maximum_linear_iterations);
+                                       precision == Precision::rough ? rough_reduction : 0.,
+                                       limits.maximum_linear_iterations);
     const auto goal = [&](const double norm) {
-      double reduction = parameters.rough_reduction;
+      double reduction = rough_reduction;
       if (precision == Precision::settled && slip.any_turning() && last_norm > 0.)
         reduction = std::min(reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for
       else if (precision != Precision::rough)
         reduction = 0.;
       return std::max(problem.tolerance, reduction * norm);
     };
-    const auto report = slip.solve(problem, residual, correction, goal, parameters.maximum_linear_iterations);
+    const auto report = slip.solve(problem, residual, correction, goal, limits.maximum_linear_iterations);
     solution += correction;
     return report;
   }

@@ -17,11 +17,11 @@ namespace signorini
   {
     SolveReport  report;
     StatusRecord record(solution);
-    double       reduction = parameters.rough_reduction;
+    double       reduction = rough_reduction;
 
     start(problem, active, solution, residual);
     set_mask(problem, active);
-    while (report.active_set_iterations < parameters.maximum_iterations)
+    while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
         const auto linear = conjugate_gradients.solve(problem.matrix,
@@ -30,7 +30,7 @@ namespace signorini
                                                       residual,
                                                       problem.tolerance,
                                                       reduction,
-                                                      parameters.maximum_linear_iterations);
+                                                      limits.maximum_linear_iterations);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;

@@ -19,6 +19,12 @@ namespace signorini
   {
     using dealii::Utilities::MPI::sum;
 
+    /**
+     * Of one Newton step. Far beyond what a reduction by 100 takes; a step that is cut short here does no harm, as the
+     * next move goes on from the best point of its direction.
+     */
+    constexpr unsigned int maximum_linear_iterations = 10000;
+
     /** The method at a point x with the residual b - K x. */
     class Descent
     {
@@ -50,7 +56,10 @@ namespace signorini
         residual.sadd(-1., 1., problem.right_hand_side);
       }
 
-      /** A step against the gradient in the metric of the diagonal, with bounds and friction taken exactly, shortened to the minimum of J. */
+      /**
+       * A step against the gradient in the metric of the diagonal, with bounds and friction taken exactly, shortened to the
+       * minimum of J.
+       */
       void proximal_step()
       {
         target = solution;
@@ -71,7 +80,7 @@ namespace signorini
       }
 
       /** @return iterations of the linear solver; zero if x is the minimum among the points with these statuses */
-      unsigned int newton_step(const ActiveSet &status, const unsigned int maximum_iterations)
+      unsigned int newton_step(const ActiveSet &status)
       {
         Mask mask = is_fixed;
         slip.clear();
@@ -95,7 +104,7 @@ namespace signorini
           product,
           direction,
           [&](const double norm) { return std::max(problem.tolerance, 1e-2 * norm); },
-          maximum_iterations);
+          maximum_linear_iterations);
         if (report.iterations == 0)
           return 0;
         target = solution;
@@ -235,7 +244,7 @@ namespace signorini
       {
         ++report.active_set_iterations;
         const bool         unsettled = descent.find_status(status);
-        const unsigned int effort    = descent.newton_step(status, 10000);
+        const unsigned int effort    = descent.newton_step(status);
         report.linear_iterations += effort + 1;
         if (effort == 0 && !unsettled)
           {

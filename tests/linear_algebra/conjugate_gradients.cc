@@ -180,6 +180,43 @@ TEST(ConjugateGradients, NeedOneIterationPerEigenvalue)
   EXPECT_EQ(report.iterations, 3u);
 }
 
+// The square of the "norm" of the residual is negative then, which is not the same as small.
+TEST(ConjugateGradients, ANegativePreconditionerIsNoConvergence)
+{
+  class Identity : public LinearOperator
+  {
+  public:
+    void vmult(Vector &destination, const Vector &source) const override { destination = source; }
+    void diagonal(Vector &) const override {}
+  };
+  class Scaling : public MaskedPreconditioner
+  {
+  public:
+    explicit Scaling(const double factor)
+      : factor(factor)
+    {
+    }
+    void set_mask(const Mask &) override {}
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      destination = source;
+      destination *= factor;
+    }
+    const double factor;
+  };
+  const auto converges = [](const double factor, const double size) {
+    Vector solution(12), residual(12);
+    residual          = size;
+    const auto report = ConjugateGradients().solve(Identity(), Scaling(factor), solution, residual, 1e-12, 0., 100);
+    EXPECT_EQ(solution.linfty_norm() > 0., report.iterations > 0);
+    return report.converged;
+  };
+  EXPECT_TRUE(converges(1., 1.));
+  EXPECT_FALSE(converges(-1., 1.));
+  EXPECT_TRUE(converges(-1., 0.));    // nothing to do
+  EXPECT_TRUE(converges(-1., 1e-15)); // round-off of no importance
+}
+
 TEST(ConjugateGradients, StopWhereTheyAreTold)
 {
   LinearSystem rough(MPI_COMM_WORLD), accurate(MPI_COMM_WORLD), limited(MPI_COMM_WORLD);

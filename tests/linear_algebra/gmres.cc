@@ -118,3 +118,24 @@ TEST(Gmres, StopsAtItsGoal)
   EXPECT_LE(residual.l2_norm(), 0.1 * initial);
   EXPECT_GT(residual.l2_norm(), 1e-4 * initial);
 }
+
+// The square of the "norm" of the residual is negative then, which is not the same as small.
+TEST(Gmres, ANegativePreconditionerIsNoConvergence)
+{
+  const auto converges = [](const double factor, const double size) {
+    const auto apply        = [](Vector &y, const Vector &x) { y = x; };
+    const auto precondition = [&](Vector &y, const Vector &x) {
+      y = x;
+      y *= factor;
+    };
+    Vector     x(12), residual = to_vector(size * Eigen::VectorXd::Ones(12));
+    const auto report = Gmres().solve(
+      apply, precondition, x, residual, [](double) { return 1e-12; }, 100);
+    EXPECT_EQ(x.linfty_norm() > 0., report.iterations > 0);
+    return report.converged;
+  };
+  EXPECT_TRUE(converges(1., 1.));
+  EXPECT_FALSE(converges(-1., 1.));
+  EXPECT_TRUE(converges(-1., 0.));    // nothing to do
+  EXPECT_TRUE(converges(-1., 1e-15)); // round-off of no importance
+}

@@ -172,7 +172,7 @@ namespace
     return solutions;
   }
 
-  const FrictionalNewton::Parameters parameters;
+  const ActiveSetLimits limits;
 } // namespace
 
 TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
@@ -184,7 +184,7 @@ TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
       const auto problem   = random_frictional(4, 1, {0.1 + 0.01 * seed, 0.}, seed);
       const auto solutions = brute_force(problem);
       ASSERT_EQ(solutions.size(), 1u);
-      FrictionalNewton newton(parameters);
+      FrictionalNewton newton(limits);
       TrescaFixedPoint fixed_point;
       for (const bool exact : {true, false})
         for (ConstrainedSolver *solver :
@@ -216,7 +216,7 @@ TEST(Friction, SolversAgreeInThreeDimensions)
                                   : seed % 3 == 1 ? FrictionLaw{0., 0.4}
                                                   : FrictionLaw{0.8, 0., 0.5};
       const auto        problem = random_frictional(5, 2, law, seed);
-      FrictionalNewton  newton(parameters);
+      FrictionalNewton  newton(limits);
       TrescaFixedPoint  fixed_point;
       const auto        answer = solve(newton, problem);
       n_iterations += answer.report.active_set_iterations;
@@ -244,7 +244,7 @@ TEST(Friction, DoesNotDependOnTangents)
     Q.block<2, 2>(3 * k + 1, 3 * k + 1) = Eigen::Rotation2Dd(0.3 + k).toRotationMatrix();
   turned.matrix          = Q.transpose() * problem.matrix * Q;
   turned.right_hand_side = Q.transpose() * problem.right_hand_side;
-  FrictionalNewton solver(parameters);
+  FrictionalNewton solver(limits);
   const auto       answer = solve(solver, problem, true), other = solve(solver, turned, true);
   EXPECT_LT((answer.solution - Q * other.solution).lpNorm<Eigen::Infinity>(), 1e-11);
   EXPECT_EQ(answer.report.active_set_iterations, other.report.active_set_iterations);
@@ -253,7 +253,7 @@ TEST(Friction, DoesNotDependOnTangents)
 TEST(Friction, WithoutCoefficientIsFrictionless)
 {
   const auto          problem = random_frictional(6, 2, {0., 0.}, 3);
-  FrictionalNewton    solver(parameters);
+  FrictionalNewton    solver(limits);
   PrimalDualActiveSet frictionless({});
   FrictionalProblem   none = problem;
   none.friction.clear();
@@ -263,7 +263,7 @@ TEST(Friction, WithoutCoefficientIsFrictionless)
 TEST(Friction, VeryRoughNodesAreGlued)
 {
   auto             problem = random_frictional(6, 2, {1e6, 0.}, 5), glued = problem;
-  FrictionalNewton solver(parameters);
+  FrictionalNewton solver(limits);
   const auto       answer = solve(solver, problem);
   for (unsigned int k = 0; k < 6; ++k)
     if (answer.status[k] != contact_status::open)
@@ -296,7 +296,7 @@ TEST(Friction, FurtherNormalForces)
           problem.matrix                 = 5. * problem.matrix - 4. * identity; // more coupling, less pressure
           for (unsigned int k = 0; k < 5; ++k)
             problem.right_hand_side[problem.bounded_entries[k]] -= 0.5;
-          FrictionalNewton newton(parameters);
+          FrictionalNewton newton(limits);
           const auto       answer = solve(newton, problem);
           expect_coulomb(problem, answer);
           n_fallbacks += answer.report.fallback;
@@ -319,7 +319,7 @@ TEST(Friction, SlipsWhereNeitherOpenNorStickCanBe)
   problem.upper_bounds                        = {0.};
   problem.friction                            = {{{1}, {2., 0.}}};
   ASSERT_EQ(brute_force(problem).size(), 1u);
-  FrictionalNewton newton(parameters);
+  FrictionalNewton newton(limits);
   TrescaFixedPoint fixed_point;
   for (ConstrainedSolver *solver :
        {static_cast<ConstrainedSolver *>(&newton), static_cast<ConstrainedSolver *>(&fixed_point)})
@@ -337,7 +337,7 @@ TEST(Friction, PastSlipSetsTheDirection)
   auto problem = random_frictional(4, 2, {0.5, 0.}, 2);
   for (FrictionNode &node : problem.friction)
     node.past = {6e5, 8e5};
-  FrictionalNewton solver(parameters);
+  FrictionalNewton solver(limits);
   const auto       answer = solve(solver, problem);
   for (unsigned int k = 0; k < 4; ++k)
     {

@@ -93,9 +93,9 @@ TEST(Failure, TooFewIterationsAreAnError)
 
 TEST(Failure, ALinearSolverThatGivesUpDoesNotEndTheSearch)
 {
-  PrimalDualActiveSet::Parameters parameters;
-  parameters.maximum_linear_iterations = 1;
-  PrimalDualActiveSet solver(parameters);
+  ActiveSetLimits limits;
+  limits.maximum_linear_iterations = 1;
+  PrimalDualActiveSet solver(limits);
   const DenseProblem  problem = cycling_problem();
   const Answer        answer  = solve(solver, solver_cases[1], problem, ActiveSet(5, 0));
   EXPECT_TRUE(answer.report.fallback);

@@ -33,7 +33,7 @@ namespace signorini
   inline std::unique_ptr<ConstrainedSolver> make_solver(const SolverCase &solver_case)
   {
     if (std::string(solver_case.solver) == "active_set")
-      return std::make_unique<PrimalDualActiveSet>(PrimalDualActiveSet::Parameters());
+      return std::make_unique<PrimalDualActiveSet>(ActiveSetLimits());
     return std::make_unique<Proportioning>();
   }
 

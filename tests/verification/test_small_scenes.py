@@ -49,35 +49,9 @@ subsection Probes
 end
 """
 
-SLOW_IMPACT = """
-set Dimension = 2
-subsection Time
-  set Step size = 5e-3
-  set End time  = 0.2
-end
-subsection Bodies
-  set Names = block
-  subsection block
-    set Shape           = box
-    set Lower corner    = 0, 0
-    set Upper corner    = 2, 1
-    set Repetitions     = 8, 4
-    set Young's modulus = 500
-    set Poisson's ratio = 0.3
-    set Density         = 1
-  end
-end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Shape  = plane
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = block[2] : floor
-end
-"""
+#: Of the block in parameters/sliding_block.prm.
+IMPACT = ["Time/Start=given", "Time/Step size=8e-4", "Time/End time=0.032", "Bodies/block/Young's modulus=2e5",
+          "Bodies/block/Poisson's ratio=0.3", "Bodies/block/Body force=0; 0", "Contact/block[2] : floor/Friction coefficient=0"]
 
 MOVING_SUPPORT = """
 set Dimension = 2
@@ -310,7 +284,8 @@ class SmallScenes(check_history.SceneTest):
         """Without gap and loads everything is proportional to the velocity, however small the way of a step is."""
         energies = []
         for speed in (1., 1e-6, 1e-10):
-            run = check_history.Run(SLOW_IMPACT, f"slow-{speed}", [f"Bodies/block/Initial velocity={0.3 * speed}; {-speed}"])
+            run = check_history.Run(check_history.PARAMETERS / "sliding_block.prm", f"slow-{speed}",
+                                    IMPACT + [f"Bodies/block/Initial velocity={0.3 * speed}; {-speed}"])
             energies.append([energy / run["total_energy"][0] for energy in run["total_energy"]])
         self.assertLess(energies[0][-1], 0.999)
         for slow in energies[1:]:

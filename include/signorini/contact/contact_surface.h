@@ -75,6 +75,12 @@ namespace signorini
      */
     void check_initial_gap(const Vector &initial_displacement) const;
 
+    /**
+     * Let penetrating nodes be where they are: their gap becomes zero. A finer mesh sees more of a curved surface than the mesh on which the
+     * motion was admissible; to push these nodes out at once would be a blow that nothing but the mesh has dealt.
+     */
+    void admit(const Vector &displacement);
+
   private:
     const Discretization<dim>         &discretization;
     ObstacleContact<dim>               obstacle_contact;

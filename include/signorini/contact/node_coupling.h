@@ -9,8 +9,9 @@
 namespace signorini
 {
   /**
-   * The block P of the mortar coupling as an operator between the contact nodes that this process owns and their partners,
-   * wherever those are. A relative entry r belongs to a contact node k and a direction e_r of its frame (ContactNode::relative). Values of partners on other processes travel in one message per neighbour.
+   * The block P of the mortar coupling as an operator between the contact nodes that this process owns and their
+   * partners, wherever those are. A relative entry r belongs to a contact node k and a direction e_r of its frame
+   * (ContactNode::relative). Values of partners on other processes travel in one message per neighbour.
    */
   template <int dim>
   class NodeCoupling

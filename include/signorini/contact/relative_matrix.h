@@ -13,8 +13,9 @@ namespace signorini
    *
    *   u = S v,    u_p = v_p + Pi_p sum_l P_pl v_l at contact nodes,    u_p = v_p elsewhere
    *
-   * with the projector Pi_p onto the relative directions of the node (the transformation T without its rotations, so that blocks of nodes stay blocks). It couples the partners of contact nodes
-   * with the contact nodes, their neighbours and each other; elsewhere it is a M + b A.
+   * with the projector Pi_p onto the relative directions of the node (the transformation T without its rotations, so
+   * that blocks of nodes stay blocks). It couples the partners of contact nodes with the contact nodes, their
+   * neighbours and each other; elsewhere it is a M + b A.
    *
    * The ghosts are those of the given matrices and, beyond, the nodes that this process is coupled with across the contact surface,
    * so that a domain decomposition overlaps there, too, even if each body lives on a process of its own.

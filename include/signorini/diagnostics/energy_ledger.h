@@ -36,6 +36,9 @@ namespace signorini
     /** Open the ledger with the initial state. `load`: f at its time, null without loads. */
     void open(const State &state, const Vector *load);
 
+    /** Take over a state that a new mesh has changed. What this did to the energy is booked with the next step. */
+    void transfer(const State &state, const Vector *load);
+
     /** Book a step. */
     EnergyBooking book(const State &state, const StepReport &report, const Vector *load);
 
@@ -44,6 +47,7 @@ namespace signorini
 
   private:
     Energy first, last;
+    double transferred = 0.;             ///< by new meshes since the last step
     Vector last_load, last_displacement; ///< kept only with loads
 
     Energy evaluate(const State &state, const Vector *load) const;

@@ -38,9 +38,9 @@ namespace signorini
     ProbeReading read(const State &state) const;
 
   private:
-    const std::string          probe_name;
-    const MPI_Comm             communicator;
-    const ContactSurface<dim> &surface;
+    std::string                probe_name;
+    MPI_Comm                   communicator;
+    const ContactSurface<dim> *surface;
     unsigned int               node = 0; ///< index into the nodes of the surface, on the owner
     dealii::Point<dim>         node_position;
     unsigned int               owner = 0;

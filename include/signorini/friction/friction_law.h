@@ -14,8 +14,9 @@ namespace signorini
    *
    *   bound(n) = min(constant + coefficient n, cap):
    *
-   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone; it asks for no normal force at all). Below the bound the node sticks; at the bound it
-   * slips, and the force is opposite to the slip. All are forces of a node, not stresses.
+   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone; it asks for no normal force at all). Below
+   * the bound the node sticks; at the bound it slips, and the force is opposite to the slip. All are forces of a node,
+   * not stresses.
    */
   struct FrictionLaw
   {

@@ -12,7 +12,7 @@ namespace signorini
 {
   /**
    * Pictures of the motion for Paraview: `volume.pvd` with displacement and velocity (nodes), body, stress_xx, ..., von_mises and
-   * subdomain (cells), and `surface.pvd` with the contact surface, see SurfacePatches. The stress of a cell is its mean
+   * subdomain and, on meshes that change, error_indicator (cells), and `surface.pvd` with the contact surface, see SurfacePatches. The stress of a cell is its mean
    * stress; in 2d (plane strain) stress_zz is part of it. A scene without contact pairs has no surface series.
    */
   template <int dim>
@@ -20,24 +20,24 @@ namespace signorini
   {
   public:
     /** Collective. The .pvd files of an earlier run in this directory are removed. */
-    FieldOutput(const Discretization<dim> &discretization,
-                const ContactSurface<dim> &surface,
-                const std::string         &directory);
+    FieldOutput(const Discretization<dim> &discretization, const std::string &directory);
 
     /**
-     * Write the fields of a moment. A second call for the same step does nothing. Collective.
+     * Write the fields of a moment. @param surface of the mesh as it is @param indicators of the error per cell, empty for none. A second call for the same step does nothing. Collective.
      * @throws RunError on all processes if a file cannot be written
      */
-    void write(const State &state);
+    void write(const State &state, const ContactSurface<dim> &surface, const dealii::Vector<double> &indicators = {});
 
   private:
     const Discretization<dim>    &discretization;
-    SurfacePatches<dim>           surface_patches;
     FieldSeries                   volume_series, surface_series;
     static constexpr unsigned int none      = static_cast<unsigned int>(-1);
     unsigned int                  last_step = none;
 
-    void write_volume(const State &state, const Vector &displacement, const Vector &velocity);
+    void write_volume(const State                  &state,
+                      const Vector                 &displacement,
+                      const Vector                 &velocity,
+                      const dealii::Vector<double> &indicators);
   };
 } // namespace signorini
 

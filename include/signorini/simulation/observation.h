@@ -5,8 +5,8 @@
 #define signorini_simulation_observation_h
 
 #include <signorini/diagnostics/oscillation.h>
-#include <signorini/discretization/loads.h>
 #include <signorini/output/history.h>
+#include <signorini/simulation/meshed_scene.h>
 
 #include <deal.II/base/timer.h>
 
@@ -17,12 +17,13 @@ namespace signorini
   class Observation
   {
   public:
-    Observation(const Discretization<dim> &discretization,
-                const ContactSurface<dim> &surface,
-                Loads<dim>                &loads,
-                const std::string         &directory);
+    Observation(const Discretization<dim> &discretization, MeshedScene<dim> &meshed);
 
     void start(const State &state);
+
+    /** Go on with what was built on a changed mesh, and with the state on it. */
+    void change_mesh(MeshedScene<dim> &meshed, const State &state);
+
     void observe(const State &state, const StepReport &report, double step_size);
 
     const ContactSummary &contact() const { return contact_now; }
@@ -42,8 +43,7 @@ namespace signorini
 
   private:
     const Discretization<dim> &discretization;
-    const ContactSurface<dim> &surface;
-    Loads<dim>                &loads;
+    MeshedScene<dim>          *meshed;
     std::vector<Probe<dim>>    probes;
     History<dim>               history;
     EnergyLedger               ledger;
@@ -57,19 +57,20 @@ namespace signorini
 
     double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
            farthest_sliding = 0., impulse = 0.;
-    double       work_friction = 0.;
-    unsigned int most_sticking = 0, most_slipping = 0;
-    double       standard_change  = 0.; ///< change of the total energy with the consistent mass
-    unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0; ///< of laursen-love, per node
-    double       first_contact = -1., last_contact = -1.;
-    ErrorNorms   latest_errors;
+    double        work_friction = 0., transferred = 0.;
+    unsigned int  n_mesh_changes = 0;
+    unsigned long fewest_cells = 0, most_cells = 0;
+    unsigned int  most_sticking = 0, most_slipping = 0;
+    double        standard_change  = 0.; ///< change of the total energy with the consistent mass
+    unsigned int  n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0; ///< of laursen-love, per node
+    double        first_contact = -1., last_contact = -1.;
+    ErrorNorms    latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
     /** The energy that changes are compared with. */
     double relative_scale() const;
     /** Products since the last observation. */
     ProductCount                   products_of_step() const;
-    const Vector                  *load(double time);
     static std::vector<Probe<dim>> make_probes(const Discretization<dim> &discretization,
                                                const ContactSurface<dim> &surface);
   };

@@ -6,8 +6,8 @@
 
 #include <signorini/output/field_output.h>
 #include <signorini/output/run_log.h>
+#include <signorini/simulation/mesh_control.h>
 #include <signorini/simulation/observation.h>
-#include <signorini/system/elastic_contact_system.h>
 
 #include <deal.II/base/timer.h>
 
@@ -42,17 +42,23 @@ namespace signorini
     dealii::TimerOutput timer;
     Discretization<dim> discretization;
     State               state;
-    std::string         mass_note; ///< what became of the mass, if that is not the consistent one
+    unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
-    std::unique_ptr<Supports<dim>>             supports;
-    std::unique_ptr<ContactSurface<dim>>       surface;
-    std::unique_ptr<ContactCoordinates<dim>>   coordinates;
-    std::unique_ptr<Loads<dim>>                loads;
-    std::unique_ptr<ElasticContactSystem<dim>> system;
+    std::unique_ptr<MeshedScene<dim>> meshed;
+    MeshControl<dim>                  mesh_control;
+    MeshChange                        flags;                        ///< what the latest step wants of the mesh
+    bool                              mesh_has_just_changed = true; ///< since the latest step
 
     /** Matrices, contact surface, system, initial state. */
-    void        prepare();
-    void        set_initial_state();
+    void prepare();
+    void set_initial_state();
+    /** Refine the mesh of the initial state as far as the indicator wants it. */
+    void adapt_initial_mesh();
+    /** The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a refined one. */
+    StepReport advance(TimeScheme &scheme, Observation<dim> &observation);
+    StepReport advance_on_this_mesh(TimeScheme &scheme);
+    /** Carry out the flags of the mesh. */
+    void        adapt_mesh(Observation<dim> &observation);
     bool        writes_fields(unsigned int step) const;
     std::string description() const;
   };

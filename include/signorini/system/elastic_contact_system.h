@@ -66,6 +66,9 @@ namespace signorini
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
 
+    /** The largest energy of the motion so far. */
+    double energy() const { return energy_scale; }
+
     /** The preconditioner in use. */
     const std::string &preconditioner_name() const { return chosen_preconditioner; }
 

@@ -8,27 +8,34 @@
 
 namespace signorini
 {
+  /** A displacement or velocity u of all nodes, and its product with the mass. */
+  struct Motion
+  {
+    Vector displacement; ///< u
+    Vector momentum;     ///< M u
+  };
+
   /**
-   * The rigid motions of all bodies (translations and infinitesimal rotations of each), orthonormal in the mass matrix. Keeps as many
-   * vectors: 3 per body in 2d, 6 in 3d.
+   * The rigid motions of all bodies (translations and infinitesimal rotations of each), orthonormal in the mass matrix.
+   * Keeps three vectors for each: 9 per body in 2d, 18 in 3d.
    */
   template <int dim>
   class RigidModes
   {
   public:
-    explicit RigidModes(const Discretization<dim> &discretization);
+    RigidModes(const Discretization<dim> &discretization, const ContactCoordinates<dim> &coordinates);
 
     /**
      * An orthonormal basis of the motions that leave some entries at rest: of the rigid motions that nothing holds.
      * @param entries of contact coordinates, on this process
      * Collective.
      */
-    std::vector<Vector> free_of(const ContactCoordinates<dim>   &coordinates,
-                                const std::vector<unsigned int> &entries) const;
+    std::vector<Motion> free_of(const std::vector<unsigned int> &entries) const;
 
   private:
     const Discretization<dim> &discretization;
-    std::vector<Vector>        modes;
+    std::vector<Motion>        modes;
+    std::vector<Vector>        local; ///< their displacements in contact coordinates
   };
 } // namespace signorini
 

@@ -10,7 +10,10 @@
 
 namespace signorini
 {
-  /** Between the friction of contact nodes and the problem of a step: laws in the scale of its matrix, forces and slip from its solution. */
+  /**
+   * Between the friction of contact nodes and the problem of a step: laws in the scale of its matrix, forces and slip from
+   * its solution.
+   */
   template <int dim>
   class StepFriction
   {
@@ -32,13 +35,18 @@ namespace signorini
 
     /**
      * The friction in a solution.
+     * @param status    of the solver
      * @param increment, residual in contact coordinates
-     * @param solution  gets friction_reaction (in contact coordinates), slip (Cartesian) and slip_length
+     * @param pressed_from_elsewhere whether the laws contain a further reaction; an open node that it entitles to friction is
+     *                  reported as closed
+     * @param solution  gets friction_reaction (in contact coordinates), friction_work, slip (Cartesian), slip_length, and status
+     *                  (open, slip or stick)
      */
     void extract(const Friction    &friction,
                  const ActiveSet   &status,
                  const Vector      &increment,
                  const Vector      &residual,
+                 bool               pressed_from_elsewhere,
                  IncrementSolution &solution) const;
 
   private:

@@ -27,6 +27,9 @@ namespace signorini
     const ContactCoordinates<dim> &coordinates;
     const double                   mass_factor, stiffness_factor;
     mutable Vector                 cartesian;
+    mutable Vector                 known_diagonal; ///< once it was asked for: frictional solvers need it in every step
+
+    void compute_diagonal(Vector &destination) const;
   };
 } // namespace signorini
 

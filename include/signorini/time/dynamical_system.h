@@ -36,7 +36,7 @@ namespace signorini
     double           start_time;
     double           step_size;
     double           force_factor = 0.; ///< nodal forces times this are reactions: tau^2/2 for the trapezoidal rule
-    /** Reactions of contact that act in the step besides those of this problem, and to which friction is entitled, too; null: none. */
+    /** Reactions of contact besides those of this problem in the step, to which friction is entitled, too; null: none. */
     const Vector *further_reaction = nullptr;
   };
 
@@ -48,8 +48,8 @@ namespace signorini
     Vector support_reaction; ///< (K d - b) in the entries of supports
     /** The contact reaction as one number per contact node that this process owns, compression < 0; zero where open. */
     std::vector<double> normal_reaction;
-    std::vector<double> slip_length; ///< length of `slip` per contact node
-    ActiveSet           status;      ///< per contact node that this process owns
+    std::vector<double> slip_length; ///< length of `slip` per contact node; empty without friction
+    ActiveSet           status;      ///< per contact node: open, slip or stick; empty without friction
     Vector      friction_reaction;   ///< like the contact reaction, in tangential directions; empty without friction
     Vector      slip;                ///< relative tangential increments of closed contact nodes; empty without friction
     double      friction_work = 0.;  ///< friction_reaction times increment, exactly zero where nodes stick

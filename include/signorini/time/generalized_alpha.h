@@ -14,8 +14,10 @@ namespace signorini
    *
    *   M [(1 - alpha_m) a_new + alpha_m a] + A [(1 - alpha_f) u_new + alpha_f u] = (1 - alpha_f) f_new + alpha_f f + r,
    *
-   * see AlphaRule for the rest. The force r acts against the elastic forces of t_new - alpha_f tau, and it is that instant's. Second order, and damping of high frequencies by choice. A baseline that users know: with contact there is no
-   * bound of the energy, and the release of a loaded node can add some. The first acceleration is that of loads and elastic forces.
+   * see AlphaRule for the rest. The force r acts against the elastic forces of t_new - alpha_f tau, and it is that
+   * instant's. Second order, and damping of high frequencies by choice. A baseline that users know: with contact there
+   * is no bound of the energy, and the release of a loaded node can add some. The first acceleration is that of loads
+   * and elastic forces.
    */
   class GeneralizedAlpha : public TimeScheme
   {

@@ -14,9 +14,10 @@ namespace signorini
    *
    *   u' = v,   M~ v' = f - A u + r   in nodes with mass (r: of the other body),   contact nodes in static equilibrium with u.nu <= g,
    *
-   * and SUNDIALS ARKODE integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of its own as it takes within each step
-   * of the run. Against it, the error of a scheme in time can be measured on the same mesh. What the tolerance leaves is seen as unexplained energy.
-   * Slow: every stage solves a contact problem. Supports have to stand still.
+   * and SUNDIALS ARKODE integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of
+   * its own as it takes within each step of the run. Against it, the error of a scheme in time can be measured on the
+   * same mesh. What the tolerance leaves is seen as unexplained energy. Slow: every stage solves a contact problem.
+   * Supports have to stand still.
    */
   class ReferenceIntegration : public TimeScheme
   {

@@ -41,36 +41,6 @@ namespace signorini
     /** 2/tau^2 times the reaction of supports on the increment. */
     double support_work(const IncrementSolution &solution, double step_size);
 
-    /**
-     * Add the friction of a step to the contact force r, and let the state remember it with the slip. Without friction nothing happens.
-     * @param factor forces per reaction
-     * @return the work of this friction on the increment
-     */
-    double record_friction(State &state, const IncrementSolution &solution, double factor, Vector &contact_force);
-
-    /** The velocity that shall end a step, and what the projection that leads to it takes and gives. */
-    struct StoppedVelocity
-    {
-      Vector      correction;      ///< c
-      Vector      mass_correction; ///< M c without the part of supports: impulses
-      double      work         = 0.;
-      double      work_support = 0.;
-      SolveEffort effort;
-    };
-    /** Take the relative velocity at nodes that shall not have any, see DynamicalSystem::stop_relative_motion(). */
-    StoppedVelocity stop(DynamicalSystem &system, const Vector &velocity, const ActiveSet &held);
-
-    /**
-     * The nodes that touched before a step and are held at its end.
-     * @param normal      whether they shall lose their normal velocity
-     * @param tangential  whether those that stick shall lose their tangential velocity
-     */
-    ActiveSet staying_nodes(const DynamicalSystem   &system,
-                            const NormalGap         &gap,
-                            const IncrementSolution &solution,
-                            bool                     normal,
-                            bool                     tangential);
-
     /** The end of the step of a scheme without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction. */
     StepReport
     finish_implicit(const DynamicalSystem &system, State &state, double step_size, const IncrementSolution &solution);

@@ -8,6 +8,13 @@
 
 namespace signorini
 {
+  /** When an active set method, with or without friction, leaves the rest to its fallback. */
+  struct ActiveSetLimits
+  {
+    unsigned int maximum_iterations        = 50;
+    unsigned int maximum_linear_iterations = 10000; ///< of one linear solve
+  };
+
   /** Solves a ConstrainedProblem to its tolerance or throws; never returns an unconverged answer. */
   class ConstrainedSolver
   {

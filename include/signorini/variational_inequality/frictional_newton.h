@@ -21,15 +21,8 @@ namespace signorini
   class FrictionalNewton : public ConstrainedSolver
   {
   public:
-    struct Parameters
-    {
-      unsigned int maximum_iterations        = 50;
-      unsigned int maximum_linear_iterations = 10000;
-      double       rough_reduction           = 5e-2; ///< of the error in a linear solve while statuses still change
-    };
-
-    explicit FrictionalNewton(const Parameters &parameters)
-      : parameters(parameters)
+    explicit FrictionalNewton(const ActiveSetLimits &limits)
+      : limits(limits)
     {
     }
 
@@ -37,7 +30,10 @@ namespace signorini
     solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual) override;
 
   private:
-    const Parameters         parameters;
+    /** Of the error in a linear solve, while statuses still change. */
+    static constexpr double rough_reduction = 5e-2;
+
+    const ActiveSetLimits    limits;
     ConjugateGradients       conjugate_gradients;
     SlipSystem               slip;
     std::vector<std::size_t> slipping; ///< the nodes of `slip`, ascending

@@ -23,15 +23,8 @@ namespace signorini
   class PrimalDualActiveSet : public ConstrainedSolver
   {
   public:
-    struct Parameters
-    {
-      unsigned int maximum_iterations        = 50;
-      unsigned int maximum_linear_iterations = 10000;
-      double       rough_reduction           = 1e-2; ///< of the error in a linear solve while the set still changes
-    };
-
-    explicit PrimalDualActiveSet(const Parameters &parameters)
-      : parameters(parameters)
+    explicit PrimalDualActiveSet(const ActiveSetLimits &limits)
+      : limits(limits)
     {
     }
 
@@ -39,11 +32,14 @@ namespace signorini
     solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual) override;
 
   private:
-    const Parameters   parameters;
-    ConjugateGradients conjugate_gradients;
-    Proportioning      fallback;
-    Vector             correction, product;
-    Mask               mask;
+    /** Of the error in a linear solve, while the set still changes. */
+    static constexpr double rough_reduction = 1e-2;
+
+    const ActiveSetLimits limits;
+    ConjugateGradients    conjugate_gradients;
+    Proportioning         fallback;
+    Vector                correction, product;
+    Mask                  mask;
 
     /** Put the fixed and the active entries to their values and compute the residual. */
     void start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual);

@@ -4,7 +4,6 @@
 #ifndef signorini_variational_inequality_tresca_minimisation_h
 #define signorini_variational_inequality_tresca_minimisation_h
 
-#include <signorini/linear_algebra/conjugate_gradients.h>
 #include <signorini/variational_inequality/constrained_solver.h>
 
 namespace signorini
@@ -14,10 +13,11 @@ namespace signorini
    *
    *   J(x) = 1/2 x'K x - b'x + sum_k b_k |past_k + x_{k,t}|   subject to   x_i <= g_i,  x_j = d_j.
    *
-   * Two moves alternate, each with the exact minimum along its direction, so that J falls in every iteration and the method converges from any
-   * start (the idea of the truncated nonsmooth Newton multigrid method, Graeser and Sander, IMA J. Numer. Anal. 39 (2019) 454-481,
-   * without the multigrid): a proximal step with the diagonal of K, which decides what is held; and a Newton step of conjugate gradients in what is
-   * free, cut where it leaves the smooth piece.
+   * Two moves alternate, each with the exact minimum along its direction, so that J falls in every iteration and the
+   * method converges from any start (the idea of the truncated nonsmooth Newton multigrid method, Graeser and Sander,
+   * IMA J. Numer. Anal. 39 (2019) 454-481, without the multigrid): a proximal step with the diagonal of K, which
+   * decides what is held; and a Newton step of conjugate gradients in what is free, cut where it leaves the smooth
+   * piece.
    */
   class TrescaMinimisation
   {
@@ -41,7 +41,6 @@ namespace signorini
 
   private:
     const unsigned int maximum_iterations;
-    ConjugateGradients conjugate_gradients;
   };
 } // namespace signorini
 

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_state_transfer_h
+#define signorini_adaptivity_state_transfer_h
+
+#include <signorini/adaptivity/field_transfer.h>
+#include <signorini/contact/contact_coordinates.h>
+#include <signorini/time/dynamical_system.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /**
+   * Carries a state to a changed mesh.
+   *
+   * On refined cells every function stays what it is. Where cells are coarsened, velocity and acceleration are projected in the mass matrix, which
+   * keeps momentum and takes kinetic energy, and the displacement in the energy of the elastic forces onto the admissible set. Contact forces go as stresses at
+   * contact nodes, slip as values at nodes; a new node between two that stick or slip does what they do.
+   */
+  template <int dim>
+  class StateTransfer
+  {
+  public:
+    /** Take the state. The mesh must carry its final flags, and must change next. Collective. */
+    StateTransfer(Discretization<dim>           &discretization,
+                  const ContactSurface<dim>     &surface,
+                  const ContactCoordinates<dim> &coordinates,
+                  const State                   &state);
+
+    /**
+     * The state on the new mesh. Where the finer geometry of the contact surface shows that the displacement penetrates, the surface admits that,
+     * see ContactSurface::admit(). Once. Collective.
+     * @param system of the new mesh
+     */
+    State finish(ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, DynamicalSystem &system);
+
+  private:
+    Discretization<dim> &discretization;
+    const State          clock; ///< step and time
+    const bool           has_acceleration, has_friction;
+    FieldTransfer<dim>   fields;
+  };
+} // namespace signorini
+
+#endif

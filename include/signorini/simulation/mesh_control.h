@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_simulation_mesh_control_h
+#define signorini_simulation_mesh_control_h
+
+#include <signorini/adaptivity/error_indicator.h>
+#include <signorini/adaptivity/mark_cells.h>
+#include <signorini/simulation/meshed_scene.h>
+
+namespace signorini
+{
+  /** Judges the mesh after each step by the indicator of the scene, and flags the cells that should change. */
+  template <int dim>
+  class MeshControl
+  {
+  public:
+    explicit MeshControl(Discretization<dim> &discretization)
+      : discretization(discretization)
+    {
+    }
+
+    /** Whether the scene lets the mesh change at all. */
+    bool any() const { return discretization.scene.adaptivity.any(); }
+
+    /** Flag cells by a step that was made on the present mesh; without any flag the mesh is good enough. Collective. */
+    MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
+
+    /** Whether the mesh may change after a step. */
+    bool is_due(unsigned int step) const
+    {
+      return any() && step >= last_change + discretization.scene.adaptivity.steps_between;
+    }
+
+    /** How often a step may be repeated on a refined mesh. */
+    unsigned int repetitions() const { return any() ? discretization.scene.adaptivity.repetitions : 0; }
+
+    /** The mesh has changed after a step. */
+    void mesh_changed(unsigned int step);
+
+    /** The latest indicators by active_cell_index; empty on a mesh that was not yet judged. */
+    const dealii::Vector<double> &indicators() const { return latest; }
+
+  private:
+    Discretization<dim>                 &discretization;
+    std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
+    dealii::Vector<double>               latest;
+    unsigned int                         last_change = 0;
+  };
+} // namespace signorini
+
+#endif

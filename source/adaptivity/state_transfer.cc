@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/nodal_values.h>
+#include <signorini/adaptivity/state_transfer.h>
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/system/energy_projection.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    /** All but the fields. */
+    State clock_of(const State &state)
+    {
+      State result;
+      result.step = state.step;
+      result.time = state.time;
+      return result;
+    }
+
+
+    /** The fields of a state in the order in which they travel. */
+    template <int dim>
+    std::vector<typename FieldTransfer<dim>::Source>
+    sources(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, const State &state)
+    {
+      std::vector<typename FieldTransfer<dim>::Source> result = {
+        {state.displacement, &CellMoments<dim>::of_stiffness},
+        {state.velocity, &CellMoments<dim>::of_mass},
+        {stress_at_nodes(surface, coordinates, state.contact_force)}};
+      if (state.acceleration.size() > 0)
+        result.push_back({state.acceleration, &CellMoments<dim>::of_mass});
+      if (const FrictionState &friction = state.friction; friction.any())
+        {
+          result.push_back({stress_at_nodes(surface, coordinates, friction.force)});
+          result.push_back({friction.slip});
+          result.push_back({friction.accumulated_slip});
+          result.push_back({path_and_status(surface, friction)});
+        }
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  StateTransfer<dim>::StateTransfer(Discretization<dim>           &discretization,
+                                    const ContactSurface<dim>     &surface,
+                                    const ContactCoordinates<dim> &coordinates,
+                                    const State                   &state)
+    : discretization(discretization)
+    , clock(clock_of(state))
+    , has_acceleration(state.acceleration.size() > 0)
+    , has_friction(state.friction.any())
+    , fields(discretization, sources(surface, coordinates, state))
+  {
+  }
+
+
+  template <int dim>
+  State StateTransfer<dim>::finish(ContactSurface<dim>           &surface,
+                                   const ContactCoordinates<dim> &coordinates,
+                                   DynamicalSystem               &system)
+  {
+    auto       results = fields.unpack();
+    auto       next    = results.begin();
+    State      state   = clock;
+    const auto in_mass = [&](typename FieldTransfer<dim>::Result &result) {
+      if (result.lost_moments.size() > 0)
+        result.field += system.solve_mass(result.lost_moments);
+      return std::move(result.field);
+    };
+
+    auto &displacement = *next++;
+    surface.admit(displacement.field);
+    state.displacement = displacement.field;
+    if (displacement.lost_moments.size() > 0)
+      {
+        Vector force = discretization.make_vector();
+        system.apply_stiffness(force, state.displacement);
+        const double energy = dot(force, state.displacement);
+        state.displacement += project_in_energy(discretization,
+                                                coordinates,
+                                                displacement.lost_moments,
+                                                surface.normal_gap(state.displacement),
+                                                std::sqrt(std::max(0., energy)));
+      }
+    state.velocity      = in_mass(*next++);
+    state.contact_force = forces_of_nodes(surface, coordinates, (next++)->field);
+    if (has_acceleration)
+      state.acceleration = in_mass(*next++);
+    if (has_friction)
+      {
+        FrictionState &friction   = state.friction;
+        friction.force            = forces_of_nodes(surface, coordinates, (next++)->field);
+        friction.slip             = std::move((next++)->field);
+        friction.accumulated_slip = std::move((next++)->field);
+        set_path_and_status(surface, (next++)->field, friction);
+      }
+    state.momentum = state.internal_force = discretization.make_vector();
+    system.apply_mass(state.momentum, state.velocity);
+    system.apply_stiffness(state.internal_force, state.displacement);
+    return state;
+  }
+
+
+  template class StateTransfer<2>;
+  template class StateTransfer<3>;
+} // namespace signorini

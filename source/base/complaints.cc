@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/complaints.h>
+#include <signorini/base/user_error.h>
+
+#include <algorithm>
+
+namespace signorini
+{
+  namespace
+  {
+    bool is_worse(const Complaint &a, const Complaint &b)
+    {
+      return a.first > b.first || (a.first == b.first && a.second < b.second);
+    }
+  } // namespace
+
+
+  void throw_worst(const std::vector<Complaint> &complaints, const MPI_Comm communicator)
+  {
+    std::vector<Complaint> own;
+    if (!complaints.empty())
+      own.push_back(*std::min_element(complaints.begin(), complaints.end(), is_worse));
+    std::vector<Complaint> worst;
+    for (const auto &of_process : dealii::Utilities::MPI::all_gather(communicator, own))
+      worst.insert(worst.end(), of_process.begin(), of_process.end());
+    if (!worst.empty())
+      throw UserError(std::min_element(worst.begin(), worst.end(), is_worse)->second);
+  }
+} // namespace signorini
