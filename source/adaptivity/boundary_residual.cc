@@ -62,6 +62,7 @@ namespace signorini
       double square(const typename DoFHandler<dim>::active_cell_iterator &cell,
                     const unsigned int                                    face,
                     const bool                                            is_slave,
+                    const bool                                            is_master,
                     const Material                                       &material,
                     const Vector                                         &displacement,
                     const ContactFields<dim>                             &fields)
@@ -78,15 +79,22 @@ namespace signorini
         for (const unsigned int q : fe_values.quadrature_point_indices())
           {
             Tensor<1, dim> residual = stress_of_strain<dim>(material, strains[q]) * fe_values.normal_vector(q);
-            residual -= tractions[q];
+            if (is_slave || is_master) // nodes at the edge of a contact surface belong to other faces, too
+              residual -= tractions[q];
             if (condition != nullptr && condition->traction)
               residual -= mean_traction(*condition->traction, fe_values.quadrature_point(q));
             for (unsigned int c = 0; condition != nullptr && c < dim; ++c)
               if (condition->held[c])
                 residual[c] = 0.;
-            double square = residual.norm_square();
+            double square = 0.;
             if (is_slave && normals[q].norm_square() > 0.)
-              square -= (1. - open[q]) * std::pow(residual * normals[q] / normals[q].norm(), 2);
+              {
+                const Tensor<1, dim> nu            = normals[q] / normals[q].norm();
+                const double         normal_stress = residual * nu;
+                residual -= normal_stress * nu;
+                square = open[q] * normal_stress * normal_stress;
+              }
+            square += residual.norm_square();
             result += square * fe_values.JxW(q);
           }
         return result;
@@ -143,12 +151,13 @@ namespace signorini
         for (const unsigned int face : cell->face_indices())
           if (cell->face(face)->at_boundary())
             {
-              const Material &material = discretization.scene.bodies[cell->material_id()].material;
-              const double    h        = cell->face(face)->diameter() / std::sqrt(dim - 1.);
-              const bool      is_slave = surface.contains(cell, face);
-              double         &square   = squares(cell->active_cell_index());
-              square +=
-                weights.face(material, h) * residual.square(cell, face, is_slave, material, displacement, fields);
+              const Material &material  = discretization.scene.bodies[cell->material_id()].material;
+              const double    h         = cell->face(face)->diameter() / std::sqrt(dim - 1.);
+              const bool      is_slave  = surface.contains(cell, face);
+              const bool      is_master = is_master_face(discretization.scene, cell, face);
+              double         &square    = squares(cell->active_cell_index());
+              square += weights.face(material, h)
+                        * residual.square(cell, face, is_slave, is_master, material, displacement, fields);
               if (is_slave)
                 square += weights.complementarity() * residual.energy_of_gap(fields);
             }

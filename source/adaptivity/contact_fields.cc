@@ -117,15 +117,10 @@ namespace signorini
     template <int dim>
     Vector master_areas(const Discretization<dim> &discretization)
     {
-      const auto                      &pairs = discretization.scene.pairs;
       const FEValuesExtractors::Scalar first(0);
       return sum_over_faces(
         discretization,
-        [&](const auto &cell, const unsigned int face) {
-          return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) {
-            return pair.of_two_bodies() && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
-          });
-        },
+        [&](const auto &cell, const unsigned int face) { return is_master_face(discretization.scene, cell, face); },
         [&](const auto &, const unsigned int, const FEFaceValues<dim> &fe_values, auto &local) {
           for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
             for (const unsigned int q : fe_values.quadrature_point_indices())
@@ -133,6 +128,17 @@ namespace signorini
         });
     }
   } // namespace
+
+
+  template <int dim>
+  bool is_master_face(const Scene<dim>                                     &scene,
+                      const typename DoFHandler<dim>::active_cell_iterator &cell,
+                      const unsigned int                                    face)
+  {
+    return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairDescription &pair) {
+      return pair.of_two_bodies() && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
+    });
+  }
 
 
   template <int dim>
@@ -170,6 +176,7 @@ namespace signorini
           fields.traction, node, node_value<dim>(balance.contact_force, node) / areas.local_element(dim * node));
 
     const std::vector<double> forces  = compression(surface, balance.contact_force);
+    const std::vector<bool>   closed  = closed_nodes(surface, balance.contact_force);
     double                    largest = 0.;
     for (std::size_t k = 0; k < forces.size(); ++k)
       {
@@ -180,16 +187,12 @@ namespace signorini
         set_node_value<dim>(fields.normal, node.node, node.normal());
         set_node_value<dim>(fields.traction, node.node, (force + forces[k] * node.normal()) / node.weight);
         fields.pressure.local_element(dim * node.node) = s;
-        fields.gap.local_element(dim * node.node)      = std::max(0., balance.gap[k]);
+        fields.gap.local_element(dim * node.node)      = closed[k] ? 0. : std::max(0., balance.gap[k]);
       }
     largest = Utilities::MPI::max(largest, discretization.communicator());
 
-    const Vector at_open_faces = nodes_at_open_faces(discretization,
-                                                     surface,
-                                                     supports,
-                                                     closed_nodes(surface, balance.contact_force),
-                                                     displacement,
-                                                     round_off * largest);
+    const Vector at_open_faces =
+      nodes_at_open_faces(discretization, surface, supports, closed, displacement, round_off * largest);
     for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
       if (at_open_faces.local_element(dim * node) > 0.)
         fields.open.local_element(dim * node) = 1.;
@@ -199,16 +202,18 @@ namespace signorini
   }
 
 
-  template ContactFields<2>  contact_fields(const Discretization<2> &,
-                                            const ContactSurface<2> &,
-                                            const Supports<2> &,
-                                            const ForceBalance &,
-                                            const Vector &);
-  template ContactFields<3>  contact_fields(const Discretization<3> &,
-                                            const ContactSurface<3> &,
-                                            const Supports<3> &,
-                                            const ForceBalance &,
-                                            const Vector &);
+  template ContactFields<2> contact_fields(const Discretization<2> &,
+                                           const ContactSurface<2> &,
+                                           const Supports<2> &,
+                                           const ForceBalance &,
+                                           const Vector &);
+  template ContactFields<3> contact_fields(const Discretization<3> &,
+                                           const ContactSurface<3> &,
+                                           const Supports<3> &,
+                                           const ForceBalance &,
+                                           const Vector &);
+  template bool is_master_face(const Scene<2> &, const typename DoFHandler<2>::active_cell_iterator &, unsigned int);
+  template bool is_master_face(const Scene<3> &, const typename DoFHandler<3>::active_cell_iterator &, unsigned int);
   template std::vector<bool> closed_nodes(const ContactSurface<2> &, const Vector &);
   template std::vector<bool> closed_nodes(const ContactSurface<3> &, const Vector &);
 } // namespace signorini

@@ -45,8 +45,8 @@ namespace signorini
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            change.n_to_refine += cell->refine_flag_set();
-            change.n_to_coarsen += cell->coarsen_flag_set();
+            change.n_to_refine += cell->refine_flag_set() ? 1 : 0; // the flag is a set of directions
+            change.n_to_coarsen += cell->coarsen_flag_set() ? 1 : 0;
           }
       change.n_to_refine  = Utilities::MPI::sum(change.n_to_refine, triangulation.get_communicator());
       change.n_to_coarsen = Utilities::MPI::sum(change.n_to_coarsen, triangulation.get_communicator());

@@ -60,15 +60,9 @@ namespace signorini
       return value;
     }
 
-    /** Refuse keys that the chosen indicator and marking do not look at. */
+    /** Refuse keys that the chosen indicator and marking do not look at. Without an indicator they may stay, so that it is easily switched off. */
     void check_that_keys_fit(const SectionReader &in, const AdaptivityParameters &adaptivity)
     {
-      if (!adaptivity.any())
-        for (const auto &entry : defaults)
-          refuse_if_given(in,
-                          {entry.first},
-                          "has no effect, because `Indicator = none` keeps the mesh as it is. Choose an indicator "
-                          "(residual, kelly or distance), or remove this key.");
       if (adaptivity.indicator == "distance")
         refuse_if_given(in,
                         {"Marking", "Refine fraction", "Coarsen fraction", "Tolerance"},
@@ -194,7 +188,8 @@ namespace signorini
     AdaptivityParameters adaptivity;
     adaptivity.indicator = in.text("Indicator");
     adaptivity.marking   = in.text("Marking");
-    check_that_keys_fit(in, adaptivity);
+    if (adaptivity.any())
+      check_that_keys_fit(in, adaptivity);
     check_mass(in, adaptivity, time);
     adaptivity.refine_fraction =
       fraction(in, "Refine fraction", 1., "it is a part of the whole. Give for example 0.5.");

@@ -90,7 +90,10 @@ namespace signorini::tests
       , discretization(this->scene, MPI_COMM_WORLD)
     {
       if (map)
-        dealii::GridTools::transform(map, discretization.triangulation);
+        {
+          dealii::GridTools::transform(map, discretization.triangulation);
+          discretization.distribute(); // the mapping forgets meshes that have changed
+        }
       discretization.assemble();
     }
 

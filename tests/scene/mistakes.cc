@@ -219,6 +219,7 @@ TEST(Mistakes, Adaptivity)
     expect_words(message, words);
   };
   EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name), "");
+  EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name, {{"Adaptivity/Indicator", "none"}}), "");
   expect("Indicator", "kely", {"Did you mean `kelly`?", "none, residual"});
   expect("Marking", "fixed", {"Valid: fixed fraction, tolerance"});
   expect("Refine fraction", "1.5", {"between 0 and 1"});
@@ -238,7 +239,6 @@ TEST(Mistakes, Adaptivity)
          "0.3",
          {"Marking = tolerance", "Remove"},
          assignment("Adaptivity/Marking", "tolerance") + assignment("Adaptivity/Tolerance", "1"));
-  expect("Repetitions", "2", {"`Indicator = none`", "remove"}, assignment("Adaptivity/Indicator", "none"));
   expect("Indicator",
          "kelly",
          {"Mass = redistributed", "acceleration", "`Mass = consistent`"},

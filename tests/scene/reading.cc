@@ -171,6 +171,27 @@ TEST(Reading, StickingNodesAndStart)
   EXPECT_EQ(refusal(file.name), "");
 }
 
+TEST(Reading, Adaptivity)
+{
+  EXPECT_FALSE(read().adaptivity.any());
+
+  const TemporaryFile file(correct_scene() + assignment("Adaptivity/Indicator", "kelly")
+                           + assignment("Adaptivity/Marking", "tolerance") + assignment("Adaptivity/Tolerance", "0.3")
+                           + assignment("Adaptivity/Maximum level", "5") + assignment("Adaptivity/Repetitions", "2"));
+  const Scene<3>      scene = read_scene<3>(file.name, {});
+  EXPECT_TRUE(scene.adaptivity.any());
+  EXPECT_EQ(scene.adaptivity.indicator, "kelly");
+  EXPECT_EQ(scene.adaptivity.marking, "tolerance");
+  EXPECT_DOUBLE_EQ(scene.adaptivity.tolerance, 0.3);
+  EXPECT_DOUBLE_EQ(scene.adaptivity.hysteresis, 0.1);
+  EXPECT_EQ(scene.adaptivity.maximum_level, 5u);
+  EXPECT_EQ(scene.adaptivity.minimum_level, 0u);
+  EXPECT_EQ(scene.adaptivity.steps_between, 1u);
+  EXPECT_EQ(scene.adaptivity.repetitions, 2u);
+  const TemporaryFile all(scene.all_parameters); // lists all keys, those that have no effect, too
+  EXPECT_EQ(read_scene<3>(all.name, {}).adaptivity.tolerance, 0.3);
+}
+
 TEST(Reading, OtherShapes)
 {
   const Scene<3> scene = read({{"Bodies/ball/Shape", "cylinder"},

@@ -17,7 +17,7 @@ namespace signorini
       traction; ///< what acts on the body: of friction at contact nodes; all of it, opposite to the slave's, at master nodes
     Vector open;     ///< first component: 1 at nodes of slave surfaces that are not in full contact
     Vector pressure; ///< first component: s = -r_nu / D at contact nodes
-    Vector gap;      ///< first component: >= 0, at contact nodes
+    Vector gap;      ///< first component: >= 0, at contact nodes that are not closed
   };
 
   /** @param displacement with ghosts and values at hanging nodes */
@@ -27,6 +27,12 @@ namespace signorini
                                     const Supports<dim>       &supports,
                                     const ForceBalance        &balance,
                                     const Vector              &displacement);
+
+  /** Whether a face of an owned cell is part of the master surface of any pair. */
+  template <int dim>
+  bool is_master_face(const Scene<dim>                                             &scene,
+                      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                      unsigned int                                                  face);
 
   /** Whether contact presses on a node: its normal force is compression, and more than the round-off of the largest nodal force. */
   template <int dim>
