@@ -42,6 +42,7 @@ namespace signorini
     , mapping(geometry.mapping())
     , dof_handler(triangulation)
     , cell_matrices(scene, mapping, n_quadrature_points())
+    , mesh_life_time(scene.time.n_steps())
   {
     make_mesh(scene, triangulation);
     for (unsigned int b = 0; b < scene.bodies.size(); ++b)

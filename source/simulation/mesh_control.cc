@@ -19,9 +19,10 @@ namespace signorini
 
 
   template <int dim>
-  void MeshControl<dim>::mesh_changed(const unsigned int step)
+  void MeshControl<dim>::mesh_changes(const unsigned int step)
   {
-    last_change = step;
+    discretization.mesh_life_time = std::max(discretization.scene.adaptivity.steps_between, step - last_change);
+    last_change                   = step;
     indicator.reset();
     latest.reinit(0);
   }

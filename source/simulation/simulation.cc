@@ -123,9 +123,9 @@ namespace signorini
   void Simulation<dim>::adapt_mesh(TimeStepping &stepping, Observation<dim> &observation)
   {
     TimerOutput::Scope scope(timer, "mesh: all of a change");
+    mesh_control.mesh_changes(state.step);
     change_mesh(discretization, meshed, state, timer);
     stepping.forget();
-    mesh_control.mesh_changed(state.step);
     observation.change_mesh(*meshed, state);
     mesh_has_just_changed = true;
   }
@@ -148,13 +148,13 @@ namespace signorini
       {
         if (!mesh_control.judge(*meshed, {state, state, 0.}).refines())
           return;
+        mesh_control.mesh_changes(0);
         discretization.triangulation.execute_coarsening_and_refinement();
         meshed.reset();
         discretization.distribute();
         meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
         state  = State();
         set_initial_state();
-        mesh_control.mesh_changed(0);
       }
   }
 

@@ -31,7 +31,7 @@ namespace signorini
     const double                                mass_factor = negligible_frequency_square(discretization);
     const StepOperator<dim>                     matrix(discretization.matrices, coordinates, mass_factor, 1.);
     const std::unique_ptr<MaskedPreconditioner> preconditioner =
-      make_preconditioner("incomplete-cholesky", discretization.matrices, coordinates, mass_factor, 1.);
+      make_preconditioner("jacobi", discretization.matrices, coordinates, mass_factor, 1.);
     const auto         &limits = discretization.scene.solver;
     PrimalDualActiveSet solver({limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
 

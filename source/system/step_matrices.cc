@@ -40,7 +40,8 @@ namespace signorini
         const auto                &scene = discretization.scene;
         chosen_preconditioner            = scene.solver.preconditioner;
         if (chosen_preconditioner == "automatic")
-          chosen_preconditioner = choose_preconditioner(discretization.courant_number(step_size), scene.time.n_steps());
+          chosen_preconditioner =
+            choose_preconditioner(discretization.courant_number(step_size), discretization.mesh_life_time);
         if (recent.size() == n_kept)
           recent.pop_back();
         recent.push_front(

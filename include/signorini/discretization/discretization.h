@@ -62,6 +62,9 @@ namespace signorini
     /** Positions of the local nodes of the pattern, ghosts included. */
     std::vector<dealii::Point<dim>> node_positions;
 
+    /** Number of steps that will probably be made on this mesh: what it pays to build depends on it. */
+    unsigned int mesh_life_time; ///< all of them unless the mesh changes
+
     /** Points per direction of the quadrature formula for cells and faces. */
     unsigned int n_quadrature_points() const { return mapping.get_degree() + 1; }
 

@@ -35,8 +35,8 @@ namespace signorini
     /** How often a step may be repeated on a refined mesh. */
     unsigned int repetitions() const { return any() ? discretization.scene.adaptivity.repetitions : 0; }
 
-    /** The mesh has changed after a step. */
-    void mesh_changed(unsigned int step);
+    /** The mesh is going to change after a step. What is built on the next one is told to expect the same life. */
+    void mesh_changes(unsigned int step);
 
     /** The latest indicators by active_cell_index; empty on a mesh that was not yet judged. */
     const dealii::Vector<double> &indicators() const { return latest; }
