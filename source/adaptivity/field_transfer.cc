@@ -3,9 +3,21 @@
 
 #include <signorini/adaptivity/field_transfer.h>
 
+#include <algorithm>
+#include <cstring>
+
 namespace signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    void append(const VertexValues &values, std::vector<double> &fields)
+    {
+      fields.insert(fields.end(), values.begin(), values.end());
+    }
+  } // namespace
+
 
   template <int dim>
   FieldTransfer<dim>::FieldTransfer(Discretization<dim> &discretization, const std::vector<Source> &old_fields)
@@ -26,6 +38,7 @@ namespace signorini
     const typename DoFHandler<dim>::cell_iterator cell(
       &discretization.triangulation, active_cell->level(), active_cell->index(), &discretization.dof_handler);
     VertexValues values;
+    values.reserve(n_values);
     for (const unsigned int v : cell->vertex_indices())
       for (unsigned int c = 0; c < dim; ++c)
         values.push_back(field(cell->vertex_dof_index(v, c)));
@@ -34,51 +47,46 @@ namespace signorini
 
 
   template <int dim>
-  VertexValues FieldTransfer<dim>::prolongate(const VertexValues &parent, const unsigned int child) const
+  std::vector<char> FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status) const
   {
-    const FullMatrix<double> &weights = discretization.fe.base_element(0).get_prolongation_matrix(child);
-    VertexValues              values(parent.size(), 0.);
-    for (unsigned int a = 0; a < weights.m(); ++a)
-      for (unsigned int b = 0; b < weights.n(); ++b)
-        for (unsigned int c = 0; c < dim; ++c)
-          values[dim * a + c] += weights(a, b) * parent[dim * b + c];
-    return values;
+    CellFields fields;
+    for (const Source &source : sources)
+      if (status != Triangulation<dim>::CELL_COARSEN)
+        append(vertex_values(cell, source.field), fields);
+      else // `cell` is the parent; its vertex v is vertex v of child v
+        {
+          VertexValues injected;
+          for (unsigned int child = 0; child < cell->n_children(); ++child)
+            {
+              const VertexValues values = vertex_values(cell->child(child), source.field);
+              injected.insert(injected.end(), &values[dim * child], &values[dim * child] + dim);
+            }
+          append(injected, fields);
+        }
+    if (status == Triangulation<dim>::CELL_COARSEN)
+      for (const Source &source : sources)
+        append(source.moments != nullptr ? moments_of_children(cell, source) : VertexValues(n_values, 0.), fields);
+    std::vector<char> data(fields.size() * sizeof(double));
+    std::memcpy(data.data(), fields.data(), data.size());
+    return data;
   }
 
 
   template <int dim>
-  std::vector<char> FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status) const
+  VertexValues FieldTransfer<dim>::moments_of_children(const Cell &parent, const Source &source) const
   {
-    const bool         coarsened = status == Triangulation<dim>::CELL_COARSEN;
-    const unsigned int n_values  = dim * GeometryInfo<dim>::vertices_per_cell;
-    CellFields         fields;
-    for (const Source &source : sources)
+    VertexValues sum(n_values, 0.);
+    for (unsigned int child = 0; child < parent->n_children(); ++child)
       {
-        if (!coarsened)
-          {
-            fields.values.push_back(vertex_values(cell, source.field));
-            continue;
-          }
-        // `cell` is the parent. Its vertex v is vertex v of child v.
-        VertexValues injected(n_values), sum(source.moments != nullptr ? n_values : 0, 0.);
-        for (unsigned int child = 0; child < cell->n_children(); ++child)
-          {
-            const VertexValues values = vertex_values(cell->child(child), source.field);
+        const FullMatrix<double> &weights = discretization.fe.base_element(0).get_prolongation_matrix(child);
+        const VertexValues        of_child =
+          source.moments(discretization, parent->child(child), vertex_values(parent->child(child), source.field));
+        for (unsigned int a = 0; a < weights.m(); ++a)
+          for (unsigned int b = 0; b < weights.n(); ++b)
             for (unsigned int c = 0; c < dim; ++c)
-              injected[dim * child + c] = values[dim * child + c];
-            if (source.moments == nullptr)
-              continue;
-            const FullMatrix<double> &weights  = discretization.fe.base_element(0).get_prolongation_matrix(child);
-            const VertexValues        of_child = source.moments(discretization, cell->child(child), values);
-            for (unsigned int a = 0; a < weights.m(); ++a)
-              for (unsigned int b = 0; b < weights.n(); ++b)
-                for (unsigned int c = 0; c < dim; ++c)
-                  sum[dim * b + c] += weights(a, b) * of_child[dim * a + c];
-          }
-        fields.values.push_back(std::move(injected));
-        fields.moments.push_back(std::move(sum));
+              sum[dim * b + c] += weights(a, b) * of_child[dim * a + c];
       }
-    return Utilities::pack(std::make_pair(fields.values, fields.moments), false);
+    return sum;
   }
 
 
@@ -91,18 +99,30 @@ namespace signorini
       [&](const Cell                                                     &cell,
           const CellStatus                                                status,
           const boost::iterator_range<std::vector<char>::const_iterator> &data) {
-        using Lists            = std::pair<std::vector<VertexValues>, std::vector<VertexValues>>;
-        auto [values, moments] = Utilities::unpack<Lists>(data.begin(), data.end(), false);
+        CellFields fields(data.size() / sizeof(double));
+        std::memcpy(fields.data(), &*data.begin(), data.size());
         if (status != Triangulation<dim>::CELL_REFINE)
-          {
-            cells[cell->active_cell_index()] = {std::move(values), std::move(moments)};
-            return;
-          }
-        for (unsigned int child = 0; child < cell->n_children(); ++child)
-          for (const VertexValues &parent : values)
-            cells[cell->child(child)->active_cell_index()].values.push_back(prolongate(parent, child));
+          cells[cell->active_cell_index()] = std::move(fields);
+        else
+          for (unsigned int child = 0; child < cell->n_children(); ++child)
+            cells[cell->child(child)->active_cell_index()] = prolongate(fields, child);
       });
     return cells;
+  }
+
+
+  template <int dim>
+  typename FieldTransfer<dim>::CellFields FieldTransfer<dim>::prolongate(const CellFields  &parent,
+                                                                         const unsigned int child) const
+  {
+    const FullMatrix<double> &weights = discretization.fe.base_element(0).get_prolongation_matrix(child);
+    CellFields                fields(parent.size(), 0.);
+    for (unsigned int begin = 0; begin < parent.size(); begin += n_values)
+      for (unsigned int a = 0; a < weights.m(); ++a)
+        for (unsigned int b = 0; b < weights.n(); ++b)
+          for (unsigned int c = 0; c < dim; ++c)
+            fields[begin + dim * a + c] += weights(a, b) * parent[begin + dim * b + c];
+    return fields;
   }
 
 
@@ -117,7 +137,7 @@ namespace signorini
               discretization.locally_owned.is_element(dof)
               && !discretization.hanging_node_constraints.is_constrained(dof))
             for (unsigned int c = 0; c < dim; ++c)
-              field(dof + c) = cells[cell->active_cell_index()].values[source][dim * v + c];
+              field(dof + c) = cells[cell->active_cell_index()][n_values * source + dim * v + c];
     return field;
   }
 
@@ -128,25 +148,25 @@ namespace signorini
   {
     const Vector                         filled = discretization.interpolate_hanging_nodes(field);
     Vector                               result = discretization.make_vector();
-    std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
-    dealii::Vector<double>               local(dofs.size());
+    std::vector<types::global_dof_index> dofs(n_values);
+    dealii::Vector<double>               local(n_values);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const CellFields &old        = cells[cell->active_cell_index()];
+          const bool        coarsened  = is_coarsened(old);
           VertexValues      difference = vertex_values(cell, filled);
-          const bool        coarsened  = !old.moments.empty();
           bool              any        = coarsened;
-          for (unsigned int i = 0; i < difference.size(); ++i)
+          for (unsigned int i = 0; i < n_values; ++i)
             {
-              difference[i] = (coarsened ? 0. : old.values[source][i]) - difference[i];
+              difference[i] = (coarsened ? 0. : old[n_values * source + i]) - difference[i];
               any           = any || difference[i] != 0.;
             }
           if (!any) // neither this cell nor a neighbour was coarsened
             continue;
           const VertexValues sum = sources[source].moments(discretization, cell, difference);
-          for (unsigned int i = 0; i < sum.size(); ++i)
-            local[i] = sum[i] + (coarsened ? old.moments[source][i] : 0.);
+          for (unsigned int i = 0; i < n_values; ++i)
+            local[i] = sum[i] + (coarsened ? old[n_values * (sources.size() + source) + i] : 0.);
           cell->get_dof_indices(dofs);
           discretization.hanging_node_constraints.distribute_local_to_global(local, dofs, result);
         }
@@ -158,17 +178,16 @@ namespace signorini
   template <int dim>
   std::vector<typename FieldTransfer<dim>::Result> FieldTransfer<dim>::unpack()
   {
-    const std::vector<CellFields> cells     = receive();
-    unsigned int                  coarsened = 0;
-    for (const CellFields &cell : cells)
-      coarsened = coarsened || !cell.moments.empty();
-    coarsened = Utilities::MPI::max(coarsened, discretization.communicator());
+    const std::vector<CellFields> cells = receive();
+    const bool                    here =
+      std::any_of(cells.begin(), cells.end(), [&](const CellFields &cell) { return is_coarsened(cell); });
+    const bool coarsened = Utilities::MPI::max(static_cast<unsigned int>(here), discretization.communicator()) > 0;
 
     std::vector<Result> results(sources.size());
     for (unsigned int s = 0; s < sources.size(); ++s)
       {
         results[s].field = set_nodes(cells, s);
-        if (coarsened > 0 && sources[s].moments != nullptr)
+        if (coarsened && sources[s].moments != nullptr)
           results[s].lost_moments = lost_moments(cells, s, results[s].field);
       }
     return results;

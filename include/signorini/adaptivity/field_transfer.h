@@ -51,20 +51,21 @@ namespace signorini
   private:
     using CellStatus = typename dealii::Triangulation<dim>::CellStatus;
 
-    /** The old functions on a cell of the new mesh. */
-    struct CellFields
-    {
-      std::vector<VertexValues> values;  ///< at the vertices, by source
-      std::vector<VertexValues> moments; ///< of coarsened cells only, by source
-    };
+    static constexpr unsigned int n_values = dim * (1u << dim); ///< per cell and field
+
+    /** The old functions on a cell: the values of each source, and on coarsened cells also the moments of each. */
+    using CellFields = std::vector<double>;
 
     Discretization<dim> &discretization;
     std::vector<Source>  sources;
     unsigned int         handle;
 
+    bool is_coarsened(const CellFields &fields) const { return fields.size() > n_values * sources.size(); }
+
     std::vector<char>       pack(const Cell &cell, CellStatus status) const;
     VertexValues            vertex_values(const Cell &active_cell, const Vector &field) const;
-    VertexValues            prolongate(const VertexValues &parent, unsigned int child) const;
+    VertexValues            moments_of_children(const Cell &parent, const Source &source) const;
+    CellFields              prolongate(const CellFields &parent, unsigned int child) const;
     std::vector<CellFields> receive();
     Vector                  set_nodes(const std::vector<CellFields> &cells, unsigned int source) const;
     Vector lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
