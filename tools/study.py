@@ -16,6 +16,11 @@ if it does not give its own, of which theirs must be whole multiples. It gives f
 two of all probes; a reference step size a few times smaller than the runs' keeps differences of its displacements out of them. All are relative, L2 in
 time, and each force is compared at the instant to which it belongs (tools/studies/instants.py).
 
+A section [quantities] derives numbers from the columns of history.csv, by names that `observe` and later quantities can use: `name = expression` with first(COLUMN),
+last(COLUMN), largest(COLUMN) and integral(COLUMN), its sum over the steps times the step size. `curve = FILE` in [study], two columns separated by commas below
+a line with their names, gives the function curve(...). `figure = NAME over NAME` draws one observation over another to FOLDER/figure.png beside the curve, with one kind of
+points for each variant, or for all variants with the same `group = NAME`.
+
 Two studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
 bar-table compares them on the bar with an independent computation.
 """
@@ -65,6 +70,9 @@ def study_of_a_file(arguments):
         result.reference = done[belongs[number]] if belongs else None
     rows = tables.observed(study, results)
     tables.write(rows, folder / "table")
+    if study.figure:
+        from studies import scatter  # needs matplotlib, a table does not
+        scatter.draw(study, results, folder / "figure.png")
     print(f"\n{tables.markdown(rows)}\n\n{folder / 'table.md'}")
     return all(done)
 

@@ -10,20 +10,25 @@
 namespace signorini
 {
   template <int dim, std::size_t n_components>
-  std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions)
+  std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions,
+                                                             const std::string &further_variable)
   {
     std::vector<std::string> texts(expressions.begin(), expressions.end());
     for (std::string &text : texts)
       if (text.empty() || text == "-")
         text = "0";
     auto function = std::make_unique<dealii::FunctionParser<dim>>(n_components);
-    function->initialize(dim == 2 ? "x,y,t" : "x,y,z,t", texts, {{"pi", dealii::numbers::PI}}, true);
+    function->initialize((dim == 2 ? "x,y," : "x,y,z,") + further_variable, texts, {{"pi", dealii::numbers::PI}}, true);
     return function;
   }
 
 
-  template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 1>(const std::array<std::string, 1> &);
-  template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 2>(const std::array<std::string, 2> &);
-  template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 1>(const std::array<std::string, 1> &);
-  template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 3>(const std::array<std::string, 3> &);
+  template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 1>(const std::array<std::string, 1> &,
+                                                                          const std::string &);
+  template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 2>(const std::array<std::string, 2> &,
+                                                                          const std::string &);
+  template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 1>(const std::array<std::string, 1> &,
+                                                                          const std::string &);
+  template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 3>(const std::array<std::string, 3> &,
+                                                                          const std::string &);
 } // namespace signorini

@@ -73,11 +73,10 @@ namespace signorini
     if (mortar.largest_turn() > 0.)
       {
         std::ostringstream note;
-        note
-          << std::setprecision(3) << description.name
-          << ": supports hold directions in which normals of the slave have a part; these normals are turned by up to "
-          << mortar.largest_turn()
-          << " degrees. Right at a plane of symmetry, otherwise forces along the support are missing";
+        note << std::setprecision(3) << description.name
+             << ": supports hold directions in which normals of contact have a part; these normals are turned by up to "
+             << mortar.largest_turn()
+             << " degrees. Right at a plane of symmetry, otherwise forces along the support are missing";
         assumptions.push_back(note.str());
       }
     auto nodes = mortar.nodes();

@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/dual_basis.h>
+#include <signorini/contact/mean_curvature.h>
 #include <signorini/contact/mortar_coupling.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -25,6 +26,13 @@ namespace signorini
     // Part of a normal in the directions that supports leave free: below the first, about 18 degrees, supports hold the normal; above the
     // second they are tangential.
     constexpr double held_normal = 0.3, free_normal = 0.95;
+
+    template <int dim>
+    Tensor<1, dim> unit(const Tensor<1, dim> &vector)
+    {
+      return vector / vector.norm();
+    }
+
 
     /** Add factor times the shape functions of a face at a point to the nodes that move it. */
     template <int dim, typename Target>
@@ -77,6 +85,7 @@ namespace signorini
   MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
   {
     const QGauss<dim - 1>    face_quadrature(3);
+    MeanCurvature<dim>       slave_curvature, master_curvature;
     std::vector<CoveredFace> result;
     for (std::size_t f = 0; f < surfaces.slaves.size(); ++f)
       {
@@ -110,6 +119,7 @@ namespace signorini
 
         face.mass      = Eigen::MatrixXd::Zero(n, n);
         face.normals   = Eigen::MatrixXd::Zero(n, dim);
+        face.opposite  = face.normals;
         face.distance  = face.normals;
         face.clearance = std::numeric_limits<double>::max();
         for (const Segment<dim> &segment : surfaces.segments[f])
@@ -119,13 +129,17 @@ namespace signorini
             {
               const SurfaceFace<dim> &master = surfaces.masters[segment.master];
               const Eigen::VectorXd   values = node_values_at(point.slave);
-              const Tensor<1, dim>    area   = slave.area_vector(point.slave);
-              const Tensor<1, dim>    across = master.position(point.master) - slave.position(point.slave);
+              const Tensor<1, dim>    normal = unit(slave.area_vector(point.slave)),
+                                   opposite  = unit(master.area_vector(point.master));
+              const Point<dim> here = slave.position(point.slave), there = master.position(point.master);
+              slave_curvature.add(point.weight, here, normal);
+              master_curvature.add(point.weight, there, opposite);
               face.mass += point.weight * values * values.transpose();
               for (unsigned int c = 0; c < dim; ++c)
                 {
-                  face.normals.col(c) += point.weight * area[c] / area.norm() * values;
-                  face.distance.col(c) += point.weight * across[c] * values;
+                  face.normals.col(c) += point.weight * normal[c] * values;
+                  face.opposite.col(c) += point.weight * opposite[c] * values;
+                  face.distance.col(c) += point.weight * (there[c] - here[c]) * values;
                 }
               for_each_node<dim>(master, point.master, [&](const types::global_dof_index node, const double value) {
                 face.mixed.emplace(node, Eigen::VectorXd::Zero(n)).first->second += point.weight * value * values;
@@ -134,6 +148,12 @@ namespace signorini
         total_covered_area += face.mass.sum();
         result.push_back(std::move(face));
       }
+    const auto curvature = [&](const MeanCurvature<dim> &samples) {
+      return samples.value(discretization.communicator());
+    };
+    const NormalWeights weights = weights_of_normals(curvature(slave_curvature), curvature(master_curvature));
+    for (CoveredFace &face : result)
+      face.normals = weights.slave * face.normals - weights.master * face.opposite;
     any_segment        = Utilities::MPI::max(static_cast<unsigned int>(any_segment), discretization.communicator()) > 0;
     total_area         = Utilities::MPI::sum(total_area, discretization.communicator());
     total_covered_area = Utilities::MPI::sum(total_covered_area, discretization.communicator());

@@ -127,10 +127,11 @@ namespace signorini
 
     std::vector<std::unique_ptr<FunctionParser<dim>>> selections;
     for (const auto &body : scene.bodies)
-      selections.push_back(make_function<dim, 1>({{body.refine_where}}));
+      selections.push_back(make_function<dim, 1>({{body.refine_where}}, "h"));
     for (unsigned int level = 0; level < most_local; ++level)
       refine(triangulation, [&](const auto &cell) {
         const unsigned int b = cell->material_id();
+        selections[b]->set_time(cell->diameter() / std::sqrt(dim));
         return scene.bodies[b].local_refinements > level && selections[b]->value(cell->center()) > 0.;
       });
   }

@@ -68,7 +68,7 @@ namespace signorini
         if (expression == "-")
           expression.clear();
         else
-          check_expression<dim>(in, key, expression, boundary_points(body, condition.boundary_id), true);
+          check_expression<dim>(in, key, expression, boundary_points(body, condition.boundary_id), "t");
       return condition;
     }
 

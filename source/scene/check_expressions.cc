@@ -47,9 +47,9 @@ namespace signorini
     }
 
     template <int dim>
-    std::string variables(const bool with_time)
+    std::string variables(const std::string &further)
     {
-      return std::string(dim == 2 ? "x,y" : "x,y,z") + (with_time ? ",t" : "");
+      return std::string(dim == 2 ? "x,y" : "x,y,z") + (further.empty() ? "" : ",") + further;
     }
 
     [[noreturn]] void refuse_syntax(const SectionReader         &in,
@@ -84,20 +84,21 @@ namespace signorini
                         const std::string                     &key,
                         const std::string                     &expression,
                         const std::vector<dealii::Point<dim>> &points,
-                        const bool                             with_time)
+                        const std::string                     &further_variable)
   {
     dealii::FunctionParser<dim> function;
     try
       {
         const MuteStandardError        mute;
         const std::vector<std::string> components = {expression};
-        function.initialize(variables<dim>(with_time), components, {{"pi", dealii::numbers::PI}}, with_time);
+        function.initialize(
+          variables<dim>(further_variable), components, {{"pi", dealii::numbers::PI}}, !further_variable.empty());
         // The syntax is looked at when the first value is asked for.
         function.value(dealii::Point<dim>());
       }
     catch (const dealii::ExceptionBase &exception)
       {
-        refuse_syntax(in, key, expression, variables<dim>(with_time), exception);
+        refuse_syntax(in, key, expression, variables<dim>(further_variable), exception);
       }
 
     for (const dealii::Point<dim> &point : points)
@@ -109,7 +110,8 @@ namespace signorini
             where << '(' << point << ')';
             in.fail(key,
                     "the expression `" + expression + "` is " + (std::isnan(value) ? "not a number" : "infinite")
-                      + " at the point " + where.str() + (with_time ? " at t = 0" : "")
+                      + " at the point " + where.str()
+                      + (further_variable.empty() ? "" : " at " + further_variable + " = 0")
                       + ". Correct it, or exclude the point with if(condition, a, b).");
           }
       }
@@ -139,15 +141,18 @@ namespace signorini
   {
     const std::array<std::string, dim> expressions = split_components<dim>(in, key, in.text(key));
     for (const std::string &expression : expressions)
-      check_expression<dim>(in, key, expression, points, with_time);
+      check_expression<dim>(in, key, expression, points, with_time ? "t" : "");
     return expressions;
   }
 
 #define INSTANTIATE(dim)                                                                                               \
   template std::array<std::string, dim> split_components<dim>(                                                         \
     const SectionReader &, const std::string &, const std::string &);                                                  \
-  template void check_expression<dim>(                                                                                 \
-    const SectionReader &, const std::string &, const std::string &, const std::vector<dealii::Point<dim>> &, bool);   \
+  template void                         check_expression<dim>(const SectionReader &,                                   \
+                                      const std::string &,                                     \
+                                      const std::string &,                                     \
+                                      const std::vector<dealii::Point<dim>> &,                 \
+                                      const std::string &);                                    \
   template std::array<std::string, dim> read_expressions<dim>(                                                         \
     const SectionReader &, const std::string &, const std::vector<dealii::Point<dim>> &, bool)
   INSTANTIATE(2);

@@ -35,7 +35,7 @@ namespace signorini
     {
       const std::optional<double> constant = constant_value(in.text(key));
       if (!constant)
-        check_expression<dim>(in, key, in.text(key), points, false);
+        check_expression<dim>(in, key, in.text(key), points, "");
       else if (!std::isfinite(*constant))
         in.fail(key, "must be a finite number. " + remedy);
       else if (*constant < 0.)

@@ -75,7 +75,7 @@ namespace signorini
     else if (obstacle.shape == "function")
       {
         obstacle.signed_distance = read_signed_distance_text(in);
-        check_expression<dim>(in, "Signed distance", obstacle.signed_distance, {}, false);
+        check_expression<dim>(in, "Signed distance", obstacle.signed_distance, {}, "");
       }
     else
       {

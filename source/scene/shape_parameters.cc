@@ -35,11 +35,14 @@ namespace signorini
                         "0",
                         Integer(),
                         "Further refinements of the cells that `Refine where` selects. At most 12.");
-      prm.declare_entry("Refine where",
-                        "",
-                        Anything(),
-                        "Expression in x, y, z, evaluated at the centre of a cell: positive values select the cell for "
-                        "local refinement, for example 0.2 - z near the plane z = 0.");
+      prm.declare_entry(
+        "Refine where",
+        "",
+        Anything(),
+        "Expression in x, y, z, the centre of a cell, and h, its size (its diameter over the root of the "
+        "dimension, the edge of a cube): positive values select the cell for local refinement, for "
+        "example 0.2 - z near the plane z = 0, or 3*h - sqrt(x^2 + y^2 + z^2) for cells that become "
+        "smaller and smaller towards the origin.");
     }
 
     template <int dim>
@@ -153,7 +156,7 @@ namespace signorini
               "- z, or use "
               "`Refinements`.");
     if (!body.refine_where.empty())
-      check_expression<dim>(in, "Refine where", body.refine_where, {centre_of(body)}, false);
+      check_expression<dim>(in, "Refine where", body.refine_where, {centre_of(body)}, "h");
   }
 
   template void declare_shape<2>(dealii::ParameterHandler &);

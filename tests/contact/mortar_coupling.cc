@@ -180,7 +180,8 @@ TEST(MortarCoupling, HangingNodesCarryNothing)
       }
 }
 
-// An inclined flat master: the gap is the distance along the slave normal at the node.
+// An inclined flat master: the gap is the distance along the slave normal at the node, of which the part along the normal of contact
+// counts, which halves the angle between both surfaces.
 TEST(MortarCoupling, GapOfAnInclinedMaster)
 {
   for (const auto &c : cases_3d())
@@ -193,8 +194,11 @@ TEST(MortarCoupling, GapOfAnInclinedMaster)
         return p[2] < 0. ? Point<3>(p[0], p[1], p[2] - 0.2 - 0.1 * p[0] + 0.05 * p[1]) : p;
       });
       expect_row_sums_of_one(bodies, c.name);
+      const double half_angle = 0.5 * std::acos(1. / std::sqrt(1. + 0.1 * 0.1 + 0.05 * 0.05));
       for (const ContactNode<3> &node : bodies.surface.nodes())
-        EXPECT_NEAR(node.gap, c.gap + 0.2 + 0.1 * node.position[0] - 0.05 * node.position[1], 1e-12) << c.name;
+        EXPECT_NEAR(
+          node.gap, (c.gap + 0.2 + 0.1 * node.position[0] - 0.05 * node.position[1]) * std::cos(half_angle), 1e-12)
+          << c.name;
     }
 }
 

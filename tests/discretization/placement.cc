@@ -142,3 +142,14 @@ TEST(Placement, LocalRefinementLooksWhereTheBodyIs)
   body.refine_where = "x - 0.5";
   EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 4u);
 }
+
+// A selection that shrinks with the cells makes layers that become thinner: of 2 x 2 cells the left column is refined, then the left half
+// of that, then the left quarter. 2 + 4 + 8 + 32 cells are left.
+TEST(Placement, LocalRefinementCanDependOnTheSizeOfCells)
+{
+  BodyDescription<2> body = box<2>();
+  body.repetitions        = {{2, 2}};
+  body.local_refinements  = 3;
+  body.refine_where       = "1.2*h - x";
+  EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 2u + 4u + 8u + 32u);
+}

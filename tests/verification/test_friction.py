@@ -199,6 +199,15 @@ class Friction(check_history.SceneTest):
             for component in run.vector("momentum", row):
                 self.assertLess(abs(component), 1e-9 * scale, f"momentum in row {row}")
 
+    def test_two_balls_that_slip_all_the_time(self):
+        """They lose mu times the normal impulse along the plane of contact, however large the contact is: normals tilted against it would add a sixth."""
+        speed, sideways = 0.15, 6 * 0.1 * 0.15 * 1.7 / 1.4
+        run = self.run_scene("oblique_impact_two_balls", "-slip", [f"Bodies/{body}/{key}" for body, sign in (("upper", 1), ("lower", -1)) for key in (
+            "Refinements=2", "Local refinements=2", "Refine where=0.35 - sqrt(x^2 + y^2 + z^2)", f"Initial velocity={sign * sideways}; 0; {-sign * speed}")]
+            + ["Time/Step size=0.02", "Time/End time=0.8"])
+        self.assertEqual(max(run["stick_nodes"]), 0)
+        self.expect_close(impulse(run, "x"), -0.1 * impulse(run, "z"), 1e-3, "impulse of friction")
+
     def test_two_processes(self):
         for name in ("moving_base", "sliding_block"):
             one, two = (self.run_scene(name, f"-processes-{n}", processes=n) for n in (1, 2))

@@ -20,6 +20,7 @@ sys.path.insert(0, str(check_history.SOURCE / "tools"))
 from studies import distances, instants  # noqa: E402
 from studies.expressions import Expression  # noqa: E402
 from studies.mistake import Mistake  # noqa: E402
+from studies.quantities import read_quantities  # noqa: E402
 
 TOOL = check_history.SOURCE / "tools" / "study.py"
 BAR = check_history.PARAMETERS / "bar_2d.prm"
@@ -75,6 +76,9 @@ Bodies/bar/Repetitions = 1, 50; 1, 100
                               ("[study]\nscene = mistake.ini\nobsreve = impulse\n[variations]\na = 1\n", "no key `obsreve`"),
                               ("[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\n", "[reference] is empty"),
                               ("[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\nb = 1\n", "needs the step size of each run"),
+                              ("[study]\nscene = mistake.ini\nfigure = impulse\n[variations]\na = 1\n", "give two observations or quantities"),
+                              ("[study]\nscene = mistake.ini\ncurve = nowhere.csv\n[variations]\na = 1\n", "curve = "),
+                              ("[study]\nscene = mistake.ini\n[quantities]\na b = 1\n[variations]\na = 1\n", "is no name"),
                               (f"[study]\nscene = {BAR}\n[variations]\nTime/Step size = 2e-3; 3e-3\n[reference]\nb = 1\n",
                                "the step size 0.003 is no whole multiple of it. Give `Time/Step size` in [reference]"),
                               (f"[study]\nscene = {BAR}\n[variations]\na = 1\n[reference]\nTime/Step size = 2e-3\n",
@@ -144,6 +148,54 @@ Time/Scheme = reference
         for text in ("1/t", "sqrt(t - 1)", "(t - 1)**0.5", "9**9**9", "1e308*10"):
             with self.assertRaisesRegex(Mistake, "value at t = 0", msg=text):
                 Expression(text, "file: exact force")(0.)
+
+    def test_quantities(self):
+        """Of a history of three rows; a quantity can use those before it, and a curve."""
+        class Run:
+            history = {"step_size": [0., 0.5, 0.25], "force": [9., 2., -4.]}
+            folder = pathlib.Path("run")
+
+            def __getitem__(self, name):
+                return self.history[name]
+
+        curve = distances.Curve([0., 1.], [0., 3.])
+        found = read_quantities({"a": "first(force) - last(force)/2 + largest(force)", "b": "integral(force)", "c": "a + 2*b", "d": "curve(b + 0.5)"}, "file", curve)
+        self.assertEqual([found[name](Run()) for name in "abcd"], [20., 0., 20., 1.5])
+        self.assertEqual(found["c"].heading, "c")
+        self.assertTrue(math.isnan(found["a"](None)))
+        for text, message in (("b", "b is not known"), ("force", "force is not known"), ("last(2)", "last wants the name of a column"),
+                              ("last(force, force)", "last wants the name of a column"), ("curve(1)", "the function curve is not known")):
+            with self.assertRaisesRegex(Mistake, re.escape(message), msg=text):
+                read_quantities({"a": text}, "file", None)
+        with self.assertRaisesRegex(Mistake, "has no column forse. It has step_size, force"):
+            read_quantities({"a": "last(forse)"}, "file", None)["a"](Run())
+
+    def test_quantities_of_a_study(self):
+        """The wall takes twice the momentum of a bar that returns as it came; the points lie on the line of the curve, which the figure shows."""
+        folder = pathlib.Path(check_history.settings["folder"])
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "line.csv").write_text("impulse,twice\n-100,200\n100,-200\n", encoding="utf-8")
+        result, rows = self.run_study("quantities", f"""
+[study]
+scene = {BAR}
+observe = turned, deviation
+curve = line.csv
+figure = impulse over turned
+[scene]
+Bodies/bar/Repetitions = 1, 20
+Time/Step size = 1e-2
+[quantities]
+turned = last(momentum_y) - first(momentum_y)
+deviation = integral(contact_force_y) - curve(-turned/2)
+[variations]
+Time/Scheme = contact-implicit; laursen-chawla
+""")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertEqual(rows[0], ["Scheme", "turned", "deviation"])
+        for row in rows[1:]:
+            self.assertGreater(abs(float(row[1])), 1.)
+            self.assertLess(abs(float(row[2])), 1e-8)
+        self.assertTrue((folder / "quantities" / "figure.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_distances(self):
         curve = distances.Curve([0., 1., 3.], [0., 2., 6.])

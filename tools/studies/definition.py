@@ -11,11 +11,12 @@ import re
 from .expressions import Expression
 from .mistake import Mistake
 from .observe import DISTANCES, OBSERVATIONS
+from .quantities import read_curve, read_quantities
 
 #: Sections without a name of their own.
-SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference")
+SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference", "quantities")
 #: Keys of the section [study].
-KEYS = ("scene", "title", "geometry", "observe", "variants", "processes", "pressure at", "exact force")
+KEYS = ("scene", "title", "geometry", "observe", "variants", "processes", "pressure at", "exact force", "curve", "figure")
 #: What a [variant NAME] says besides keys of the scene.
 WORDS = ("group", "paper")
 
@@ -84,9 +85,10 @@ class Study:
         self.pressure_time = self.time(parser, "pressure at")
         self.processes = self.whole_number(parser, "processes")
         self.observe = [name.strip() for name in parser.get("study", "observe", fallback="").split(",") if name.strip()]
+        self.read_quantities(parser)
         for name in self.observe:
-            if name not in OBSERVATIONS:
-                raise Mistake(f"{path}: observe = {name} is not known. Valid: {', '.join(OBSERVATIONS)}.")
+            if name not in self.observations:
+                raise Mistake(f"{path}: observe = {name} is not known. Valid: {', '.join(self.observations)}.")
         self.read_expectations(parser)
         self.common = self.settings(parser, "scene")
         if coarse:
@@ -103,6 +105,18 @@ class Study:
             self.variants = read_variants(read_ini(other), other) + self.variants
         if not self.variations and not together and not self.variants:
             raise Mistake(f"{path}: nothing varies. Give [variations], [together] or [variant NAME].")
+
+    def read_quantities(self, parser):
+        """What the file derives from histories, a curve to compare it with, and which quantities a figure shows: (abscissa, ordinate)."""
+        text = parser.get("study", "curve", fallback=None)
+        self.curve_names, self.curve = read_curve(self.path.parent / text, f"{self.path}: curve") if text else ((), None)
+        quantities = read_quantities(self.settings(parser, "quantities"), self.path, self.curve)
+        self.observations = {**OBSERVATIONS, **quantities}
+        text = parser.get("study", "figure", fallback=None)
+        self.figure = text and tuple(name.strip() for name in text.split(" over "))[::-1]
+        if text and (len(self.figure) != 2 or not all(name in self.observations for name in self.figure)):
+            raise Mistake(f"{self.path}: figure = {text}: give two observations or quantities, as in `figure = impulse over force_largest`. "
+                          f"Valid: {', '.join(self.observations)}.")
 
     def read_expectations(self, parser):
         """What runs are compared with: [reference], and the exact force."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Arithmetic expressions in the time t, such as `0.025*max(-sin(2*pi*t), 0)**3`; nothing but arithmetic is evaluated."""
+"""Arithmetic expressions in some variables, such as `0.025*max(-sin(2*pi*t), 0)**3`; nothing but arithmetic is evaluated."""
 
 import ast
 import math
@@ -15,40 +15,45 @@ FUNCTIONS = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt, "abs": abs}
 CHOICES = {"max": max, "min": min}
 OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.Pow: operator.pow,
              ast.USub: operator.neg, ast.UAdd: operator.pos}
-VALID = f"Valid: numbers, t, {', '.join([*CONSTANTS, *FUNCTIONS, *CHOICES])}, + - * / ** ^ and brackets."
 
 
 class Expression:
-    """A function of t. `where` begins the messages: file and key."""
+    """A function of the variables named, t if none. `where` begins the messages: file and key."""
 
-    def __init__(self, text, where):
-        self.text, self.where = text, where
+    def __init__(self, text, where, variables=("t",)):
+        self.text, self.where, self.variables = text, where, tuple(variables)
         try:
             self.tree = ast.parse(text.strip().replace("^", "**"), mode="eval").body
         except (SyntaxError, ValueError, RecursionError) as error:
-            raise Mistake(f"{where} = {text}: cannot be read: {getattr(error, 'msg', error)}. {VALID}") from None
+            raise Mistake(f"{where} = {text}: cannot be read: {getattr(error, 'msg', error)}. {self.valid()}") from None
         self.check(self.tree)
 
-    def __call__(self, t):
-        """The value at a time."""
+    def __call__(self, *values):
+        """The value for values of the variables, in their order."""
+        variables = dict(zip(self.variables, values))
+        at = ", ".join(f"{name} = {value:g}" for name, value in variables.items()) or "all"
         try:
-            value = self.evaluate(self.tree, t)
+            value = self.evaluate(self.tree, variables)
         except (ArithmeticError, ValueError) as error:
-            raise Mistake(f"{self.where} = {self.text}: has no value at t = {t:g}: {error}. Write it so that it has one during the whole run.") from None
+            raise Mistake(f"{self.where} = {self.text}: has no value at {at}: {error}. Write it so that it always has one.") from None
         if isinstance(value, complex) or not math.isfinite(value):
-            raise Mistake(f"{self.where} = {self.text}: has no real value at t = {t:g}. Write it so that it has one during the whole run.")
+            raise Mistake(f"{self.where} = {self.text}: has no real value at {at}. Write it so that it always has one.")
         return value
+
+    def valid(self):
+        """What may be written."""
+        return f"Valid: numbers, {', '.join([*self.variables, *CONSTANTS, *FUNCTIONS, *CHOICES])}, + - * / ** ^ and brackets."
 
     def refuse(self, what):
         """The mistake of something that is not arithmetic."""
-        return Mistake(f"{self.where} = {self.text}: {what}. {VALID}")
+        return Mistake(f"{self.where} = {self.text}: {what}. {self.valid()}")
 
     def check(self, node):
         """Refuse all that evaluate() does not know."""
         if isinstance(node, ast.Constant) and type(node.value) in (int, float):
             return
         if isinstance(node, ast.Name):
-            if node.id != "t" and node.id not in CONSTANTS:
+            if node.id not in self.variables and node.id not in CONSTANTS:
                 raise self.refuse(f"{node.id} is not known")
         elif isinstance(node, ast.BinOp) and type(node.op) in OPERATORS:
             self.check(node.left)
@@ -70,14 +75,14 @@ class Expression:
         for argument in node.args:
             self.check(argument)
 
-    def evaluate(self, node, t):
+    def evaluate(self, node, variables):
         """The value of a part."""
         if isinstance(node, ast.Constant):
             return float(node.value)
         if isinstance(node, ast.Name):
-            return t if node.id == "t" else CONSTANTS[node.id]
+            return {**CONSTANTS, **variables}[node.id]
         if isinstance(node, ast.BinOp):
-            return OPERATORS[type(node.op)](self.evaluate(node.left, t), self.evaluate(node.right, t))
+            return OPERATORS[type(node.op)](self.evaluate(node.left, variables), self.evaluate(node.right, variables))
         if isinstance(node, ast.UnaryOp):
-            return OPERATORS[type(node.op)](self.evaluate(node.operand, t))
-        return {**FUNCTIONS, **CHOICES}[node.func.id](*(self.evaluate(argument, t) for argument in node.args))
+            return OPERATORS[type(node.op)](self.evaluate(node.operand, variables))
+        return {**FUNCTIONS, **CHOICES}[node.func.id](*(self.evaluate(argument, variables) for argument in node.args))

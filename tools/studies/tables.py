@@ -6,7 +6,7 @@
 import csv
 import math
 
-from .observe import DISTANCES, ERRORS, OBSERVATIONS
+from .observe import DISTANCES, ERRORS
 
 
 def number(value):
@@ -38,19 +38,19 @@ def observed(study, results):
     known = next((result.history for result in results if result), {})
     given = {"displacement_error": "relative_displacement_error" in known, "velocity_error": "relative_velocity_error" in known,
              "force_error": study.exact_force, **dict.fromkeys(DISTANCES, study.reference)}
-    names = [name for name in study.observe or OBSERVATIONS if given.get(name, True)]
+    names = [name for name in study.observe or study.observations if given.get(name, True)]
     rates = len(study.sequence) > 1
     heading = ["variant"] * bool(study.variants) + [key.split("/")[-1] for key in [*study.variations, *study.sequence[0]]]
     for name in names:
-        heading += [OBSERVATIONS[name].heading] + (["rate"] if rates and name in ERRORS else [])
+        heading += [study.observations[name].heading] + (["rate"] if rates and name in ERRORS else [])
     rows, before = [heading], None
     for position, ((variant, settings), result) in enumerate(zip(study.runs(), results)):
         row = ([variant.name] if variant else []) + list(settings.values())
         for name in names:
-            value = OBSERVATIONS[name](result)
+            value = study.observations[name](result)
             row.append(number(value))
             if rates and name in ERRORS:
-                old = OBSERVATIONS[name](before) if before and position % len(study.sequence) else math.nan
+                old = study.observations[name](before) if before and position % len(study.sequence) else math.nan
                 row.append(f"{math.log2(old / value):.2f}" if old > 0 and value > 0 else "")
         before = result
         rows.append(row)

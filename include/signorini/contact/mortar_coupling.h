@@ -22,7 +22,8 @@ namespace signorini
    *
    * with chi the projection along the normals of the slave faces. The relative displacement [u]_i = u_i - sum_l P_il u_l is a matter
    * of single nodes, because the multipliers are biorthogonal to the traces. The same combination of positions gives
-   * the gap g_i = -nu_i.[X]_i. Only the covered part of a slave face counts.
+   * the gap g_i = -nu_i.[X]_i. nu_i is a mean over the covered faces around i, weighted with N_i, of the normals of the slave and
+   * the opposite ones of the master; the normals of the body that is bent less count more (weights_of_normals). Only the covered part of a slave face counts.
    *
    * Slave nodes that carry no multiplier because a support holds them in the normal direction, or because only a sliver of
    * their surroundings is covered, appear among the l, so that constants and linear functions are still reproduced.
@@ -64,7 +65,8 @@ namespace signorini
       std::vector<dealii::types::global_dof_index>               nodes;
       Eigen::MatrixXd                                            mass;     ///< int N_i N_j
       std::map<dealii::types::global_dof_index, Eigen::VectorXd> mixed;    ///< per master node l: int N_i N_l(chi)
-      Eigen::MatrixXd                                            normals;  ///< int N_i n, dim columns
+      Eigen::MatrixXd                                            normals;  ///< int N_i nu, dim columns
+      Eigen::MatrixXd                                            opposite; ///< int N_i n(chi), dim columns
       Eigen::MatrixXd                                            distance; ///< int N_i (X(chi) - X), dim columns
       Eigen::VectorXd                                            full;     ///< int N_i over the whole face
       double                                                     clearance = 0.; ///< smallest distance to the master
