@@ -14,7 +14,6 @@ namespace signorini
   {
     const double energy = meshed->system.energy();
 
-    discretization.triangulation.prepare_coarsening_and_refinement();
     StateTransfer<dim> transfer(discretization, meshed->surface, meshed->coordinates, state);
     {
       dealii::TimerOutput::Scope scope(timer, "mesh: cells and degrees of freedom");
