@@ -190,9 +190,10 @@ class Friction(check_history.SceneTest):
         self.expect_close(after, -0.84, 0.2, "psi after the impact")
 
     def test_two_balls_exchange_equal_impulses(self):
-        run = self.run_scene("oblique_impact_two_balls", "-coarse", [
-            f"Bodies/{body}/{key}" for body in ("upper", "lower")
-            for key in ("Refinements=2", "Local refinements=1", "Refine where=0.35 - sqrt(x^2 + y^2 + z^2)")] + ["Time/Step size=0.04"])
+        speed, sideways = 0.05, 2 * 0.1 * 0.05 * 1.7 / 1.4
+        run = self.run_scene("oblique_impact_two_balls", "-coarse", [f"Bodies/{body}/{key}" for body, sign in (("upper", 1), ("lower", -1)) for key in (
+            "Refinements=2", "Local refinements=1", "Refine where=0.35 - sqrt(x^2 + y^2 + z^2)", f"Initial velocity={sign * sideways}; 0; {-sign * speed}")]
+            + ["Time/Step size=0.04", "Time/End time=0.9"])
         scale = abs(impulse(run, "x"))
         self.assertGreater(scale, 0.)
         for row in range(len(run)):

@@ -1,0 +1,97 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Runs on meshes that change: the account of the energy closes with the column energy_transfer, the contact force is that of a fine uniform mesh at a
+part of its unknowns, a mesh that need not change is kept, and any number of processes makes the same meshes.
+"""
+
+import math
+
+import check_history
+
+BALL = ["Mapping=curved", "Bodies/ball/Refinements=2"]
+DISTANCE = BALL + ["Adaptivity/Indicator=distance", "Adaptivity/Maximum level=3"]
+RESIDUAL = BALL + ["Adaptivity/Indicator=residual", "Adaptivity/Maximum level=3", "Adaptivity/Repetitions=1", "Adaptivity/Maximum cells=1500"]
+
+
+def distance(force, reference):
+    """Relative, L2 in time."""
+    return math.sqrt(sum((a - b)**2 for a, b in zip(force, reference)) / sum(b**2 for b in reference))
+
+
+def roughness(force):
+    """Mean of the second differences over the mean."""
+    second = [abs(force[k + 1] - 2. * force[k] + force[k - 1]) for k in range(1, len(force) - 1)]
+    return sum(second) / len(second) / (sum(force) / len(force))
+
+
+def n_meshes(run):
+    return sum(a != b for a, b in zip(run["cells"], run["cells"][1:])) + 1
+
+
+class Adaptivity(check_history.SceneTest):
+    def run_ball(self, name, overrides, processes=1):
+        return check_history.Run(check_history.PARAMETERS / "geometry_a.prm", f"adaptivity-{name}", overrides, processes)
+
+    def expect_account(self, run, tolerance):
+        """The ledger closes, and a new mesh brings no energy but for the quadrature of curved cells."""
+        self.expect_ledger_closes(run)
+        energy = run["total_energy"][0]
+        for row in range(1, len(run)):
+            self.assertLessEqual(run["energy_transfer"][row], tolerance * energy, f"energy of the transfer in row {row}")
+            change = run["total_energy"][row] - run["total_energy"][row - 1]
+            booked = sum(run[column][row] for column in ("work_contact", "work_predictor", "energy_transfer", "energy_residual"))
+            self.assertLessEqual(abs(change - booked), 1e-12 * energy, f"change of the energy in row {row}")
+
+    def test_contact_force_of_a_finer_mesh(self):
+        """Cells as in refinement 3 where contact is or will be soon."""
+        fine = self.run_ball("uniform-3", ["Mapping=curved", "Bodies/ball/Refinements=3"])
+        coarse = self.run_ball("uniform-2", BALL)
+        for name, overrides, error in (("distance", DISTANCE, 0.03), ("residual", RESIDUAL, 0.03)):
+            with self.subTest(indicator=name):
+                run = self.run_ball(name, overrides)
+                self.expect_account(run, 1e-6)
+                self.assertGreater(n_meshes(run), 1)
+                self.assertLess(max(run["dofs"]), 0.6 * fine["dofs"][0])
+                self.assertLess(distance(run["contact_force"], fine["contact_force"]), error)
+                self.assertLess(roughness(run["contact_force"]), 1.5 * roughness(fine["contact_force"]))
+        self.assertGreater(distance(coarse["contact_force"], fine["contact_force"]), 0.05)
+
+    def test_flight_keeps_the_mesh(self):
+        """A body that flies undeformed has nothing to refine; nothing is near an obstacle either."""
+        for name, indicator in (("residual", RESIDUAL), ("kelly", [entry.replace("residual", "kelly") for entry in RESIDUAL])):
+            run = self.run_ball(f"flight-{name}", indicator + ["Bodies/ball/Centre=0, 0, 9", "Time/End time=0.1"])
+            self.assertEqual(n_meshes(run), 1)
+            self.assertNotIn("mesh              changed", run.log)
+            self.assertEqual(max(map(abs, run["energy_transfer"])), 0.)
+
+    def test_block_with_friction(self):
+        """Slip and status go along; the block comes as far as on a mesh that stays, and nothing is gained."""
+        kept = check_history.Run(check_history.PARAMETERS / "sliding_block.prm", "adaptivity-block-kept", ["Time/End time=0.3"])
+        run = check_history.Run(check_history.PARAMETERS / "sliding_block.prm", "adaptivity-block", [
+            "Time/End time=0.3", "Adaptivity/Indicator=residual", "Adaptivity/Maximum level=3", "Adaptivity/Maximum cells=1200"])
+        motion = max(map(sum, zip(run["kinetic_energy"], run["elastic_energy"])))
+        for row in range(len(run)):
+            self.assertLessEqual(abs(run["energy_residual"][row]), 1e-9 * motion, f"energy residual in row {row}")
+            self.assertLessEqual(run["work_friction"][row], 1e-10 * motion)
+        self.assertGreater(n_meshes(run), 1)
+        self.expect_close(run["max_slip"][-1], kept["max_slip"][-1], 1e-3, "way")
+
+    def test_steps_and_meshes_that_adapt(self):
+        run = self.run_ball("steps", DISTANCE + ["Time/Step size control=doubling", "Time/Step tolerance=0.05"])
+        self.assertAlmostEqual(run["time"][-1], 0.5, 12)
+        self.expect_account(run, 1e-6)
+
+    def test_two_processes(self):
+        for name, overrides in (("distance", DISTANCE), ("residual", RESIDUAL)):
+            one, two = (self.run_ball(f"processes-{name}-{n}", overrides + ["Time/End time=0.2"], n) for n in (1, 2))
+            self.assertEqual(one["cells"], two["cells"])
+            for column in ("contact_force", "total_energy", "momentum_z", "kinetic_energy"):
+                scale = max(map(abs, one[column]))
+                for row in range(len(one)):
+                    self.assertLessEqual(abs(one[column][row] - two[column][row]), 1e-8 * scale, f"{column} in row {row}")
+
+
+if __name__ == "__main__":
+    check_history.main()
