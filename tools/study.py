@@ -16,8 +16,8 @@ if it does not give its own, of which theirs must be whole multiples. It gives f
 two of all probes; a reference step size a few times smaller than the runs' keeps differences of its displacements out of them. All are relative, L2 in
 time, and each force is compared at the instant to which it belongs (tools/studies/instants.py).
 
-Two studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
-bar-table compares them on the bar with an independent computation.
+Three studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
+bar-table compares them on the bar with an independent computation; adaptive compares uniform and adaptive meshes and steps.
 """
 
 import argparse
@@ -28,7 +28,7 @@ from studies import references, runs, tables
 from studies.definition import Mistake, Study
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-NAMES = ("krause-walloth", "bar-table")
+NAMES = ("krause-walloth", "bar-table", "adaptive")
 
 
 def parse():
@@ -78,6 +78,9 @@ def main():
         elif arguments.study == "bar-table":
             from studies import bar_table
             good = bar_table.bar_table(arguments, ROOT)
+        elif arguments.study == "adaptive":
+            from studies import adaptive
+            good = adaptive.adaptive(arguments, ROOT)
         else:
             good = study_of_a_file(arguments)
     except Mistake as mistake:
