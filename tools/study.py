@@ -21,8 +21,8 @@ last(COLUMN), largest(COLUMN) and integral(COLUMN), its sum over the steps times
 a line with their names, gives the function curve(...). `figure = NAME over NAME` draws one observation over another to FOLDER/figure.png beside the curve, with one kind of
 points for each variant, or for all variants with the same `group = NAME`.
 
-Two studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
-bar-table compares them on the bar with an independent computation.
+Three studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
+bar-table compares them on the bar with an independent computation; adaptive compares uniform and adaptive meshes and steps.
 """
 
 import argparse
@@ -33,7 +33,7 @@ from studies import references, runs, tables
 from studies.definition import Mistake, Study
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-NAMES = ("krause-walloth", "bar-table")
+NAMES = ("krause-walloth", "bar-table", "adaptive")
 
 
 def parse():
@@ -86,6 +86,9 @@ def main():
         elif arguments.study == "bar-table":
             from studies import bar_table
             good = bar_table.bar_table(arguments, ROOT)
+        elif arguments.study == "adaptive":
+            from studies import adaptive
+            good = adaptive.adaptive(arguments, ROOT)
         else:
             good = study_of_a_file(arguments)
     except Mistake as mistake:

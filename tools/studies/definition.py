@@ -18,7 +18,7 @@ SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference", "
 #: Keys of the section [study].
 KEYS = ("scene", "title", "geometry", "observe", "variants", "processes", "pressure at", "exact force", "curve", "figure")
 #: What a [variant NAME] says besides keys of the scene.
-WORDS = ("group", "paper")
+WORDS = ("group", "paper", "full")
 
 
 @dataclasses.dataclass
@@ -28,6 +28,7 @@ class Variant:
     settings: dict
     group: str = ""
     paper: str = ""
+    full: str = ""  # not empty: too long for the quick version of a study that has one
 
     @property
     def folder(self):
