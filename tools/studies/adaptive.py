@@ -11,6 +11,7 @@ import time
 
 from . import adaptive_figures, adaptive_measures as measures, runs, tables
 from .definition import Study
+from .observe import Result
 
 #: Study files. The variants of the group "uniform" are what the others are compared with.
 CASES = ("adaptive_bar", "adaptive_geometry_a", "adaptive_geometry_b", "adaptive_sliding_block")
@@ -70,6 +71,7 @@ def reference(executable, task, draw_only):
 
 def timed(executable, task):
     """A run, with its processor time beside its results: other programs on the machine disturb it less than the wall time."""
+    (task.folder / TIME).unlink(missing_ok=True)
     start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
     result = runs.run(executable, task)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -83,6 +85,12 @@ def timed(executable, task):
 def text(value):
     """Three digits, a dash for what is not known."""
     return "-" if math.isnan(value) else f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
+
+
+def finished(task):
+    """The result of a run that was done before; one that was interrupted left tables, but no time."""
+    result = runs.read(task)
+    return result if not result or (task.folder / TIME).exists() else Result(task.folder, "was interrupted. Run the study again.")
 
 
 def errors_of(case):
@@ -124,7 +132,7 @@ def adaptive(arguments, root):
         case = Case(root / "parameters" / "studies" / f"{name}.ini", arguments.coarse, folder)
         print(case.study.title, flush=True)
         exact = reference(arguments.executable, case.reference, arguments.draw_only) if case.reference else None
-        done = runs.read_all(case.tasks) if arguments.draw_only else [timed(arguments.executable, task) for task in case.tasks]
+        done = list(map(finished, case.tasks)) if arguments.draw_only else [timed(arguments.executable, task) for task in case.tasks]
         good = good and bool(exact or not case.reference) and all(done)
         if case.reference and not exact:
             print(f"  left out: its reference failed: {exact.failure}", flush=True)
