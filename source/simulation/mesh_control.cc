@@ -10,7 +10,8 @@ namespace signorini
   {
     if (!indicator)
       indicator = make_error_indicator(discretization, meshed.surface, meshed.supports);
-    latest = indicator->evaluate(step);
+    latest         = indicator->evaluate(step);
+    last_judgement = step.end.step;
     return mark_cells(discretization.triangulation,
                       discretization.scene,
                       latest,

@@ -26,10 +26,10 @@ namespace signorini
     /** Flag cells by a step that was made on the present mesh; without any flag the mesh is good enough. Collective. */
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
-    /** Whether the mesh may change after a step. */
+    /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
     bool is_due(unsigned int step) const
     {
-      return any() && step >= last_change + discretization.scene.adaptivity.steps_between;
+      return any() && step >= last_judgement + discretization.scene.adaptivity.steps_between;
     }
 
     /** How often a step may be repeated on a refined mesh. */
@@ -45,7 +45,7 @@ namespace signorini
     Discretization<dim>                 &discretization;
     std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
     dealii::Vector<double>               latest;
-    unsigned int                         last_change = 0;
+    unsigned int                         last_change = 0, last_judgement = 0; ///< after which step
   };
 } // namespace signorini
 
