@@ -7,6 +7,8 @@
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   using namespace dealii;
@@ -218,6 +220,13 @@ namespace signorini
       text
         << "  note: " << meshed->surface.n_supported()
         << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
+    if (mesh_control.any() && scene.mapping != "curved"
+        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {
+             return body.shape == "ball" || body.shape == "cylinder" || body.cap_radius > 0.;
+           }))
+      text << "  warning: on a mesh that changes, a round body keeps the facets of its initial `Refinements`, however "
+              "fine the mesh "
+              "becomes.\n           Set `Mapping = curved`.\n";
     for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
     return text.str();
