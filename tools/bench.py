@@ -29,7 +29,7 @@ SCENES = {"geometry_a": (["ball"], []), "geometry_b_curved": (["upper", "lower"]
 OBLIQUE = {"geometry_a": ("ball : plane", ["Bodies/ball/Initial velocity=1; 0; -2"]),
            "geometry_b_curved": ("upper[4] : lower[5]", ["Bodies/upper/Initial velocity=1; 0.4; -2"])}
 #: Sections of the timer table that are done once per mesh because of contact.
-SET_UP = ("contact surface and system", "step: preconditioner set-up")
+SET_UP = ("mesh: contact surface", "step: preconditioner set-up")
 MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
 
 

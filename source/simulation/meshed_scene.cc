@@ -16,13 +16,22 @@ namespace signorini
       discretization.assemble();
       return discretization;
     }
+
+
+    template <int dim>
+    ContactSurface<dim>
+    make_surface(const Discretization<dim> &discretization, const Supports<dim> &supports, dealii::TimerOutput &timer)
+    {
+      dealii::TimerOutput::Scope scope(timer, "mesh: contact surface");
+      return ContactSurface<dim>(discretization, supports);
+    }
   } // namespace
 
 
   template <int dim>
   MeshedScene<dim>::MeshedScene(Discretization<dim> &discretization, dealii::TimerOutput &timer)
     : supports(assembled(discretization, timer))
-    , surface(discretization, supports)
+    , surface(make_surface(discretization, supports, timer))
     , mass_note(redistribute_mass(discretization, surface))
     , coordinates(discretization, surface, supports)
     , loads(discretization)
