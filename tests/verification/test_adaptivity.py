@@ -48,10 +48,11 @@ class Adaptivity(check_history.SceneTest):
         """Cells as in refinement 3 where contact is or will be soon."""
         fine = self.run_ball("uniform-3", ["Mapping=curved", "Bodies/ball/Refinements=3"])
         coarse = self.run_ball("uniform-2", BALL)
-        for name, overrides, error in (("distance", DISTANCE, 0.03), ("residual", RESIDUAL, 0.03)):
+        # residual changes coarse cells in the middle of contact, whose quadrature matters more
+        for name, overrides, error, transfer in (("distance", DISTANCE, 0.03, 1e-12), ("residual", RESIDUAL, 0.03, 1e-6)):
             with self.subTest(indicator=name):
                 run = self.run_ball(name, overrides)
-                self.expect_account(run, 1e-6)
+                self.expect_account(run, transfer)
                 self.assertGreater(n_meshes(run), 1)
                 self.assertLess(max(run["dofs"]), 0.6 * fine["dofs"][0])
                 self.assertLess(distance(run["contact_force"], fine["contact_force"]), error)
@@ -73,8 +74,10 @@ class Adaptivity(check_history.SceneTest):
         run = check_history.Run(check_history.PARAMETERS / "sliding_block.prm", "adaptivity-block", [
             "Time/End time=0.3", "Adaptivity/Indicator=residual", "Adaptivity/Maximum level=3", "Adaptivity/Maximum cells=1200"])
         motion = max(map(sum, zip(run["kinetic_energy"], run["elastic_energy"])))
-        for row in range(len(run)):
-            self.assertLessEqual(abs(run["energy_residual"][row]), 1e-9 * motion, f"energy residual in row {row}")
+        for row in range(1, len(run)):
+            # Where the block has gone far, round-off in the forces of so stiff a body is more, on meshes that stay, too.
+            changed = run["cells"][row] != run["cells"][row - 1]
+            self.assertLessEqual(abs(run["energy_residual"][row]), (1e-10 if changed else 1e-9) * motion, f"energy residual in row {row}")
             self.assertLessEqual(run["work_friction"][row], 1e-10 * motion)
         self.assertGreater(n_meshes(run), 1)
         self.expect_close(run["max_slip"][-1], kept["max_slip"][-1], 1e-3, "way")
@@ -82,7 +85,7 @@ class Adaptivity(check_history.SceneTest):
     def test_steps_and_meshes_that_adapt(self):
         run = self.run_ball("steps", DISTANCE + ["Time/Step size control=doubling", "Time/Step tolerance=0.05"])
         self.assertAlmostEqual(run["time"][-1], 0.5, 12)
-        self.expect_account(run, 1e-6)
+        self.expect_account(run, 1e-12)
 
     def test_two_processes(self):
         for name, overrides in (("distance", DISTANCE), ("residual", RESIDUAL)):
