@@ -16,6 +16,40 @@ namespace signorini
     {
       fields.insert(fields.end(), values.begin(), values.end());
     }
+
+
+    /** Numbers as bytes, blocks of zeros left out: a byte per block says whether it is there. Contact is on few cells. */
+    std::vector<char> compress(const std::vector<double> &numbers, const std::size_t block_size)
+    {
+      const std::size_t n_blocks = numbers.size() / block_size;
+      std::vector<char> bytes;
+      bytes.reserve(1 + n_blocks + numbers.size() * sizeof(double));
+      bytes.resize(1 + n_blocks);
+      bytes[0] = static_cast<char>(n_blocks);
+      for (std::size_t b = 0; b < n_blocks; ++b)
+        {
+          const double *const begin = &numbers[block_size * b], *const end = begin + block_size;
+          bytes[1 + b] = std::any_of(begin, end, [](const double number) { return number != 0.; });
+          if (bytes[1 + b])
+            bytes.insert(bytes.end(), reinterpret_cast<const char *>(begin), reinterpret_cast<const char *>(end));
+        }
+      return bytes;
+    }
+
+
+    std::vector<double> expand(const char *const bytes, const std::size_t block_size)
+    {
+      const std::size_t   n_blocks = bytes[0];
+      std::vector<double> numbers(n_blocks * block_size);
+      const char         *next = bytes + 1 + n_blocks;
+      for (std::size_t b = 0; b < n_blocks; ++b)
+        if (bytes[1 + b])
+          {
+            std::memcpy(&numbers[block_size * b], next, block_size * sizeof(double));
+            next += block_size * sizeof(double);
+          }
+      return numbers;
+    }
   } // namespace
 
 
@@ -50,6 +84,7 @@ namespace signorini
   std::vector<char> FieldTransfer<dim>::pack(const Cell &cell, const CellStatus status) const
   {
     CellFields fields;
+    fields.reserve(n_values * sources.size());
     for (const Source &source : sources)
       if (status != Triangulation<dim>::CELL_COARSEN)
         append(vertex_values(cell, source.field), fields);
@@ -66,9 +101,7 @@ namespace signorini
     if (status == Triangulation<dim>::CELL_COARSEN)
       for (const Source &source : sources)
         append(source.moments != nullptr ? moments_of_children(cell, source) : VertexValues(n_values, 0.), fields);
-    std::vector<char> data(fields.size() * sizeof(double));
-    std::memcpy(data.data(), fields.data(), data.size());
-    return data;
+    return compress(fields, n_values);
   }
 
 
@@ -99,8 +132,7 @@ namespace signorini
       [&](const Cell                                                     &cell,
           const CellStatus                                                status,
           const boost::iterator_range<std::vector<char>::const_iterator> &data) {
-        CellFields fields(data.size() / sizeof(double));
-        std::memcpy(fields.data(), &*data.begin(), data.size());
+        CellFields fields = expand(&*data.begin(), n_values);
         if (status != Triangulation<dim>::CELL_REFINE)
           cells[cell->active_cell_index()] = std::move(fields);
         else

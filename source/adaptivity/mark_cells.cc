@@ -97,9 +97,12 @@ namespace signorini
           else if (coarsenable[index] && squares(index) < threshold.coarsen)
             cell->set_coarsen_flag();
         }
-    triangulation.prepare_coarsening_and_refinement();
     MeshChange change;
     change.estimate = std::sqrt(distribution.total());
+    count_flags(triangulation, change);
+    if (!change.any())
+      return change;
+    triangulation.prepare_coarsening_and_refinement(); // may add flags and remove some
     count_flags(triangulation, change);
     if (!change.refines() && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
       {

@@ -12,6 +12,19 @@ namespace signorini
 
   namespace
   {
+    /** Fill, with room to grow: a mesh that becomes a little finer shall not have to ask the system for memory. */
+    template <typename T>
+    void assign_with_room(std::vector<T> &values, const std::size_t size, const T &value)
+    {
+      if (values.capacity() < size && values.capacity() > 0)
+        {
+          values.clear();
+          values.reserve(size + size / 2);
+        }
+      values.assign(size, value);
+    }
+
+
     /** sum += factor block, or its transpose; blocks are stored column by column. */
     template <int dim>
     void add_block(typename ElasticMatrices<dim>::Block       &sum,
@@ -93,8 +106,8 @@ namespace signorini
     ElasticMatrices<dim>  parts;
     ElasticMatrices<dim> &sum = is_alone && !mass_changes ? matrices : parts;
     sum.pattern               = couplings.pattern();
-    sum.mass.assign(sum.pattern.columns.size(), 0.);
-    sum.stiffness.assign(sum.pattern.columns.size() + 1, {}); // a spare block, see Lanes
+    assign_with_room(sum.mass, sum.pattern.columns.size(), 0.);
+    assign_with_room(sum.stiffness, sum.pattern.columns.size() + 1, {}); // a spare block, see Lanes
     unsigned int index = 0;
     for (const auto &cell : discretization.triangulation.active_cell_iterators())
       if (cell->is_locally_owned())

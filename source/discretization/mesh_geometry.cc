@@ -17,6 +17,17 @@ namespace signorini
       using MappingQ<dim>::MappingQ;
       using MappingQ<dim>::compute_mapping_support_points;
     };
+
+
+    std::vector<std::vector<std::pair<unsigned int, double>>> sparse_rows(const FullMatrix<double> &matrix)
+    {
+      std::vector<std::vector<std::pair<unsigned int, double>>> rows(matrix.m());
+      for (unsigned int i = 0; i < matrix.m(); ++i)
+        for (unsigned int j = 0; j < matrix.n(); ++j)
+          if (matrix(i, j) != 0.)
+            rows[i].emplace_back(j, matrix(i, j));
+      return rows;
+    }
   } // namespace
 
 
@@ -26,6 +37,8 @@ namespace signorini
     , polynomials(degree)
     , cached_mapping(degree)
   {
+    for (unsigned int child = 0; child < GeometryInfo<dim>::max_children_per_cell; ++child)
+      parts.push_back(sparse_rows(polynomials.get_prolongation_matrix(child)));
   }
 
 
@@ -60,17 +73,16 @@ namespace signorini
             unsigned int  child  = 0;
             while (parent->child_index(child) != cell->index())
               ++child;
-            const FullMatrix<double> &part = polynomials.get_prolongation_matrix(child);
             mine.resize(theirs.size());
             for (unsigned int i = 0; i < mine.size(); ++i)
-              for (unsigned int j = 0; j < theirs.size(); ++j)
-                if (const double weight = part(i, j); weight != 0.)
-                  mine[i] += weight * theirs[j];
+              for (const auto &[j, weight] : parts[child][i])
+                mine[i] += weight * theirs[j];
             for (const unsigned int v : cell->vertex_indices())
               cell->vertex(v) = mine[v];
           }
       }
-    cached_mapping.initialize(triangulation, [&](const auto &cell) { return points[cell->level()][cell->index()]; });
+    cached_mapping.initialize(triangulation,
+                              [&](const auto &cell) { return std::move(points[cell->level()][cell->index()]); });
   }
 
 

@@ -4,15 +4,13 @@
 #ifndef signorini_discretization_cell_matrices_h
 #define signorini_discretization_cell_matrices_h
 
+#include <signorini/discretization/cell_id_hash.h>
 #include <signorini/linear_algebra/elastic_matrices.h>
 #include <signorini/scene/scene.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <deal.II/grid/cell_id.h>
-
-#include <map>
 #include <unordered_map>
 
 namespace signorini
@@ -111,7 +109,7 @@ namespace signorini
     const dealii::FE_Q<dim>                                              scalar_fe;
     mutable dealii::FEValues<dim>                                        fe_values;
     mutable std::unordered_multimap<std::size_t, std::pair<Shape, Kept>> shapes;
-    mutable std::map<dealii::CellId, Kept>                               curved_cells;
+    mutable std::unordered_map<dealii::CellId, Kept, CellIdHash<dim>>    curved_cells;
     mutable std::pair<Shape, Kept> *latest = nullptr; ///< neighbours are often of one shape
     mutable CellMatrix<dim>         not_kept;
 

@@ -4,12 +4,14 @@
 #ifndef signorini_discretization_mesh_geometry_h
 #define signorini_discretization_mesh_geometry_h
 
+#include <signorini/discretization/cell_id_hash.h>
+
 #include <deal.II/distributed/tria.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/mapping_q_cache.h>
 
-#include <map>
+#include <unordered_map>
 
 namespace signorini
 {
@@ -39,11 +41,15 @@ namespace signorini
 
   private:
     using Points = std::vector<dealii::Point<dim>>;
+    /** Rows of a sparse matrix: columns and values. */
+    using Interpolation = std::vector<std::vector<std::pair<unsigned int, double>>>;
 
-    const std::vector<unsigned int>  base_levels;
-    const dealii::FE_Q<dim>          polynomials;
-    dealii::MappingQCache<dim>       cached_mapping;
-    std::map<dealii::CellId, Points> base_points; ///< support points of cells up to the base level
+    const std::vector<unsigned int> base_levels;
+    const dealii::FE_Q<dim>         polynomials;
+    std::vector<Interpolation>      parts; ///< support points of the children of a cell
+    dealii::MappingQCache<dim>      cached_mapping;
+    std::unordered_map<dealii::CellId, Points, CellIdHash<dim>>
+      base_points; ///< support points of cells up to the base level
   };
 } // namespace signorini
 
