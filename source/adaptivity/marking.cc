@@ -14,13 +14,14 @@ namespace signorini
     constexpr double infinity = std::numeric_limits<double>::infinity();
 
     /**
-     * A cell that replaces its 2^dim children has about 4 * 2^dim times the square of one of them (linear elements, error in the energy
-     * norm). This is to stay below half of the threshold of refinement.
+     * The part of the threshold of refinement below which cells may be coarsened. By default what a smooth solution allows: a cell that replaces its
+     * 2^dim children has about 4 * 2^dim times the square of one of them (linear elements, error in the energy norm), and this is to stay
+     * below half of the threshold. Behind a front the error is not smooth, and no such law holds.
      */
     template <int dim>
-    double safe_to_coarsen(const double refine)
+    double coarsen_ratio(const AdaptivityParameters &parameters)
     {
-      return refine / (8. * (1 << dim));
+      return parameters.coarsen_ratio > 0. ? parameters.coarsen_ratio : 1. / (8. * (1 << dim));
     }
 
     /** Bulk criterion of Doerfler (1996). */
@@ -38,7 +39,7 @@ namespace signorini
         const double bulk    = distribution.threshold_of_part(parameters.refine_fraction);
         const double coarsen = distribution.threshold_of_rest(parameters.coarsen_fraction);
         const bool   is_good = std::sqrt(distribution.total()) <= parameters.tolerance;
-        return {is_good ? infinity : bulk, std::min(coarsen, safe_to_coarsen<dim>(bulk))};
+        return {is_good ? infinity : bulk, std::min(coarsen, coarsen_ratio<dim>(parameters) * bulk)};
       }
 
     private:
@@ -50,8 +51,9 @@ namespace signorini
     class EqualShare : public Marking
     {
     public:
-      explicit EqualShare(const double tolerance)
-        : tolerance(tolerance)
+      explicit EqualShare(const AdaptivityParameters &parameters)
+        : tolerance(parameters.tolerance)
+        , ratio(coarsen_ratio<dim>(parameters))
       {
       }
 
@@ -61,11 +63,11 @@ namespace signorini
           return {infinity, 0.};
         const double share   = tolerance * tolerance / distribution.n_cells();
         const bool   is_good = std::sqrt(distribution.total()) <= tolerance;
-        return {is_good ? infinity : share, safe_to_coarsen<dim>(share)};
+        return {is_good ? infinity : share, ratio * share};
       }
 
     private:
-      const double tolerance;
+      const double tolerance, ratio;
     };
 
     /** Of DistanceIndicator, which is no estimate. */
@@ -84,7 +86,7 @@ namespace signorini
     if (parameters.indicator == "distance")
       return std::make_unique<FixedThresholds>();
     if (parameters.marking == "tolerance")
-      return std::make_unique<EqualShare<dim>>(parameters.tolerance);
+      return std::make_unique<EqualShare<dim>>(parameters);
     return std::make_unique<FixedFraction<dim>>(parameters);
   }
 

@@ -8,16 +8,16 @@
 namespace signorini
 {
   template <int dim>
-  ErrorNorms ErrorEvaluation<dim>::evaluate(const State &state)
+  ErrorNorms ErrorEvaluation<dim>::evaluate(const State &state, const double weight)
   {
     const auto &exact       = discretization.scene.exact_solution;
     const auto [u, u_exact] = squares(exact.displacement, state.displacement, state.time);
     const auto [v, v_exact] = squares(exact.velocity, state.velocity, state.time);
     const auto ratio        = [](const double a, const double b) { return b > 0. ? std::sqrt(a / b) : 0.; };
-    displacement_errors += u;
-    displacement_norms += u_exact;
-    velocity_errors += v;
-    velocity_norms += v_exact;
+    displacement_errors += weight * u;
+    displacement_norms += weight * u_exact;
+    velocity_errors += weight * v;
+    velocity_norms += weight * v_exact;
     return {std::sqrt(u),
             std::sqrt(v),
             std::sqrt(u_exact),

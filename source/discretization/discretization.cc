@@ -118,14 +118,18 @@ namespace signorini
   Vector Discretization<dim>::interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body,
                                           const double                                     time) const
   {
-    std::vector<std::unique_ptr<FunctionParser<dim>>> functions;
+    std::vector<FunctionParser<dim> *> functions;
     for (const auto &expressions : expressions_by_body)
       {
-        functions.push_back(make_function<dim, dim>(expressions));
-        functions.back()->set_time(time);
+        auto &function = parsed[expressions];
+        if (!function)
+          function = make_function<dim, dim>(expressions);
+        function->set_time(time);
+        functions.push_back(function.get());
       }
     Vector                 result = make_vector();
     dealii::Vector<double> value(dim);
+    std::vector<char>      done(matrices.pattern.n_owned);
     for (const auto &cell : dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
@@ -133,6 +137,10 @@ namespace signorini
             const auto dof = cell->vertex_dof_index(v, 0);
             if (!locally_owned.is_element(dof) || hanging_node_constraints.is_constrained(dof))
               continue;
+            const unsigned int node = result.get_partitioner()->global_to_local(dof) / dim;
+            if (done[node])
+              continue;
+            done[node] = 1;
             functions[cell->material_id()]->vector_value(cell->vertex(v), value);
             for (unsigned int c = 0; c < dim; ++c)
               {

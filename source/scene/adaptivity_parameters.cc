@@ -22,6 +22,7 @@ namespace signorini
     const std::vector<std::pair<std::string, std::string>> defaults = {{"Marking", "fixed fraction"},
                                                                        {"Refine fraction", "0.5"},
                                                                        {"Coarsen fraction", "0.02"},
+                                                                       {"Coarsen ratio", "0"},
                                                                        {"Tolerance", "0"},
                                                                        {"Hysteresis", "0.1"},
                                                                        {"Maximum level", "0"},
@@ -65,7 +66,7 @@ namespace signorini
     {
       if (adaptivity.indicator == "distance")
         refuse_if_given(in,
-                        {"Marking", "Refine fraction", "Coarsen fraction", "Tolerance"},
+                        {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
                         "belongs to indicators that estimate an error, but Indicator = distance refines by `Distance` "
                         "alone. Remove this key.");
       else
@@ -141,6 +142,14 @@ namespace signorini
             Double(),
             "Of Marking = fixed fraction: the part of the squared estimate that the cells to be coarsened make at most "
             "together (no unit), between 0 and 0.5.");
+    declare("Coarsen ratio",
+            Double(),
+            "Of residual and kelly: cells are coarsened only where the squared indicator is below this part of the "
+            "threshold of "
+            "refinement (no unit), between 0 and 1. 0: 1/32 in 2d, 1/64 in 3d, so that the coarser cell of a smooth "
+            "solution is not "
+            "refined again at once. Fronts that run through a body leave fine cells behind them with that; give 0.25 "
+            "to 0.5 there.");
     declare(
       "Tolerance",
       Double(),
@@ -195,6 +204,11 @@ namespace signorini
       fraction(in, "Refine fraction", 1., "it is a part of the whole. Give for example 0.5.");
     adaptivity.coarsen_fraction =
       fraction(in, "Coarsen fraction", 0.5, "coarsening must not undo refinement. Give for example 0.02.");
+    adaptivity.coarsen_ratio =
+      fraction(in,
+               "Coarsen ratio",
+               1.,
+               "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
     adaptivity.hysteresis =
       fraction(in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
     adaptivity.tolerance     = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");

@@ -16,7 +16,7 @@ namespace signorini
     double velocity          = 0.; ///< norm of v - I v(t)
     double displacement_norm = 0.; ///< norm of I u(t)
     double velocity_norm     = 0.; ///< norm of I v(t)
-    /** (sum of squared errors so far / sum of squared norms so far)^(1/2), all steps with the same weight. */
+    /** (sum of squared errors so far / sum of squared norms so far)^(1/2), weighted by the sizes of the steps. */
     double relative_displacement = 0.;
     double relative_velocity     = 0.;
   };
@@ -31,7 +31,8 @@ namespace signorini
     {
     }
 
-    ErrorNorms evaluate(const State &state);
+    /** @param weight the size of the step that has ended; of the initial state, that of the first step */
+    ErrorNorms evaluate(const State &state, double weight);
 
   private:
     const Discretization<dim> &discretization;

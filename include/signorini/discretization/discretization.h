@@ -10,6 +10,7 @@
 #include <signorini/scene/scene.h>
 
 #include <deal.II/base/bounding_box.h>
+#include <deal.II/base/function_parser.h>
 
 #include <deal.II/distributed/tria.h>
 
@@ -18,6 +19,8 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <deal.II/lac/affine_constraints.h>
+
+#include <map>
 
 namespace signorini
 {
@@ -90,6 +93,9 @@ namespace signorini
 
   private:
     double largest_extent = 0.;
+
+    /** Functions that were interpolated; to parse an expression takes as long as a step in 2d. */
+    mutable std::map<std::array<std::string, dim>, std::unique_ptr<dealii::FunctionParser<dim>>> parsed;
 
     /**
      * Move hanging vertices of round bodies onto the straight edges and faces of their coarser neighbours: the mesh has no gaps

@@ -15,7 +15,8 @@ namespace signorini
     std::string  marking          = "fixed fraction"; ///< fixed fraction | tolerance; of no use with distance
     double       refine_fraction  = 0.5;              ///< of the squared estimate, fixed fraction
     double       coarsen_fraction = 0.02;             ///< of the squared estimate, fixed fraction
-    double       tolerance        = 0.;               ///< root of an energy; below, nothing is refined. 0: none
+    double       coarsen_ratio    = 0.;  ///< of thresholds for squared indicators; 0: what smooth solutions allow
+    double       tolerance        = 0.;  ///< root of an energy; below, nothing is refined. 0: none
     double       hysteresis       = 0.1; ///< part of the squared estimate or of the cells that is worth a change
     unsigned int maximum_level    = 0;   ///< cells of this level are not refined
     unsigned int minimum_level    = 0;   ///< cells of this level are not coarsened, nor those of the initial mesh
