@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/contact_fields.h>
-#include <signorini/adaptivity/residual_estimate.h>
-#include <signorini/base/expressions.h>
-
-#include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/fe/fe_values.h>
+#include <signorini/adaptivity/cell_map.h>
+#include <signorini/adaptivity/residual_parts.h>
 
 namespace signorini
 {
@@ -15,166 +10,166 @@ namespace signorini
 
   namespace
   {
-    /** What the scene says about a part of the boundary of a body. */
+    /** Nodal fields at the points of one outer face. */
     template <int dim>
-    struct Condition
-    {
-      std::array<bool, dim>                held{};
-      std::unique_ptr<FunctionParser<dim>> traction;
-    };
-
-    template <int dim>
-    std::map<types::boundary_id, Condition<dim>> conditions_of(const BodyDescription<dim> &body)
-    {
-      std::map<types::boundary_id, Condition<dim>> result;
-      for (const auto &dirichlet : body.dirichlet)
-        for (unsigned int c = 0; c < dim; ++c)
-          if (!dirichlet.expressions[c].empty() && dirichlet.expressions[c] != "-")
-            result[dirichlet.boundary_id].held[c] = true;
-      for (const auto &traction : body.traction)
-        result[traction.boundary_id].traction = make_function<dim, dim>(traction.expressions);
-      return result;
-    }
-
-    template <int dim>
-    class FaceResidual
+    class FieldsOnFace
     {
     public:
-      FaceResidual(const Discretization<dim> &discretization, const ForceBalance &balance)
-        : balance(balance)
-        , fe_values(discretization.mapping,
-                    discretization.fe,
-                    QGauss<dim - 1>(discretization.n_quadrature_points()),
-                    update_values | update_gradients | update_JxW_values | update_normal_vectors
-                      | update_quadrature_points)
-        , strains(fe_values.n_quadrature_points)
-        , tractions(fe_values.n_quadrature_points)
-        , normals(fe_values.n_quadrature_points)
-        , open(fe_values.n_quadrature_points)
-        , pressure(fe_values.n_quadrature_points)
-        , gap(fe_values.n_quadrature_points)
+      FieldsOnFace(const LocalCell<dim> &cell, const unsigned int face)
+        : vertex_functions(GaussTables<dim>::of_degree(1).vertex_functions)
       {
-        for (const auto &body : discretization.scene.bodies)
-          conditions.push_back(conditions_of(body));
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          nodes[v] = cell.nodes[vertex_of_face<dim>(face, v)];
       }
 
-      /** int |sigma n - traction|^2 without held components, and without the normal parts of full-contact nodes on a slave surface. */
-      double square(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                    const unsigned int                                    face,
-                    const bool                                            is_slave,
-                    const bool                                            is_master,
-                    const Material                                       &material,
-                    const Vector                                         &displacement,
-                    const ContactFields<dim>                             &fields)
+      double scalar(const Vector &field, const unsigned int q, const unsigned int component = 0) const
       {
-        const auto &of_body   = conditions[cell->material_id()];
-        const auto  found     = of_body.find(cell->face(face)->boundary_id());
-        const auto *condition = found == of_body.end() ? nullptr : &found->second;
-        fe_values.reinit(cell, face);
-        fe_values[vector].get_function_symmetric_gradients(displacement, strains);
-        fe_values[vector].get_function_values(fields.traction, tractions);
-        fe_values[vector].get_function_values(fields.normal, normals);
-        fe_values[first].get_function_values(fields.open, open);
         double result = 0.;
-        for (const unsigned int q : fe_values.quadrature_point_indices())
-          {
-            Tensor<1, dim> residual = stress_of_strain<dim>(material, strains[q]) * fe_values.normal_vector(q);
-            if (is_slave || is_master) // nodes at the edge of a contact surface belong to other faces, too
-              residual -= tractions[q];
-            if (condition != nullptr && condition->traction)
-              residual -= mean_traction(*condition->traction, fe_values.quadrature_point(q));
-            for (unsigned int c = 0; condition != nullptr && c < dim; ++c)
-              if (condition->held[c])
-                residual[c] = 0.;
-            double square = 0.;
-            if (is_slave && normals[q].norm_square() > 0.)
-              {
-                const Tensor<1, dim> nu            = normals[q] / normals[q].norm();
-                const double         normal_stress = residual * nu;
-                residual -= normal_stress * nu;
-                square = open[q] * normal_stress * normal_stress;
-              }
-            square += residual.norm_square();
-            result += square * fe_values.JxW(q);
-          }
+        for (unsigned int v = 0; v < nodes.size(); ++v)
+          result += vertex_functions[v][q] * field.local_element(dim * nodes[v] + component);
         return result;
       }
 
-      /** int s gap of the face that square() looked at. */
-      double energy_of_gap(const ContactFields<dim> &fields)
+      Tensor<1, dim> vector(const Vector &field, const unsigned int q) const
       {
-        fe_values[first].get_function_values(fields.pressure, pressure);
-        fe_values[first].get_function_values(fields.gap, gap);
-        double result = 0.;
-        for (const unsigned int q : fe_values.quadrature_point_indices())
-          result += pressure[q] * gap[q] * fe_values.JxW(q);
+        Tensor<1, dim> result;
+        for (unsigned int c = 0; c < dim; ++c)
+          result[c] = scalar(field, q, c);
         return result;
       }
 
     private:
-      const ForceBalance                                       &balance;
-      std::vector<std::map<types::boundary_id, Condition<dim>>> conditions; ///< by body
-      const FEValuesExtractors::Vector                          vector = FEValuesExtractors::Vector(0);
-      const FEValuesExtractors::Scalar                          first  = FEValuesExtractors::Scalar(0);
-      FEFaceValues<dim>                                         fe_values;
-      std::vector<SymmetricTensor<2, dim>>                      strains;
-      std::vector<Tensor<1, dim>>                               tractions, normals;
-      std::vector<double>                                       open, pressure, gap;
-
-      Tensor<1, dim> mean_traction(FunctionParser<dim> &function, const Point<dim> &point) const
-      {
-        Tensor<1, dim> result;
-        for (const double time : {balance.start_time, balance.end_time})
-          {
-            function.set_time(time);
-            for (unsigned int c = 0; c < dim; ++c)
-              result[c] += 0.5 * function.value(point, c);
-          }
-        return result;
-      }
+      const std::array<FourNumbers, GaussTables<dim>::n_face_points> &vertex_functions;
+      std::array<unsigned int, GaussTables<dim>::n_face_points>       nodes;
     };
+
+
+    /** The mean of a given traction at both ends of the step. */
+    template <int dim>
+    Tensor<1, dim> mean_traction(FunctionParser<dim> &function, const ForceBalance &balance, const Point<dim> &point)
+    {
+      Tensor<1, dim> result;
+      for (const double time : {balance.start_time, balance.end_time})
+        {
+          function.set_time(time);
+          for (unsigned int c = 0; c < dim; ++c)
+            result[c] += 0.5 * function.value(point, c);
+        }
+      return result;
+    }
+
+
+    /** sigma n - traction at the points of a face, without held components. */
+    template <int dim>
+    std::array<Tensor<1, dim>, GaussTables<dim>::n_face_points>
+    unbalanced_stress(const StressVectors<dim>    &stress,
+                      const OuterFace<dim>        &outer,
+                      const SurfaceCondition<dim> *condition,
+                      const ForceBalance          &balance)
+    {
+      std::array<Tensor<1, dim>, GaussTables<dim>::n_face_points> result;
+      const FourVectors<dim> &vector = stress.of_face(outer.cell, outer.face).vector;
+      for (unsigned int q = 0; q < result.size(); ++q)
+        for (unsigned int c = 0; c < dim; ++c)
+          result[q][c] = vector[c][q];
+      if (condition != nullptr && condition->traction)
+        {
+          const auto &mapping = stress.mesh.discretization.mapping;
+          const auto  support = support_points(mapping, stress.mesh.cells[outer.cell].cell);
+          const auto  points =
+            GaussTables<dim>::of_degree(mapping.get_degree()).faces[outer.face].values(numbers(support));
+          for (unsigned int q = 0; q < result.size(); ++q)
+            {
+              Point<dim> point;
+              for (unsigned int c = 0; c < dim; ++c)
+                point[c] = points[c][q];
+              result[q] -= mean_traction(*condition->traction, balance, point);
+            }
+        }
+      return result;
+    }
+
+
+    /** int |sigma n - traction|^2 without held components, and without the normal parts of full-contact nodes on a slave surface. */
+    template <int dim>
+    double squared_residual(const StressVectors<dim> &stress,
+                            const OuterFace<dim>     &outer,
+                            const SurfaceRole<dim>   &role,
+                            const ForceBalance       &balance,
+                            const ContactFields<dim> &fields)
+    {
+      const FieldsOnFace<dim> here(stress.mesh.cells[outer.cell], outer.face);
+      const FourNumbers      &area     = stress.of_face(outer.cell, outer.face).area;
+      auto                    residual = unbalanced_stress(stress, outer, role.condition, balance);
+      double                  result   = 0.;
+      for (unsigned int q = 0; q < residual.size(); ++q)
+        {
+          if (role.is_slave || role.is_master) // nodes at the edge of a contact surface belong to other faces, too
+            residual[q] -= here.vector(fields.traction, q);
+          for (unsigned int c = 0; role.condition != nullptr && c < dim; ++c)
+            if (role.condition->held[c])
+              residual[q][c] = 0.;
+          double square = 0.;
+          if (role.is_slave)
+            if (const Tensor<1, dim> normal = here.vector(fields.normal, q); normal.norm_square() > 0.)
+              {
+                const Tensor<1, dim> nu            = normal / normal.norm();
+                const double         normal_stress = residual[q] * nu;
+                residual[q] -= normal_stress * nu;
+                square = here.scalar(fields.open, q) * normal_stress * normal_stress;
+              }
+          result += (square + residual[q].norm_square()) * area[q];
+        }
+      return result;
+    }
+
+
+    /** int s gap. */
+    template <int dim>
+    double
+    energy_of_gap(const StressVectors<dim> &stress, const OuterFace<dim> &outer, const ContactFields<dim> &fields)
+    {
+      const FieldsOnFace<dim> here(stress.mesh.cells[outer.cell], outer.face);
+      const FourNumbers      &area   = stress.of_face(outer.cell, outer.face).area;
+      double                  result = 0.;
+      for (unsigned int q = 0; q < GaussTables<dim>::n_face_points; ++q)
+        result += here.scalar(fields.pressure, q) * here.scalar(fields.gap, q) * area[q];
+      return result;
+    }
   } // namespace
 
 
   template <int dim>
-  void add_boundary_residual(const Discretization<dim> &discretization,
-                             const ContactSurface<dim> &surface,
-                             const ForceBalance        &balance,
-                             const Vector              &displacement,
-                             const ContactFields<dim>  &fields,
-                             const ResidualWeights     &weights,
-                             dealii::Vector<double>    &squares)
+  void add_boundary_residual(const StressVectors<dim> &stress,
+                             const SurfaceRoles<dim>  &roles,
+                             const ForceBalance       &balance,
+                             const ContactFields<dim> &fields,
+                             const ResidualWeights    &weights,
+                             dealii::Vector<double>   &squares)
   {
-    FaceResidual<dim> residual(discretization, balance);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-      if (cell->is_locally_owned() && cell->at_boundary())
-        for (const unsigned int face : cell->face_indices())
-          if (cell->face(face)->at_boundary())
-            {
-              const Material &material  = discretization.scene.bodies[cell->material_id()].material;
-              const double    h         = cell->face(face)->diameter() / std::sqrt(dim - 1.);
-              const bool      is_slave  = surface.contains(cell, face);
-              const bool      is_master = is_master_face(discretization.scene, cell, face);
-              double         &square    = squares(cell->active_cell_index());
-              square += weights.face(material, h)
-                        * residual.square(cell, face, is_slave, is_master, material, displacement, fields);
-              if (is_slave)
-                square += weights.complementarity() * residual.energy_of_gap(fields);
-            }
+    const CellNeighbors<dim> &mesh = stress.mesh;
+    for (std::size_t i = 0; i < mesh.outer_faces.size(); ++i)
+      {
+        const OuterFace<dim> &outer    = mesh.outer_faces[i];
+        const LocalCell<dim> &cell     = mesh.cells[outer.cell];
+        const Material       &material = mesh.discretization.scene.bodies[cell.body].material;
+        squares(cell.index) +=
+          weights.face(material, outer.size) * squared_residual(stress, outer, roles[i], balance, fields);
+        if (roles[i].is_slave)
+          squares(cell.index) += weights.complementarity() * energy_of_gap(stress, outer, fields);
+      }
   }
 
 
-  template void add_boundary_residual(const Discretization<2> &,
-                                      const ContactSurface<2> &,
+  template void add_boundary_residual(const StressVectors<2> &,
+                                      const SurfaceRoles<2> &,
                                       const ForceBalance &,
-                                      const Vector &,
                                       const ContactFields<2> &,
                                       const ResidualWeights &,
                                       dealii::Vector<double> &);
-  template void add_boundary_residual(const Discretization<3> &,
-                                      const ContactSurface<3> &,
+  template void add_boundary_residual(const StressVectors<3> &,
+                                      const SurfaceRoles<3> &,
                                       const ForceBalance &,
-                                      const Vector &,
                                       const ContactFields<3> &,
                                       const ResidualWeights &,
                                       dealii::Vector<double> &);

@@ -2,11 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/contact_fields.h>
-#include <signorini/adaptivity/residual_estimate.h>
-
-#include <deal.II/base/quadrature_lib.h>
-
-#include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
 
@@ -44,101 +39,57 @@ namespace signorini
       return result;
     }
 
-    /** Vectors on the nodes of faces, summed by value(cell, fe_values of a face, entries of the nodes of the cell). */
-    template <int dim, typename Selects, typename Integrate>
-    Vector sum_over_faces(const Discretization<dim> &discretization, const Selects &selects, const Integrate &integrate)
+    /** Areas of the nodes of the selected outer faces, in the first component. Collective. */
+    template <int dim, typename Selects>
+    Vector areas_of_nodes(const StressVectors<dim> &stress, const Selects &selects)
     {
-      Vector                               result = discretization.make_vector();
-      FEFaceValues<dim>                    fe_values(discretization.mapping,
-                                  discretization.fe,
-                                  QGauss<dim - 1>(discretization.n_quadrature_points()),
-                                  update_values | update_gradients | update_JxW_values | update_normal_vectors);
-      std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
-      dealii::Vector<double>               local(dofs.size());
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-        if (cell->is_locally_owned() && cell->at_boundary())
-          for (const unsigned int face : cell->face_indices())
-            if (cell->face(face)->at_boundary() && selects(cell, face))
+      const CellNeighbors<dim> &mesh             = stress.mesh;
+      const auto               &vertex_functions = GaussTables<dim>::of_degree(1).vertex_functions;
+      Vector                    result           = mesh.make_vector();
+      for (std::size_t i = 0; i < mesh.outer_faces.size(); ++i)
+        if (selects(i))
+          {
+            const OuterFace<dim> &outer = mesh.outer_faces[i];
+            const FourNumbers     area  = stress.of_face(outer.cell, outer.face).area;
+            for (unsigned int v = 0; v < vertex_functions.size(); ++v)
               {
-                fe_values.reinit(cell, face);
-                local = 0.;
-                integrate(cell, face, fe_values, local);
-                cell->get_dof_indices(dofs);
-                discretization.hanging_node_constraints.distribute_local_to_global(local, dofs, result);
+                const unsigned int node = mesh.cells[outer.cell].nodes[vertex_of_face<dim>(outer.face, v)];
+                for (unsigned int q = 0; q < PointTable<dim>::n_points; ++q)
+                  result.local_element(dim * node) += vertex_functions[v][q] * area[q];
               }
-      result.compress(VectorOperation::add);
+          }
+      mesh.sum_over_processes(result);
       return result;
     }
 
     /** Nodes of slave surfaces (first component > 0) around which contact is not closed everywhere, or where there is tension. */
     template <int dim>
-    Vector nodes_at_open_faces(const Discretization<dim> &discretization,
+    Vector nodes_at_open_faces(const StressVectors<dim>  &stress,
+                               const SurfaceRoles<dim>   &roles,
                                const ContactSurface<dim> &surface,
                                const Supports<dim>       &supports,
                                const std::vector<bool>   &closed,
-                               const Vector              &displacement,
                                const double               tension)
     {
-      Vector open = discretization.make_vector();
-      open        = 1.;
+      const CellNeighbors<dim> &mesh = stress.mesh;
+      Vector                    open = mesh.make_vector();
+      open                           = 1.;
       for (const auto &entry : supports.nodes()) // without contact, it is held in the normal direction
         open.local_element(dim * entry.first) = 0.;
       for (std::size_t k = 0; k < closed.size(); ++k)
         open.local_element(dim * surface.nodes()[k].node) = closed[k] ? 0. : 1.;
-      open = discretization.interpolate_hanging_nodes(open);
-
-      const FEValuesExtractors::Vector     vector(0);
-      const FEValuesExtractors::Scalar     first(0);
-      std::vector<SymmetricTensor<2, dim>> strains;
-      return sum_over_faces(
-        discretization,
-        [&](const auto &cell, const unsigned int face) { return surface.contains(cell, face); },
-        [&](const auto &cell, const unsigned int face, const FEFaceValues<dim> &fe_values, auto &local) {
-          bool is_open = false;
-          for (const unsigned int v : cell->face(face)->vertex_indices())
-            is_open = is_open || open(cell->face(face)->vertex_dof_index(v, 0)) > 0.;
-          strains.resize(fe_values.n_quadrature_points);
-          fe_values[vector].get_function_symmetric_gradients(displacement, strains);
-          const Material &material = discretization.scene.bodies[cell->material_id()].material;
-          for (const unsigned int q : fe_values.quadrature_point_indices())
-            {
-              const Tensor<1, dim> n = fe_values.normal_vector(q);
-              is_open                = is_open || n * (stress_of_strain<dim>(material, strains[q]) * n) > tension;
-            }
-          if (!is_open)
-            return;
-          for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-            for (const unsigned int q : fe_values.quadrature_point_indices())
-              local(i) += fe_values[first].value(i, q) * fe_values.JxW(q);
-        });
-    }
-
-    /** Areas of the nodes of master surfaces, in the first component. */
-    template <int dim>
-    Vector master_areas(const Discretization<dim> &discretization)
-    {
-      const FEValuesExtractors::Scalar first(0);
-      return sum_over_faces(
-        discretization,
-        [&](const auto &cell, const unsigned int face) { return is_master_face(discretization.scene, cell, face); },
-        [&](const auto &, const unsigned int, const FEFaceValues<dim> &fe_values, auto &local) {
-          for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
-            for (const unsigned int q : fe_values.quadrature_point_indices())
-              local(i) += fe_values[first].value(i, q) * fe_values.JxW(q);
-        });
+      open = mesh.interpolate_hanging_nodes(open);
+      return areas_of_nodes(stress, [&](const std::size_t i) {
+        const OuterFace<dim> &outer   = mesh.outer_faces[i];
+        const auto           &there   = stress.of_face(outer.cell, outer.face);
+        bool                  is_open = false;
+        for (unsigned int v = 0; v < GaussTables<dim>::n_face_points; ++v)
+          is_open = is_open || there.tension[v] > tension
+                    || open.local_element(dim * mesh.cells[outer.cell].nodes[vertex_of_face<dim>(outer.face, v)]) > 0.;
+        return is_open && roles[i].is_slave;
+      });
     }
   } // namespace
-
-
-  template <int dim>
-  bool is_master_face(const Scene<dim>                                     &scene,
-                      const typename DoFHandler<dim>::active_cell_iterator &cell,
-                      const unsigned int                                    face)
-  {
-    return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairDescription &pair) {
-      return pair.of_two_bodies() && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
-    });
-  }
 
 
   template <int dim>
@@ -157,20 +108,18 @@ namespace signorini
 
 
   template <int dim>
-  ContactFields<dim> contact_fields(const Discretization<dim> &discretization,
+  ContactFields<dim> contact_fields(const StressVectors<dim>  &stress,
+                                    const SurfaceRoles<dim>   &roles,
                                     const ContactSurface<dim> &surface,
                                     const Supports<dim>       &supports,
-                                    const ForceBalance        &balance,
-                                    const Vector              &displacement)
+                                    const ForceBalance        &balance)
   {
-    ContactFields<dim> fields{discretization.make_vector(),
-                              discretization.make_vector(),
-                              discretization.make_vector(),
-                              discretization.make_vector(),
-                              discretization.make_vector()};
-    const Vector       areas =
-      discretization.scene.pairs.empty() ? discretization.make_vector() : master_areas(discretization);
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    const CellNeighbors<dim> &mesh = stress.mesh;
+    ContactFields<dim>        fields{
+      mesh.make_vector(), mesh.make_vector(), mesh.make_vector(), mesh.make_vector(), mesh.make_vector()};
+    const unsigned int n_owned = fields.normal.locally_owned_size() / dim;
+    const Vector       areas   = areas_of_nodes(stress, [&](const std::size_t i) { return roles[i].is_master; });
+    for (unsigned int node = 0; node < n_owned; ++node)
       if (areas.local_element(dim * node) > 0.)
         set_node_value<dim>(
           fields.traction, node, node_value<dim>(balance.contact_force, node) / areas.local_element(dim * node));
@@ -189,31 +138,28 @@ namespace signorini
         fields.pressure.local_element(dim * node.node) = s;
         fields.gap.local_element(dim * node.node)      = closed[k] ? 0. : std::max(0., balance.gap[k]);
       }
-    largest = Utilities::MPI::max(largest, discretization.communicator());
+    largest = Utilities::MPI::max(largest, mesh.discretization.communicator());
 
-    const Vector at_open_faces =
-      nodes_at_open_faces(discretization, surface, supports, closed, displacement, round_off * largest);
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    const Vector at_open_faces = nodes_at_open_faces(stress, roles, surface, supports, closed, round_off * largest);
+    for (unsigned int node = 0; node < n_owned; ++node)
       if (at_open_faces.local_element(dim * node) > 0.)
         fields.open.local_element(dim * node) = 1.;
     for (Vector *field : {&fields.normal, &fields.traction, &fields.open, &fields.pressure, &fields.gap})
-      *field = discretization.interpolate_hanging_nodes(*field);
+      *field = mesh.interpolate_hanging_nodes(*field);
     return fields;
   }
 
 
-  template ContactFields<2> contact_fields(const Discretization<2> &,
-                                           const ContactSurface<2> &,
-                                           const Supports<2> &,
-                                           const ForceBalance &,
-                                           const Vector &);
-  template ContactFields<3> contact_fields(const Discretization<3> &,
-                                           const ContactSurface<3> &,
-                                           const Supports<3> &,
-                                           const ForceBalance &,
-                                           const Vector &);
-  template bool is_master_face(const Scene<2> &, const typename DoFHandler<2>::active_cell_iterator &, unsigned int);
-  template bool is_master_face(const Scene<3> &, const typename DoFHandler<3>::active_cell_iterator &, unsigned int);
+  template ContactFields<2>  contact_fields(const StressVectors<2> &,
+                                            const SurfaceRoles<2> &,
+                                            const ContactSurface<2> &,
+                                            const Supports<2> &,
+                                            const ForceBalance &);
+  template ContactFields<3>  contact_fields(const StressVectors<3> &,
+                                            const SurfaceRoles<3> &,
+                                            const ContactSurface<3> &,
+                                            const Supports<3> &,
+                                            const ForceBalance &);
   template std::vector<bool> closed_nodes(const ContactSurface<2> &, const Vector &);
   template std::vector<bool> closed_nodes(const ContactSurface<3> &, const Vector &);
 } // namespace signorini

@@ -5,22 +5,11 @@
 
 namespace signorini
 {
-  namespace
-  {
-    template <int dim>
-    Vector body_force(const Discretization<dim> &discretization, const double time)
-    {
-      std::vector<std::array<std::string, dim>> expressions;
-      for (const auto &body : discretization.scene.bodies)
-        expressions.push_back(body.body_force);
-      return discretization.interpolate(expressions, time);
-    }
-  } // namespace
-
-
   template <int dim>
-  ForceBalance
-  balance_of_step(const Discretization<dim> &discretization, const ContactSurface<dim> &surface, const StepRecord &step)
+  ForceBalance balance_of_step(const Discretization<dim> &discretization,
+                               const ContactSurface<dim> &surface,
+                               const StepRecord          &step,
+                               BodyForce<dim>            &body_force)
   {
     const std::string &scheme = discretization.scene.time.scheme;
     ForceBalance       balance;
@@ -34,12 +23,21 @@ namespace signorini
       balance.displacement.sadd(0.5, 0.5, step.start.displacement);
     if (scheme == "newmark")
       balance.contact_force.sadd(0.5, 0.5, step.start.contact_force);
-    balance.specific_force = body_force(discretization, balance.end_time);
+    balance.specific_force = body_force.at(balance.end_time);
     if (balance.start_time != balance.end_time)
-      balance.specific_force.sadd(0.5, 0.5, body_force(discretization, balance.start_time));
+      balance.specific_force.sadd(0.5, 0.5, body_force.at(balance.start_time));
     balance.specific_force.add(-1. / step.step_size, step.end.velocity, 1. / step.step_size, step.start.velocity);
     balance.gap = surface.distance(step.end.displacement);
     return balance;
+  }
+
+
+  template <int dim>
+  ForceBalance
+  balance_of_step(const Discretization<dim> &discretization, const ContactSurface<dim> &surface, const StepRecord &step)
+  {
+    BodyForce<dim> body_force(discretization);
+    return balance_of_step(discretization, surface, step, body_force);
   }
 
 
@@ -50,10 +48,15 @@ namespace signorini
                                const Vector              &contact_force,
                                const double               time)
   {
-    return {displacement, body_force(discretization, time), contact_force, surface.distance(displacement), time, time};
+    return {
+      displacement, BodyForce<dim>(discretization).at(time), contact_force, surface.distance(displacement), time, time};
   }
 
 
+  template ForceBalance
+  balance_of_step(const Discretization<2> &, const ContactSurface<2> &, const StepRecord &, BodyForce<2> &);
+  template ForceBalance
+  balance_of_step(const Discretization<3> &, const ContactSurface<3> &, const StepRecord &, BodyForce<3> &);
   template ForceBalance balance_of_step(const Discretization<2> &, const ContactSurface<2> &, const StepRecord &);
   template ForceBalance balance_of_step(const Discretization<3> &, const ContactSurface<3> &, const StepRecord &);
   template ForceBalance

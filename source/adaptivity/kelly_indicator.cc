@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/kelly_indicator.h>
-#include <signorini/adaptivity/residual_estimate.h>
+#include <signorini/adaptivity/residual_parts.h>
 
 #include <cmath>
 
@@ -10,7 +10,7 @@ namespace signorini
 {
   template <int dim>
   KellyIndicator<dim>::KellyIndicator(const Discretization<dim> &discretization)
-    : discretization(discretization)
+    : mesh(discretization)
   {
   }
 
@@ -18,9 +18,9 @@ namespace signorini
   template <int dim>
   dealii::Vector<double> KellyIndicator<dim>::evaluate(const StepRecord &step) const
   {
-    dealii::Vector<double> result(discretization.triangulation.n_active_cells());
-    add_stress_jumps(
-      discretization, discretization.interpolate_hanging_nodes(step.end.displacement), ResidualWeights(), result);
+    dealii::Vector<double> result(mesh.discretization.triangulation.n_active_cells());
+    const Vector           u = mesh.interpolate_hanging_nodes(step.end.displacement);
+    add_stress_jumps(StressVectors<dim>(mesh, u), ResidualWeights(), result);
     for (double &value : result)
       value = std::sqrt(value / 24.);
     remove_round_off(step.end, result);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/residual_estimate.h>
 #include <signorini/adaptivity/residual_indicator.h>
 
 #include <cmath>
@@ -14,7 +13,8 @@ namespace signorini
                                             const Supports<dim>       &supports)
     : discretization(discretization)
     , surface(surface)
-    , supports(supports)
+    , estimate(discretization, surface, supports)
+    , body_force(discretization)
   {
   }
 
@@ -24,11 +24,8 @@ namespace signorini
   {
     if (step.step_size == 0.)
       return dealii::Vector<double>(discretization.triangulation.n_active_cells());
-    dealii::Vector<double> result = squared_residual_estimate(discretization,
-                                                              surface,
-                                                              supports,
-                                                              balance_of_step(discretization, surface, step),
-                                                              ResidualWeights{step.step_size});
+    dealii::Vector<double> result =
+      estimate.squares(balance_of_step(discretization, surface, step, body_force), ResidualWeights{step.step_size});
     for (double &value : result)
       value = std::sqrt(value);
     remove_round_off(step.end, result);

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/numbers.h>
 
+#include <algorithm>
+#include <regex>
 #include <vector>
 
 namespace signorini
@@ -23,6 +25,24 @@ namespace signorini
   }
 
 
+  template <std::size_t n_components>
+  bool is_given(const std::array<std::string, n_components> &expressions)
+  {
+    return std::any_of(expressions.begin(), expressions.end(), [](const std::string &text) {
+      return !text.empty() && text != "-" && text != "0";
+    });
+  }
+
+
+  template <std::size_t n_components>
+  bool has_time(const std::array<std::string, n_components> &expressions)
+  {
+    static const std::regex name("\\bt\\b");
+    return std::any_of(
+      expressions.begin(), expressions.end(), [](const std::string &text) { return std::regex_search(text, name); });
+  }
+
+
   template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 1>(const std::array<std::string, 1> &,
                                                                           const std::string &);
   template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 2>(const std::array<std::string, 2> &,
@@ -31,4 +51,8 @@ namespace signorini
                                                                           const std::string &);
   template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 3>(const std::array<std::string, 3> &,
                                                                           const std::string &);
+  template bool                                       is_given(const std::array<std::string, 2> &);
+  template bool                                       is_given(const std::array<std::string, 3> &);
+  template bool                                       has_time(const std::array<std::string, 2> &);
+  template bool                                       has_time(const std::array<std::string, 3> &);
 } // namespace signorini

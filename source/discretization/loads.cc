@@ -9,33 +9,11 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <algorithm>
 #include <limits>
-#include <regex>
 
 namespace signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    template <std::size_t n>
-    bool is_given(const std::array<std::string, n> &expressions)
-    {
-      return std::any_of(expressions.begin(), expressions.end(), [](const std::string &text) {
-        return !text.empty() && text != "-" && text != "0";
-      });
-    }
-
-    template <std::size_t n>
-    bool has_time(const std::array<std::string, n> &expressions)
-    {
-      return std::any_of(expressions.begin(), expressions.end(), [](const std::string &text) {
-        return std::regex_search(text, std::regex("\\bt\\b"));
-      });
-    }
-  } // namespace
-
 
   template <int dim>
   Loads<dim>::Loads(const Discretization<dim> &discretization)

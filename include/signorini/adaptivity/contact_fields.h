@@ -5,6 +5,8 @@
 #define signorini_adaptivity_contact_fields_h
 
 #include <signorini/adaptivity/force_balance.h>
+#include <signorini/adaptivity/stress_vectors.h>
+#include <signorini/adaptivity/surface_roles.h>
 
 namespace signorini
 {
@@ -20,19 +22,26 @@ namespace signorini
     Vector gap;      ///< first component: >= 0, at contact nodes that are not closed
   };
 
+  /** @param stress of the displacement of the balance */
+  template <int dim>
+  ContactFields<dim> contact_fields(const StressVectors<dim>  &stress,
+                                    const SurfaceRoles<dim>   &roles,
+                                    const ContactSurface<dim> &surface,
+                                    const Supports<dim>       &supports,
+                                    const ForceBalance        &balance);
+
   /** @param displacement with ghosts and values at hanging nodes */
   template <int dim>
   ContactFields<dim> contact_fields(const Discretization<dim> &discretization,
                                     const ContactSurface<dim> &surface,
                                     const Supports<dim>       &supports,
                                     const ForceBalance        &balance,
-                                    const Vector              &displacement);
-
-  /** Whether a face of an owned cell is part of the master surface of any pair. */
-  template <int dim>
-  bool is_master_face(const Scene<dim>                                             &scene,
-                      const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                      unsigned int                                                  face);
+                                    const Vector              &displacement)
+  {
+    const CellNeighbors<dim> mesh(discretization);
+    return contact_fields(
+      StressVectors<dim>(mesh, displacement), SurfaceRoles<dim>(mesh, surface), surface, supports, balance);
+  }
 
   /** Whether contact presses on a node: its normal force is compression, and more than the round-off of the largest nodal force. */
   template <int dim>

@@ -4,6 +4,7 @@
 #ifndef signorini_adaptivity_force_balance_h
 #define signorini_adaptivity_force_balance_h
 
+#include <signorini/adaptivity/body_force.h>
 #include <signorini/adaptivity/error_indicator.h>
 
 namespace signorini
@@ -30,6 +31,13 @@ namespace signorini
    * with the contact forces of the step; newmark shares them between the two ends, and backward-euler has everything at the end. The schemes
    * with weights of their own (hht-alpha, generalized-alpha) differ from it by the order of their damping.
    */
+  template <int dim>
+  ForceBalance balance_of_step(const Discretization<dim> &discretization,
+                               const ContactSurface<dim> &surface,
+                               const StepRecord          &step,
+                               BodyForce<dim>            &body_force);
+
+  /** The same for a single step. */
   template <int dim>
   ForceBalance balance_of_step(const Discretization<dim> &discretization,
                                const ContactSurface<dim> &surface,

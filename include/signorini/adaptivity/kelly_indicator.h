@@ -4,6 +4,7 @@
 #ifndef signorini_adaptivity_kelly_indicator_h
 #define signorini_adaptivity_kelly_indicator_h
 
+#include <signorini/adaptivity/cell_neighbors.h>
 #include <signorini/adaptivity/error_indicator.h>
 
 namespace signorini
@@ -16,12 +17,12 @@ namespace signorini
   class KellyIndicator : public ErrorIndicator<dim>
   {
   public:
-    KellyIndicator(const Discretization<dim> &discretization);
+    explicit KellyIndicator(const Discretization<dim> &discretization);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 
   private:
-    const Discretization<dim> &discretization;
+    const CellNeighbors<dim> mesh;
   };
 } // namespace signorini
 

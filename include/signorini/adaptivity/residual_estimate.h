@@ -4,8 +4,7 @@
 #ifndef signorini_adaptivity_residual_estimate_h
 #define signorini_adaptivity_residual_estimate_h
 
-#include <signorini/adaptivity/force_balance.h>
-#include <signorini/adaptivity/residual_weights.h>
+#include <signorini/adaptivity/residual_parts.h>
 
 namespace signorini
 {
@@ -23,51 +22,57 @@ namespace signorini
    * divided by the areas of their nodes, t_t those of friction, s the pressure at nodes; s gap is zero but where a face has closed and
    * open nodes. Terms that measure by how much a node violates the law of friction are left out: the solver satisfies it at each node.
    *
-   * Collective; hanging nodes of the vectors need not be set.
+   * What belongs to the mesh is collected by the constructor; every evaluation computes the stress at each point once.
    */
+  template <int dim>
+  class ResidualEstimate
+  {
+  public:
+    /** Of the present mesh; the arguments must outlive it. Collective. */
+    ResidualEstimate(const Discretization<dim> &discretization,
+                     const ContactSurface<dim> &surface,
+                     const Supports<dim>       &supports);
+
+    /** Collective; hanging nodes of the vectors need not be set. */
+    dealii::Vector<double> squares(const ForceBalance &balance, const ResidualWeights &weights) const;
+
+  private:
+    const ContactSurface<dim> &surface;
+    const Supports<dim>       &supports;
+    const CellNeighbors<dim>   mesh;
+    const SurfaceRoles<dim>    roles;
+  };
+
+  // For a single evaluation. Vectors of the parts have values at hanging nodes.
+
   template <int dim>
   dealii::Vector<double> squared_residual_estimate(const Discretization<dim> &discretization,
                                                    const ContactSurface<dim> &surface,
                                                    const Supports<dim>       &supports,
                                                    const ForceBalance        &balance,
-                                                   const ResidualWeights     &weights);
+                                                   const ResidualWeights     &weights)
+  {
+    return ResidualEstimate<dim>(discretization, surface, supports).squares(balance, weights);
+  }
 
-  // The parts. Vectors have ghosts and values at hanging nodes; each adds to the squares of the cells of this process.
-
-  /** Interior residual of a displacement and a force per mass. */
   template <int dim>
   void add_interior_residual(const Discretization<dim> &discretization,
                              const Vector              &displacement,
                              const Vector              &specific_force,
                              const ResidualWeights     &weights,
-                             dealii::Vector<double>    &squares);
+                             dealii::Vector<double>    &squares)
+  {
+    add_interior_residual(CellNeighbors<dim>(discretization), displacement, specific_force, weights, squares);
+  }
 
-  /** Jumps of the stress vector between cells. */
   template <int dim>
   void add_stress_jumps(const Discretization<dim> &discretization,
                         const Vector              &displacement,
                         const ResidualWeights     &weights,
-                        dealii::Vector<double>    &squares);
-
-  template <int dim>
-  struct ContactFields;
-
-  /** All surfaces of the bodies. */
-  template <int dim>
-  void add_boundary_residual(const Discretization<dim> &discretization,
-                             const ContactSurface<dim> &surface,
-                             const ForceBalance        &balance,
-                             const Vector              &displacement,
-                             const ContactFields<dim>  &fields,
-                             const ResidualWeights     &weights,
-                             dealii::Vector<double>    &squares);
-
-  /** Stress of plane strain or in space. */
-  template <int dim>
-  dealii::SymmetricTensor<2, dim> stress_of_strain(const Material                        &material,
-                                                   const dealii::SymmetricTensor<2, dim> &strain)
+                        dealii::Vector<double>    &squares)
   {
-    return material.lambda() * trace(strain) * dealii::unit_symmetric_tensor<dim>() + 2. * material.mu() * strain;
+    const CellNeighbors<dim> mesh(discretization);
+    add_stress_jumps(StressVectors<dim>(mesh, displacement), weights, squares);
   }
 } // namespace signorini
 

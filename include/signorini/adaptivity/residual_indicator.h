@@ -4,12 +4,12 @@
 #ifndef signorini_adaptivity_residual_indicator_h
 #define signorini_adaptivity_residual_indicator_h
 
-#include <signorini/adaptivity/error_indicator.h>
+#include <signorini/adaptivity/residual_estimate.h>
 
 namespace signorini
 {
   /**
-   * The estimate of squared_residual_estimate() with the weights of the step: the error that a step adds in the energy norm of velocity and displacement,
+   * The estimate of ResidualEstimate with the weights of the step: the error that a step adds in the energy norm of velocity and displacement,
    * because its problem is solved on this mesh. Zero before the first step, whose forces are not known.
    */
   template <int dim>
@@ -23,9 +23,10 @@ namespace signorini
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 
   private:
-    const Discretization<dim> &discretization;
-    const ContactSurface<dim> &surface;
-    const Supports<dim>       &supports;
+    const Discretization<dim>  &discretization;
+    const ContactSurface<dim>  &surface;
+    const ResidualEstimate<dim> estimate;
+    mutable BodyForce<dim>      body_force; ///< keeps what it has evaluated
   };
 } // namespace signorini
 

@@ -20,6 +20,14 @@ namespace signorini
   template <int dim, std::size_t n_components>
   std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions,
                                                              const std::string &further_variable = "t");
+
+  /** Whether any of the expressions may be something else than zero. */
+  template <std::size_t n_components>
+  bool is_given(const std::array<std::string, n_components> &expressions);
+
+  /** Whether any of the expressions depends on the variable t. */
+  template <std::size_t n_components>
+  bool has_time(const std::array<std::string, n_components> &expressions);
 } // namespace signorini
 
 #endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/surface_roles.h>
+#include <signorini/base/expressions.h>
+#include <signorini/contact/surface_face.h>
+
+#include <algorithm>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    std::map<types::boundary_id, SurfaceCondition<dim>> conditions_of(const BodyDescription<dim> &body)
+    {
+      std::map<types::boundary_id, SurfaceCondition<dim>> result;
+      for (const auto &dirichlet : body.dirichlet)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (!dirichlet.expressions[c].empty() && dirichlet.expressions[c] != "-")
+            result[dirichlet.boundary_id].held[c] = true;
+      for (const auto &traction : body.traction)
+        result[traction.boundary_id].traction = make_function<dim, dim>(traction.expressions);
+      return result;
+    }
+
+    /** Whether a face of an owned cell is part of the master surface of any pair. */
+    template <int dim>
+    bool is_master_face(const Scene<dim>                                     &scene,
+                        const typename DoFHandler<dim>::active_cell_iterator &cell,
+                        const unsigned int                                    face)
+    {
+      return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairDescription &pair) {
+        return pair.of_two_bodies() && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
+      });
+    }
+  } // namespace
+
+
+  template <int dim>
+  SurfaceRoles<dim>::SurfaceRoles(const CellNeighbors<dim> &mesh, const ContactSurface<dim> &surface)
+  {
+    const Scene<dim> &scene = mesh.discretization.scene;
+    for (const auto &body : scene.bodies)
+      conditions.push_back(conditions_of(body));
+    for (const OuterFace<dim> &outer : mesh.outer_faces)
+      {
+        const LocalCell<dim> &local   = mesh.cells[outer.cell];
+        const auto           &of_body = conditions[local.body];
+        const auto            found   = of_body.find(local.cell->face(outer.face)->boundary_id());
+        roles.push_back({surface.contains(local.cell, outer.face),
+                         is_master_face(scene, local.cell, outer.face),
+                         found == of_body.end() ? nullptr : &found->second});
+      }
+  }
+
+
+  template class SurfaceRoles<2>;
+  template class SurfaceRoles<3>;
+} // namespace signorini
