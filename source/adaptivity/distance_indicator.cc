@@ -56,8 +56,9 @@ namespace signorini
   {
     const Scene<dim> &scene = discretization.scene;
     // The mesh made now serves the steps until the next change, and one to be sure.
-    const double ahead = (scene.adaptivity.steps_between + 1.) * scene.time.step_size;
-    Vector       soon  = step.end.displacement;
+    const double step_size = step.step_size > 0. ? step.step_size : scene.time.step_size;
+    const double ahead     = (scene.adaptivity.steps_between + 1.) * step_size;
+    Vector       soon      = step.end.displacement;
     soon.add(ahead, step.end.velocity);
     std::vector<double>       gap      = surface.distance(step.end.displacement);
     const std::vector<double> gap_soon = surface.distance(soon);
@@ -73,7 +74,7 @@ namespace signorini
           for (const unsigned int v : cell->vertex_indices())
             largest = std::max(largest, close(cell->vertex_dof_index(v, 0)));
           const double distance =
-            scene.adaptivity.distance > 0. ? scene.adaptivity.distance : 2. * cell->diameter() / std::sqrt(double(dim));
+            scene.adaptivity.distance > 0. ? scene.adaptivity.distance : 3. * cell->diameter() / std::sqrt(double(dim));
           result(cell->active_cell_index()) = std::min(largest_indicator, distance * largest);
         }
     return result;

@@ -74,8 +74,11 @@ namespace signorini
     VertexValues values;
     values.reserve(n_values);
     for (const unsigned int v : cell->vertex_indices())
-      for (unsigned int c = 0; c < dim; ++c)
-        values.push_back(field(cell->vertex_dof_index(v, c)));
+      {
+        const unsigned int first = field.get_partitioner()->global_to_local(cell->vertex_dof_index(v, 0));
+        for (unsigned int c = 0; c < dim; ++c) // a node has consecutive degrees of freedom
+          values.push_back(field.local_element(first + c));
+      }
     return values;
   }
 

@@ -54,6 +54,7 @@ namespace signorini
     , clock(clock_of(state))
     , has_acceleration(state.acceleration.size() > 0)
     , has_friction(state.friction.any())
+    , elastic_size(std::sqrt(std::max(0., dot(state.internal_force, state.displacement))))
     , fields(discretization, sources(surface, coordinates, state))
   {
   }
@@ -77,16 +78,12 @@ namespace signorini
     surface.admit(displacement.field);
     state.displacement = displacement.field;
     if (displacement.lost_moments.size() > 0)
-      {
-        Vector force = discretization.make_vector();
-        system.apply_stiffness(force, state.displacement);
-        const double energy = dot(force, state.displacement);
-        state.displacement += project_in_energy(discretization,
-                                                coordinates,
-                                                displacement.lost_moments,
-                                                surface.normal_gap(state.displacement),
-                                                std::sqrt(std::max(0., energy)));
-      }
+      state.displacement += project_in_energy(discretization,
+                                              coordinates,
+                                              state.displacement,
+                                              displacement.lost_moments,
+                                              surface.normal_gap(state.displacement),
+                                              elastic_size);
     state.velocity      = in_mass(*next++);
     state.contact_force = forces_of_nodes(surface, coordinates, (next++)->field);
     if (has_acceleration)

@@ -181,12 +181,13 @@ namespace signorini
             "How often a step may be repeated on a refined mesh before it is accepted, at most 20. 0: the mesh that a "
             "step asks for "
             "serves the next one.");
-    declare("Distance",
-            Double(),
-            "Of Indicator = distance, in units of length: cells are refined that have nodes closer than this to the "
-            "other side, "
-            "and coarsened when they are 2.5 times farther away. 0: twice the size of each cell, so that the mesh "
-            "becomes finer towards the contact.");
+    declare(
+      "Distance",
+      Double(),
+      "Of Indicator = distance, in units of length: cells are refined that have nodes closer than this to the "
+      "other side, "
+      "and coarsened when they are 2.5 times farther away. 0: three times the size of each cell, so that the mesh "
+      "becomes finer towards the contact.");
   }
 
 
@@ -211,8 +212,8 @@ namespace signorini
                "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
     adaptivity.hysteresis =
       fraction(in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
-    adaptivity.tolerance     = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
-    adaptivity.distance      = not_negative(in, "Distance", "Give a length, or 0 for twice the size of each cell.");
+    adaptivity.tolerance = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
+    adaptivity.distance  = not_negative(in, "Distance", "Give a length, or 0 for three times the size of each cell.");
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
     adaptivity.minimum_level = in.integer("Minimum level", 0, highest_level);
     adaptivity.maximum_cells = in.integer("Maximum cells", 0, unlimited);

@@ -85,7 +85,7 @@ TEST(Distance, BothBodiesOfAPair)
   const auto         indicator = make_error_indicator(bodies.discretization, bodies.surface, bodies.supports);
   const State        state     = moving(bodies.discretization, 0., 0.);
   const auto         value     = indicator->evaluate({state, state, 0.});
-  // Twice the size of a cell over the gap: 2 * 0.15 / 0.05 and 2 * 0.2 / 0.05, at most 4.
+  // Three times the size of a cell over the gap: 3 * 0.15 / 0.05 and 3 * 0.2 / 0.05, at most 4.
   EXPECT_GE(look(bodies.discretization, value, 0).second, 4u);
   EXPECT_EQ(look(bodies.discretization, value, 1).first, 4.);
   EXPECT_EQ(look(bodies.discretization, value, 1).second, 9u); // the cells around the middle one share nodes with it

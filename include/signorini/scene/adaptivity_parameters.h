@@ -23,7 +23,7 @@ namespace signorini
     unsigned int maximum_cells    = 0;   ///< about; 0: no limit
     unsigned int steps_between    = 1;   ///< the mesh may change after every so many steps
     unsigned int repetitions      = 0;   ///< of a step on a refined mesh, before it is accepted
-    double       distance         = 0.;  ///< of distance; 0: twice the size of each cell
+    double       distance         = 0.;  ///< of distance; 0: three times the size of each cell
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != "none"; }
