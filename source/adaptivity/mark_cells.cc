@@ -58,11 +58,12 @@ namespace signorini
   MeshChange mark_cells(parallel::distributed::Triangulation<dim> &triangulation,
                         const Scene<dim>                          &scene,
                         const dealii::Vector<double>              &indicator,
-                        const std::vector<bool>                   &not_to_coarsen)
+                        const std::vector<bool>                   &not_to_coarsen,
+                        const std::vector<bool>                   &to_refine)
   {
     const AdaptivityParameters &parameters = scene.adaptivity;
     dealii::Vector<double>      squares    = indicator;
-    std::vector<bool>           refinable(squares.size()), coarsenable(squares.size());
+    std::vector<bool>           refinable(squares.size()), coarsenable(squares.size()), wanted(squares.size());
     for (double &value : squares)
       value *= value;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -72,6 +73,7 @@ namespace signorini
           refinable[index]   = level < parameters.maximum_level;
           coarsenable[index] = level > std::max(parameters.minimum_level, scene.bodies[cell->material_id()].refinements)
                                && (not_to_coarsen.empty() || !not_to_coarsen[index]);
+          wanted[index] = refinable[index] && !to_refine.empty() && to_refine[index];
         }
 
     const IndicatorDistribution distribution(triangulation, squares, refinable);
@@ -79,7 +81,9 @@ namespace signorini
     MarkingThresholds           threshold = marking->thresholds(distribution);
     if (parameters.maximum_cells > 0)
       {
-        const double room = double(parameters.maximum_cells) - distribution.n_cells();
+        const double n_wanted =
+          Utilities::MPI::sum(std::count(wanted.begin(), wanted.end(), true), triangulation.get_communicator());
+        const double room = double(parameters.maximum_cells) - distribution.n_cells() - n_wanted * ((1 << dim) - 1);
         threshold.refine  = std::max(threshold.refine, distribution.threshold_of_number(room / ((1 << dim) - 1)));
       }
     if (marking->weighs_parts()
@@ -92,7 +96,7 @@ namespace signorini
       if (cell->is_locally_owned())
         {
           const unsigned int index = cell->active_cell_index();
-          if (refinable[index] && squares(index) >= threshold.refine)
+          if (wanted[index] || (refinable[index] && squares(index) >= threshold.refine))
             cell->set_refine_flag();
           else if (coarsenable[index] && squares(index) < threshold.coarsen)
             cell->set_coarsen_flag();
@@ -142,10 +146,12 @@ namespace signorini
   template MeshChange        mark_cells(parallel::distributed::Triangulation<2> &,
                                         const Scene<2> &,
                                         const dealii::Vector<double> &,
+                                        const std::vector<bool> &,
                                         const std::vector<bool> &);
   template MeshChange        mark_cells(parallel::distributed::Triangulation<3> &,
                                         const Scene<3> &,
                                         const dealii::Vector<double> &,
+                                        const std::vector<bool> &,
                                         const std::vector<bool> &);
   template std::vector<bool> cells_in_contact(const Discretization<2> &, const ContactSurface<2> &, const Vector &);
   template std::vector<bool> cells_in_contact(const Discretization<3> &, const ContactSurface<3> &, const Vector &);

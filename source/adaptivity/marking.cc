@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/adaptivity/distance_indicator.h>
 #include <signorini/adaptivity/marking.h>
 
 #include <algorithm>
@@ -71,11 +72,16 @@ namespace signorini
     };
 
     /** Of DistanceIndicator, which is no estimate. */
+    template <int dim>
     class FixedThresholds : public Marking
     {
     public:
-      MarkingThresholds thresholds(const IndicatorDistribution &) const override { return {1., 0.16}; }
-      bool              weighs_parts() const override { return false; }
+      MarkingThresholds thresholds(const IndicatorDistribution &) const override
+      {
+        using Distance = DistanceIndicator<dim>;
+        return {Distance::too_close * Distance::too_close, Distance::far_enough * Distance::far_enough};
+      }
+      bool weighs_parts() const override { return false; }
     };
   } // namespace
 
@@ -84,7 +90,7 @@ namespace signorini
   std::unique_ptr<Marking> make_marking(const AdaptivityParameters &parameters)
   {
     if (parameters.indicator == "distance")
-      return std::make_unique<FixedThresholds>();
+      return std::make_unique<FixedThresholds<dim>>();
     if (parameters.marking == "tolerance")
       return std::make_unique<EqualShare<dim>>(parameters);
     return std::make_unique<FixedFraction<dim>>(parameters);

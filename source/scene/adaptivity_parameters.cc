@@ -69,11 +69,6 @@ namespace signorini
                         {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
                         "belongs to indicators that estimate an error, but Indicator = distance refines by `Distance` "
                         "alone. Remove this key.");
-      else
-        refuse_if_given(in,
-                        {"Distance"},
-                        "belongs to `Indicator = distance`, but Indicator = " + adaptivity.indicator
-                          + ". Remove this key.");
       if (adaptivity.marking == "tolerance")
         refuse_if_given(
           in,
@@ -184,10 +179,11 @@ namespace signorini
     declare(
       "Distance",
       Double(),
-      "Of Indicator = distance, in units of length: cells are refined that have nodes closer than this to the "
-      "other side, "
-      "and coarsened when they are 2.5 times farther away. 0: three times the size of each cell, so that the mesh "
-      "becomes finer towards the contact.");
+      "In units of length: cells are refined that have nodes closer than this to the other side, and coarsened when "
+      "they are 2.5 times farther away. With Indicator = distance 0 means three times the size of each cell, so that "
+      "the "
+      "mesh becomes finer towards the contact. With residual and kelly 0 means that contact is refined as the estimate "
+      "says; otherwise such cells are refined up to `Maximum level` before they touch.");
   }
 
 
@@ -212,8 +208,8 @@ namespace signorini
                "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
     adaptivity.hysteresis =
       fraction(in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
-    adaptivity.tolerance = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
-    adaptivity.distance  = not_negative(in, "Distance", "Give a length, or 0 for three times the size of each cell.");
+    adaptivity.tolerance     = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
+    adaptivity.distance      = not_negative(in, "Distance", "Give a length, or 0 for the default.");
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
     adaptivity.minimum_level = in.integer("Minimum level", 0, highest_level);
     adaptivity.maximum_cells = in.integer("Maximum cells", 0, unlimited);

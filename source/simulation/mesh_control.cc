@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/adaptivity/distance_indicator.h>
 #include <signorini/simulation/mesh_control.h>
 
 namespace signorini
@@ -8,14 +9,25 @@ namespace signorini
   template <int dim>
   MeshChange MeshControl<dim>::judge(const MeshedScene<dim> &meshed, const StepRecord &step)
   {
+    const AdaptivityParameters &parameters = discretization.scene.adaptivity;
     if (!indicator)
       indicator = make_error_indicator(discretization, meshed.surface, meshed.supports);
     latest         = indicator->evaluate(step);
     last_judgement = step.end.step;
-    return mark_cells(discretization.triangulation,
-                      discretization.scene,
-                      latest,
-                      cells_in_contact(discretization, meshed.surface, step.end.contact_force));
+
+    std::vector<bool> to_keep = cells_in_contact(discretization, meshed.surface, step.end.contact_force), to_refine;
+    if (parameters.refines_contact())
+      {
+        // An estimate sees contact when it is there; nodes that come into contact on coarse cells would give a blow.
+        const auto closeness = DistanceIndicator<dim>(discretization, meshed.surface).evaluate(step);
+        to_refine.resize(to_keep.size());
+        for (unsigned int cell = 0; cell < to_keep.size(); ++cell)
+          {
+            to_keep[cell]   = to_keep[cell] || closeness(cell) >= DistanceIndicator<dim>::far_enough;
+            to_refine[cell] = closeness(cell) >= DistanceIndicator<dim>::too_close;
+          }
+      }
+    return mark_cells(discretization.triangulation, discretization.scene, latest, to_keep, to_refine);
   }
 
 

@@ -232,7 +232,6 @@ TEST(Mistakes, Adaptivity)
   expect("Minimum level", "4", {"smaller than `Maximum level` = 4"});
   expect("Steps between remeshings", "0", {"between 1 and"});
   expect("Repetitions", "100", {"between 0 and 20"});
-  expect("Distance", "0.1", {"belongs to `Indicator = distance`", "Remove"});
   expect("Distance", "-0.1", {"must not be negative"}, assignment("Adaptivity/Indicator", "distance"));
   expect("Tolerance", "0.1", {"Indicator = distance", "Remove"}, assignment("Adaptivity/Indicator", "distance"));
   expect("Marking", "tolerance", {"Indicator = distance", "Remove"}, assignment("Adaptivity/Indicator", "distance"));

@@ -13,12 +13,15 @@ namespace signorini
    *
    *   eta_T = Distance / (smallest gap of the nodes of T), at most 4; zero for cells without contact nodes or their partners.
    *
-   * Above 1 a cell is to be refined, below 0.4 it may be coarsened. No estimate of any error.
+   * No estimate of any error.
    */
   template <int dim>
   class DistanceIndicator : public ErrorIndicator<dim>
   {
   public:
+    static constexpr double too_close  = 1.;  ///< from here on a cell is to be refined
+    static constexpr double far_enough = 0.4; ///< below, it may be coarsened
+
     DistanceIndicator(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;

@@ -30,12 +30,14 @@ namespace signorini
    *
    * @param indicator       eta_T by active_cell_index
    * @param not_to_coarsen  protected cells by active_cell_index; empty: none
+   * @param to_refine       cells that are refined whatever their indicator is, within the limits; empty: none
    */
   template <int dim>
   MeshChange mark_cells(dealii::parallel::distributed::Triangulation<dim> &triangulation,
                         const Scene<dim>                                  &scene,
                         const dealii::Vector<double>                      &indicator,
-                        const std::vector<bool>                           &not_to_coarsen = {});
+                        const std::vector<bool>                           &not_to_coarsen = {},
+                        const std::vector<bool>                           &to_refine      = {});
 
   /** The cells of this process with a closed contact node, or with a node that one presses on. Collective. */
   template <int dim>

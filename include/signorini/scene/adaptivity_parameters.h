@@ -23,10 +23,13 @@ namespace signorini
     unsigned int maximum_cells    = 0;   ///< about; 0: no limit
     unsigned int steps_between    = 1;   ///< the mesh may change after every so many steps
     unsigned int repetitions      = 0;   ///< of a step on a refined mesh, before it is accepted
-    double       distance         = 0.;  ///< of distance; 0: three times the size of each cell
+    double       distance = 0.; ///< of distance; 0: three times the size of each cell. Of others: see refines_contact()
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != "none"; }
+
+    /** Whether cells closer to contact than `distance` are refined whatever the estimate of an error says. */
+    bool refines_contact() const { return any() && indicator != "distance" && distance > 0.; }
   };
 } // namespace signorini
 
