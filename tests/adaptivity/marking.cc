@@ -148,6 +148,42 @@ TEST(Marking, WhatWasRefinedIsCoarsenedBehindAndWhatIsProtectedStays)
   EXPECT_EQ(change.n_to_coarsen % 4, 0u);
 }
 
+// What may be below 1/32 of the threshold by default, may be below one half if the scene says so.
+TEST(Marking, CoarsenRatioIsOfTheThreshold)
+{
+  Marked problem;
+  problem.scene.adaptivity.marking   = "tolerance";
+  problem.scene.adaptivity.tolerance = 1.;
+  EXPECT_TRUE(problem.mark([](const auto &p) { return p[0] < 0.5 ? 1. : 0.; }).refines());
+  const double n_cells = problem.change();
+  const auto   behind  = [&](const dealii::Point<2> &p) { return std::sqrt((p[0] < 0.5 ? 0.4 : 2.) / n_cells); };
+  EXPECT_FALSE(problem.mark(behind).coarsens());
+  problem.scene.adaptivity.coarsen_ratio = 0.3;
+  EXPECT_FALSE(problem.mark(behind).coarsens());
+  problem.scene.adaptivity.coarsen_ratio = 0.5;
+  EXPECT_GT(problem.mark(behind).n_to_coarsen, 400u);
+}
+
+// Cells that are wanted fine are refined whatever their indicator, but not beyond the highest level, and at the expense of others if cells are limited.
+TEST(Marking, WantedCellsAreRefinedInAnyCase)
+{
+  Marked            problem;
+  std::vector<bool> wanted(problem.discretization->triangulation.n_active_cells());
+  for (const auto &cell : problem.discretization->triangulation.active_cell_iterators())
+    wanted[cell->active_cell_index()] = cell->center()[0] > 0.9;
+  const auto mark = [&](const auto &value) {
+    return mark_cells(problem.discretization->triangulation, problem.scene, problem.indicator(value), {}, wanted).n_to_refine;
+  };
+  EXPECT_EQ(mark([](const auto &) { return 0.; }), 32u);
+  const unsigned int without_limit       = mark(decaying);
+  problem.scene.adaptivity.maximum_cells = 256 + 3 * 40;
+  EXPECT_GT(without_limit, 40u);
+  EXPECT_LE(mark(decaying), 40u);
+  EXPECT_GE(mark(decaying), 32u);
+  problem.scene.adaptivity.maximum_level = 3;
+  EXPECT_EQ(mark(decaying), 0u);
+}
+
 // The children of a refined cell have a quarter of its square each, and a fourth of that by the order of the method. They must not be taken for too fine.
 TEST(Marking, WhatIsCoarsenedIsNotRefinedAtOnce)
 {

@@ -225,6 +225,7 @@ TEST(Mistakes, Adaptivity)
   expect("Marking", "fixed", {"Valid: fixed fraction, tolerance"});
   expect("Refine fraction", "1.5", {"between 0 and 1"});
   expect("Coarsen fraction", "0.6", {"between 0 and 0.5", "undo"});
+  expect("Coarsen ratio", "1.5", {"between 0 and", "threshold of refinement"});
   expect("Hysteresis", "-0.1", {"between 0 and 0.5"});
   expect("Tolerance", "-1", {"must not be negative"});
   expect("Maximum level", "0", {"nothing to refine", "Bodies/box/Refinements"});
