@@ -5,19 +5,40 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Sum over all pairs of vertices; add(moments at a, matrix, a, b, values at b). */
+    template <int dim, typename Add>
+    VertexValues sum_over_pairs(const Discretization<dim>                                &discretization,
+                                const typename dealii::Triangulation<dim>::cell_iterator &cell,
+                                const VertexValues                                       &values,
+                                const Add                                                &add)
+    {
+      const auto         matrix     = discretization.cell_matrices.of(cell);
+      const unsigned int n_vertices = values.size() / dim;
+      VertexValues       moments(values.size(), 0.);
+      for (unsigned int a = 0; a < n_vertices; ++a)
+        for (unsigned int b = 0; b < n_vertices; ++b)
+          add(&moments[dim * a], matrix, a, b, &values[dim * b]);
+      return moments;
+    }
+  } // namespace
+
+
   template <int dim>
   VertexValues mass_moments(const Discretization<dim>                                &discretization,
                             const typename dealii::Triangulation<dim>::cell_iterator &cell,
                             const VertexValues                                       &values)
   {
-    const auto         matrix = discretization.cell_matrices.of(cell);
-    VertexValues       moments(values.size(), 0.);
-    const unsigned int n_vertices = values.size() / dim;
-    for (unsigned int a = 0; a < n_vertices; ++a)
-      for (unsigned int b = 0; b < n_vertices; ++b)
+    return sum_over_pairs(
+      discretization,
+      cell,
+      values,
+      [](double *moments, const auto &matrix, const unsigned int a, const unsigned int b, const double *value) {
+        const double mass = matrix.mass(a, b);
         for (unsigned int c = 0; c < dim; ++c)
-          moments[dim * a + c] += matrix.mass(a, b) * values[dim * b + c];
-    return moments;
+          moments[c] += mass * value[c];
+      });
   }
 
 
@@ -26,18 +47,16 @@ namespace signorini
                                  const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                  const VertexValues                                       &values)
   {
-    const auto         matrix = discretization.cell_matrices.of(cell);
-    VertexValues       moments(values.size(), 0.);
-    const unsigned int n_vertices = values.size() / dim;
-    for (unsigned int a = 0; a < n_vertices; ++a)
-      for (unsigned int b = 0; b < n_vertices; ++b)
-        {
-          const auto block = matrix.stiffness(a, b); // column by column
+    return sum_over_pairs(
+      discretization,
+      cell,
+      values,
+      [](double *moments, const auto &matrix, const unsigned int a, const unsigned int b, const double *value) {
+        const auto block = matrix.stiffness(a, b); // column by column
+        for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int c = 0; c < dim; ++c)
-            for (unsigned int d = 0; d < dim; ++d)
-              moments[dim * a + c] += block[dim * d + c] * values[dim * b + d];
-        }
-    return moments;
+            moments[c] += block[dim * d + c] * value[d];
+      });
   }
 
 

@@ -3,6 +3,7 @@
 
 #include <signorini/output/earlier_results.h>
 #include <signorini/simulation/change_mesh.h>
+#include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
 #include <signorini/system/static_equilibrium.h>
@@ -155,7 +156,6 @@ namespace signorini
         meshed.reset();
         discretization.distribute();
         meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
-        state  = State();
         set_initial_state();
       }
   }
@@ -164,17 +164,8 @@ namespace signorini
   template <int dim>
   void Simulation<dim>::set_initial_state()
   {
-    std::vector<std::array<std::string, dim>> displacements, velocities;
-    for (const auto &body : scene.bodies)
-      {
-        displacements.push_back(body.initial_displacement);
-        velocities.push_back(body.initial_velocity);
-      }
-    state.displacement   = discretization.interpolate(displacements);
-    state.velocity       = discretization.interpolate(velocities);
-    state.contact_force  = discretization.make_vector();
-    state.momentum       = discretization.make_vector();
-    state.internal_force = discretization.make_vector();
+    state = State(); // not by assignment of vectors, which would keep the ghosts of an earlier mesh
+    state = initial_state(discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == "equilibrium")
       n_equilibrium_steps =

@@ -172,7 +172,8 @@ TEST(Marking, WantedCellsAreRefinedInAnyCase)
   for (const auto &cell : problem.discretization->triangulation.active_cell_iterators())
     wanted[cell->active_cell_index()] = cell->center()[0] > 0.9;
   const auto mark = [&](const auto &value) {
-    return mark_cells(problem.discretization->triangulation, problem.scene, problem.indicator(value), {}, wanted).n_to_refine;
+    return mark_cells(problem.discretization->triangulation, problem.scene, problem.indicator(value), {}, wanted)
+      .n_to_refine;
   };
   EXPECT_EQ(mark([](const auto &) { return 0.; }), 32u);
   const unsigned int without_limit       = mark(decaying);

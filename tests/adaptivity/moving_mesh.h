@@ -11,6 +11,7 @@
 #include <signorini/diagnostics/energy_ledger.h>
 #include <signorini/diagnostics/momentum.h>
 #include <signorini/simulation/change_mesh.h>
+#include <signorini/simulation/initial_state.h>
 
 #include <random>
 #include <sstream>
@@ -28,15 +29,7 @@ namespace signorini::tests
       , meshed(std::make_unique<MeshedScene<dim>>(discretization, timer))
       , scheme(make_time_scheme(scene.time.scheme))
     {
-      std::vector<std::array<std::string, dim>> displacements, velocities;
-      for (const auto &body : scene.bodies)
-        {
-          displacements.push_back(body.initial_displacement);
-          velocities.push_back(body.initial_velocity);
-        }
-      state.displacement  = discretization.interpolate(displacements);
-      state.velocity      = discretization.interpolate(velocities);
-      state.contact_force = state.momentum = state.internal_force = discretization.make_vector();
+      state = initial_state(discretization);
       meshed->system.apply_mass(state.momentum, state.velocity);
       meshed->system.apply_stiffness(state.internal_force, state.displacement);
       ledger.open(state, meshed->load(0.));

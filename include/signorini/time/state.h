@@ -21,7 +21,11 @@ namespace signorini
     bool any() const { return force.size() > 0; }
   };
 
-  /** The motion at one instant. The products with M and A are kept, because both the next step and the ledger need them. */
+  /**
+   * The motion at one instant: all that goes from step to step and from mesh to mesh. With the mesh and its `Refinements` it determines
+   * how a run goes on; what estimates, solvers and the control of steps remember besides may be forgotten (see TimeStepping::forget()). The products
+   * with M and A are kept, because both the next step and the ledger need them.
+   */
   struct State
   {
     unsigned int  step = 0; ///< number of accepted steps

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_simulation_initial_state_h
+#define signorini_simulation_initial_state_h
+
+#include <signorini/discretization/discretization.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /** The initial displacements and velocities of the bodies of a scene, without any force. Momentum and internal force are still zero. Collective. */
+  template <int dim>
+  State initial_state(const Discretization<dim> &discretization);
+} // namespace signorini
+
+#endif
