@@ -39,6 +39,7 @@ namespace signorini
     Discretization<dim> &discretization;
     const State          clock; ///< step and time
     const bool           has_acceleration, has_friction;
+    const double         elastic_size; ///< energy norm of the old displacement
     FieldTransfer<dim>   fields;
   };
 } // namespace signorini
