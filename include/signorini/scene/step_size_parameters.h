@@ -11,10 +11,10 @@ namespace signorini
   /** Keys of section `Time`: how the size of steps follows the motion. Step size and end time are in TimeParameters. */
   struct StepSizeParameters
   {
-    std::string control   = "fixed"; ///< fixed | doubling | embedded: see doc/step_size.md
-    double      tolerance = 1e-2;    ///< accepted error of a step, relative to the norm of the motion
-    double      minimum   = 0.;      ///< zero: half the time of a wave through the smallest cell
-    double      maximum   = 0.;      ///< zero: a tenth of the end time
+    std::string control = "fixed"; ///< fixed | doubling | embedded | force: see doc/step_size.md
+    double tolerance = 1e-2; ///< accepted error of a step, relative to the norm of the motion, or to the largest force
+    double minimum   = 0.;   ///< zero: half the time of a wave through the smallest cell
+    double maximum   = 0.;   ///< zero: a tenth of the end time
 
     bool is_variable() const { return control != "fixed"; }
   };
