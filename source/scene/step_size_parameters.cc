@@ -13,17 +13,20 @@ namespace signorini
     prm.declare_entry(
       "Step size control",
       "fixed",
-      Selection("fixed|doubling|embedded"),
+      Selection("fixed|doubling|embedded|force"),
       "How long steps are. fixed: all as long as Step size. doubling: so that the error of a step, estimated by taking "
       "it once more in two halves, stays below Step tolerance; the halves are kept. embedded: the same with the "
-      "difference from what the last step predicted, which costs nothing but is coarser. Step size is then the first "
-      "one.");
+      "difference from what the last step predicted, which costs nothing but is coarser. force: that of embedded in "
+      "contact, "
+      "and by the change of contact forces; flight takes the longest steps, whatever vibrates. Step size is then the "
+      "first one, and with force the one with which contact begins.");
     prm.declare_entry(
       "Step tolerance",
       "1e-2",
       Double(),
-      "Accepted error of a step of variable size, in the energy norm, relative to the square root of the largest "
-      "kinetic and elastic energy of the motion so far (no unit).");
+      "Accepted error of a step of variable size (no unit): in the energy norm, relative to the square root of the "
+      "largest kinetic and elastic energy of the motion so far; with force also that part of the largest contact force "
+      "by which a step of length Step size may change it (twice the length: a quarter of that).");
     prm.declare_entry("Minimum step size",
                       "0",
                       Double(),

@@ -3,6 +3,7 @@
 
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/time/adaptive_steps.h>
+#include <signorini/time/force_estimate.h>
 #include <signorini/time/step_doubling.h>
 
 #include <algorithm>
@@ -23,6 +24,8 @@ namespace signorini
         estimate = std::make_unique<StepDoubling>(scheme);
         resolved *= 2.; // the halves are what counts
       }
+    else if (sizes.control == "force")
+      estimate = std::make_unique<ForceEstimate>(scheme, time.step_size);
     else
       estimate = std::make_unique<EmbeddedEstimate>(scheme);
     const double minimum = sizes.minimum > 0. ? sizes.minimum : std::min(time.step_size, resolved);

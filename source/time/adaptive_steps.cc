@@ -3,7 +3,6 @@
 
 #include <signorini/time/adaptive_steps.h>
 #include <signorini/time/contact_events.h>
-#include <signorini/time/energy_norm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +14,6 @@ namespace signorini
   {
     constexpr double safety    = 0.8;
     constexpr double round_off = 1e-9; ///< of levels and times
-
-    /** Part of the tolerance below which a step of a flight is followed by a longer one. */
-    constexpr double content_in_flight = 0.5;
-
-    /** Steps after a rejection that are not lengthened. */
-    constexpr unsigned int rest_after_rejection = 8;
 
     int level_below(const double size, const double first)
     {
@@ -34,6 +27,7 @@ namespace signorini
     , parameters(parameters)
     , lowest(std::min(0, -level_below(parameters.first, parameters.minimum)))
     , highest(std::max(0, level_below(parameters.maximum, parameters.first)))
+    , rules(this->estimate->rules())
   {
   }
 
@@ -51,41 +45,59 @@ namespace signorini
     TakenStep &last = trial.steps.back();
     if (parameters.end_time - last.state.time <= round_off * last.step_size)
       last.state.time = parameters.end_time;
-    largest_energy = std::max(largest_energy, energy_of_motion(last.state));
     if (trial.steps.size() > 1)
       waiting = std::move(last);
     return hand_out(state, std::move(trial.steps.front()));
   }
 
 
+  void AdaptiveSteps::approach(const DynamicalSystem &system, const State &state)
+  {
+    const double touches = time_to_touch(system, state, 2. * parameters.maximum);
+    if (!std::isfinite(touches))
+      return;
+    // Touches that matter are found by their forces, and those of vibrating nodes should not hold up a flight.
+    const double part     = rules.flight_is_free ? 1. : 0.5;
+    const int    shortest = rules.flight_is_free ? std::max(lowest, std::min(level, 0)) : lowest;
+    const int    reached  = touches > 0. ? level_below(part * touches, parameters.first) : lowest;
+    level                 = std::min(level, std::max(reached, shortest));
+  }
+
+
+  void AdaptiveSteps::try_longer(const StepTrial &trial, const double factor)
+  {
+    if (rest > 0 || !trial.is_known)
+      return;
+    if (rules.flight_is_free && trial.is_flight)
+      {
+        level = highest;
+        return;
+      }
+    // Vibrations that are not resolved have errors as large as themselves, however long the step is.
+    const double content = trial.is_flight ? rules.content_in_flight : rules.content;
+    if (factor >= 2. || trial.error <= content * parameters.tolerance)
+      level = std::min(level + 1, highest);
+  }
+
+
   StepTrial AdaptiveSteps::find_trial(DynamicalSystem &system, const State &state)
   {
-    largest_energy       = std::max(largest_energy, energy_of_motion(state));
-    const double touches = time_to_touch(system, state, 2. * parameters.maximum);
-    if (std::isfinite(touches))
-      level = std::min(level, touches > 0. ? level_below(touches / 2., parameters.first) : lowest);
+    approach(system, state);
     level = std::max(level, lowest);
     rest -= rest > 0;
     for (;;)
       {
-        const double tolerance = parameters.tolerance * std::sqrt(largest_energy);
-        StepTrial    trial     = estimate->attempt(system, state, span(state), tolerance);
+        StepTrial trial = estimate->attempt(system, state, span(state), parameters.tolerance);
         n_solved += trial.n_solved;
-        // A motion that begins at rest is measured by what it becomes.
-        const double accepted =
-          std::max(tolerance, parameters.tolerance * std::sqrt(energy_of_motion(trial.steps.back().state)));
         const double factor =
-          trial.error > 0. ? std::pow(safety * accepted / trial.error, trial.exponent) : 2.; // of the size
-        if (trial.error <= accepted || level == lowest)
+          trial.error > 0. ? std::pow(safety * parameters.tolerance / trial.error, trial.exponent) : 2.; // of the size
+        if (trial.error <= parameters.tolerance || level == lowest)
           {
-            // Vibrations that are not resolved have errors as large as themselves, however long the step is.
-            const bool content = trial.is_flight && trial.error <= content_in_flight * accepted;
-            if ((factor >= 2. || content) && rest == 0 && trial.is_known)
-              level = std::min(level + 1, highest);
+            try_longer(trial, factor);
             return trial;
           }
         ++n_rejected;
-        rest  = rest_after_rejection;
+        rest  = rules.rest;
         level = std::max(lowest, level + (factor <= 0.25 ? -2 : -1));
       }
   }

@@ -3,6 +3,7 @@
 
 #include <signorini/time/contact_events.h>
 #include <signorini/time/embedded_estimate.h>
+#include <signorini/time/energy_norm.h>
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,17 @@ namespace signorini
     const double at_rest = velocity * momentum;
     velocity.add(-span / last_size, velocity_change);
     momentum.add(-span / last_size, momentum_change);
-    trial.error = std::sqrt(0.5 * std::max(0., std::min(at_rest, velocity * momentum)));
+    const double error = std::sqrt(0.5 * std::max(0., std::min(at_rest, velocity * momentum)));
+    if (error > 0.)
+      trial.error = error / unit(start, step.state);
     return trial;
+  }
+
+
+  double EmbeddedEstimate::unit(const State &start, const State &end) const
+  {
+    // A motion that begins at rest is measured by what it becomes.
+    return std::sqrt(std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)}));
   }
 
 
@@ -43,6 +53,7 @@ namespace signorini
     velocity_change -= before.velocity;
     momentum_change = after.momentum;
     momentum_change -= before.momentum;
-    last_size = trial.steps.back().step_size;
+    largest_energy = std::max({largest_energy, energy_of_motion(start), energy_of_motion(after)});
+    last_size      = trial.steps.back().step_size;
   }
 } // namespace signorini

@@ -28,7 +28,9 @@ namespace signorini
         if (differ(contact_statuses(system, state), coarse_nodes, state.displacement))
           trial.exponent = 2.;
       }
-    trial.error = energy_distance(state, end);
+    const double error = energy_distance(state, end);
+    if (error > 0.)
+      trial.error = error / single.unit(start, state);
     return trial;
   }
 } // namespace signorini

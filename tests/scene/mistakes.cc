@@ -67,7 +67,7 @@ TEST(Mistakes, StepsOfVariableSize)
                                          {"Time/Maximum step size", "1e-9", {"smaller than the first `Step size`"}},
                                          {"Time/Scheme", "reference", {"Step size control", "another scheme"}}};
   for (const Mistake &mistake : mistakes)
-    for (const std::string control : {"doubling", "embedded"})
+    for (const std::string control : {"doubling", "embedded", "force"})
       {
         SCOPED_TRACE(mistake.path + " = " + mistake.value);
         const TemporaryFile correct(correct_scene());

@@ -5,6 +5,7 @@
 // the end time is met exactly, a rejected step leaves no trace, and every run ends.
 
 #include <signorini/time/adaptive_steps.h>
+#include <signorini/time/force_estimate.h>
 #include <signorini/time/step_doubling.h>
 
 #include <gtest/gtest.h>
@@ -16,7 +17,7 @@ using namespace signorini;
 
 namespace
 {
-  constexpr double minimum = 1e-3, maximum = 0.5;
+  constexpr double minimum = 1e-3, first_size = 0.01, maximum = 0.5;
 
   struct Record
   {
@@ -26,10 +27,19 @@ namespace
   };
 
   template <typename Estimate>
+  std::unique_ptr<StepEstimate> make_estimate(TimeScheme &scheme)
+  {
+    if constexpr (std::is_same_v<Estimate, ForceEstimate>)
+      return std::make_unique<ForceEstimate>(scheme, first_size);
+    else
+      return std::make_unique<Estimate>(scheme);
+  }
+
+  template <typename Estimate>
   Record run(DynamicalSystem &system, const State &start, const double tolerance, const double end_time)
   {
     const auto    scheme = make_time_scheme("contact-stabilized");
-    AdaptiveSteps steps(std::make_unique<Estimate>(*scheme), {tolerance, 0.01, minimum, maximum, end_time});
+    AdaptiveSteps steps(make_estimate<Estimate>(*scheme), {tolerance, first_size, minimum, maximum, end_time});
     Record        record;
     State         state = start;
     while (!steps.finished(state))
@@ -63,8 +73,16 @@ namespace
   class StepControl : public testing::Test
   {
   };
-  using Estimates = testing::Types<StepDoubling, EmbeddedEstimate>;
+  using Estimates = testing::Types<StepDoubling, EmbeddedEstimate, ForceEstimate>;
   TYPED_TEST_SUITE(StepControl, Estimates);
+
+  /** What holds for the estimates that follow the motion in flight, too. */
+  template <typename Estimate>
+  class MotionControl : public testing::Test
+  {
+  };
+  using EstimatesOfMotion = testing::Types<StepDoubling, EmbeddedEstimate>;
+  TYPED_TEST_SUITE(MotionControl, EstimatesOfMotion);
 } // namespace
 
 TYPED_TEST(StepControl, UndeformedFlightTakesGrowingStepsOfOneSolution)
@@ -103,7 +121,7 @@ TYPED_TEST(StepControl, TheEndIsMetExactly)
     }
 }
 
-TYPED_TEST(StepControl, FirstTouchIsMetByASmallStep)
+TYPED_TEST(MotionControl, FirstTouchIsMetByASmallStep)
 {
   ElasticBar   system = make_bar(2.);
   const Record record = run<TypeParam>(system, flying(system, 1.), 0.1, 6.);
@@ -140,7 +158,7 @@ TYPED_TEST(StepControl, RejectedStepsLeaveNoTrace)
     }
 }
 
-TYPED_TEST(StepControl, ASmallerToleranceMakesASmallerError)
+TYPED_TEST(MotionControl, ASmallerToleranceMakesASmallerError)
 {
   // A mass on a spring, compared with the cosine.
   std::vector<double> errors;
@@ -174,6 +192,42 @@ TYPED_TEST(StepControl, EveryRunEnds)
   BouncingMass gliding = rest; // at the wall, approaching by round-off
   gliding.wall         = 0.;
   EXPECT_LE((run<TypeParam>(gliding, make_state(gliding, 0., 1e-17), 1e-3, 5.).sizes.size()), 30u);
+}
+
+TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
+{
+  ElasticBar   system  = make_bar(2.);
+  const Record record  = run<ForceEstimate>(system, flying(system, 1.), 0.1, 12.);
+  const auto   pressed = [&](const std::size_t i) { return record.states[i].contact_force.linfty_norm() > 0.; };
+  std::size_t  begin = 0, end = record.sizes.size();
+  while (!pressed(begin))
+    ++begin;
+  while (!pressed(end - 1))
+    --end;
+  EXPECT_LE(record.sizes[begin], 1.01 * first_size) << "a long step over the touch changes the force too much";
+  EXPECT_NEAR(record.states[begin].time, 2., 2. * first_size);
+  EXPECT_GT(*std::max_element(record.sizes.begin(), record.sizes.begin() + begin), 0.3);
+  EXPECT_LE(*std::max_element(record.sizes.begin() + begin, record.sizes.begin() + end - 1), 0.1)
+    << "the force is constant, but the wave that will end it is not";
+  const State &released = record.states[end];
+  EXPECT_GT(released.displacement * released.internal_force, 1e-3) << "no vibration: this test shows nothing";
+  ASSERT_LT(end + 6, record.sizes.size());
+  EXPECT_LE(std::count_if(record.sizes.begin() + end, record.sizes.end(), [](const double size) { return size < 0.3; }),
+            10)
+    << "some while the end swings back to the wall";
+}
+
+TEST(ForceControl, UnitsOfForceDoNotMatter)
+{
+  std::vector<std::vector<double>> sizes;
+  for (const double unit : {1., std::ldexp(1., 20)})
+    {
+      ElasticBar bar = make_bar(0.5);
+      bar.mass *= unit;
+      bar.stiffness *= unit;
+      sizes.push_back(run<ForceEstimate>(bar, flying(bar, 1.), 0.1, 3.).sizes);
+    }
+  EXPECT_EQ(sizes[0], sizes[1]);
 }
 
 TEST(StepEstimates, Orders)

@@ -83,9 +83,12 @@ class Adaptivity(check_history.SceneTest):
         self.expect_close(run["max_slip"][-1], kept["max_slip"][-1], 1e-3, "way")
 
     def test_steps_and_meshes_that_adapt(self):
-        run = self.run_ball("steps", DISTANCE + ["Time/Step size control=doubling", "Time/Step tolerance=0.05"])
-        self.assertAlmostEqual(run["time"][-1], 0.5, 12)
-        self.expect_account(run, 1e-12)
+        for control, tolerance in (("doubling", 0.05), ("force", 0.2)):
+            with self.subTest(control=control):
+                run = self.run_ball(f"steps-{control}", DISTANCE + [f"Time/Step size control={control}", f"Time/Step tolerance={tolerance}"])
+                self.assertGreater(n_meshes(run), 1)
+                self.assertAlmostEqual(run["time"][-1], 0.5, 12)
+                self.expect_account(run, 1e-12)
 
     def test_two_processes(self):
         for name, overrides in (("distance", DISTANCE), ("residual", RESIDUAL)):

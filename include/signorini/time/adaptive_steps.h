@@ -16,13 +16,14 @@ namespace signorini
    *
    *   tau_new = tau min(2, max(1/4, (0.8 TOL / eps)^kappa)),   accepted if eps <= TOL or tau is the smallest size.
    *
-   * - TOL is relative to the square root of the largest energy of the motion so far.
    * - Sizes are the first one times powers of two, so that a size comes back and with it its matrix; only the last two steps of a run are
    *   of another size, because the end time is met exactly.
    * - Longer steps are tried only where the factor reaches 2, and not in the steps after a rejection; in flight already where the error is
-   *   half of TOL, because vibrations weaker than TOL need not be followed and their error does not grow with the step.
+   *   half of TOL, because vibrations weaker than TOL need not be followed and their error does not grow with the step. An
+   *   estimate may have other StepRules.
    * - In flight a step is at most half as long as the time until the first node touches, but not shorter than the smallest
-   *   size: the approach ends after some steps, and contact begins with a small one.
+   *   size: the approach ends after some steps, and contact begins with a small one. Where flight is free, a step may reach the
+   *   touch, and contact begins with the first size, if that is not rejected.
    * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
    */
   class AdaptiveSteps : public TimeStepping
@@ -51,14 +52,16 @@ namespace signorini
   private:
     const std::unique_ptr<StepEstimate> estimate;
     const Parameters                    parameters;
-    const int                           lowest, highest;    ///< sizes are first 2^level
-    int                                 level          = 0; ///< of the next step
-    unsigned int                        rest           = 0; ///< steps that are not to be followed by a longer one
-    double                              largest_energy = 0.;
+    const int                           lowest, highest; ///< sizes are first 2^level
+    const StepRules                     rules;
+    int                                 level = 0; ///< of the next step
+    unsigned int                        rest  = 0; ///< steps that are not to be followed by a longer one
     std::optional<TakenStep> waiting; ///< the second half of a doubled step, when the first one has been handed out
     unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
     double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
 
+    void         approach(const DynamicalSystem &system, const State &state);
+    void         try_longer(const StepTrial &trial, double factor);
     StepTrial    find_trial(DynamicalSystem &system, const State &state);
     double       span(const State &state) const;
     AcceptedStep hand_out(State &state, TakenStep &&step);

@@ -15,7 +15,7 @@ namespace signorini
    *
    * whichever is closer to the new velocity in the norm of M. The second one is for the step after a jolt, whose w means
    * nothing any more. The distance is O(tau^2) in smooth motion and zero under constant acceleration. An estimate from above for
-   * schemes of order two, but it costs no solution and no product. In the first step nothing is known.
+   * schemes of order two, relative to the largest motion so far, but it costs no solution and no product. In the first step nothing is known.
    */
   class EmbeddedEstimate : public StepEstimate
   {
@@ -29,8 +29,12 @@ namespace signorini
     void      accept(const State &start, const StepTrial &trial) override;
     void      forget() override { last_size = 0.; }
 
+    /** Errors in the energy norm are relative to this, the square root of the largest energy of the motion so far. */
+    double unit(const State &start, const State &end) const;
+
   private:
     TimeScheme &scheme;
+    double      largest_energy = 0.;              ///< of the motion so far
     Vector      velocity_change, momentum_change; ///< of the last step
     double      last_size = 0.;                   ///< of the last step; zero: none
   };
