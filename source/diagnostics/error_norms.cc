@@ -4,26 +4,40 @@
 #include <signorini/diagnostics/error_norms.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace signorini
 {
   template <int dim>
-  ErrorNorms ErrorEvaluation<dim>::evaluate(const State &state, const double weight)
+  void ErrorEvaluation<dim>::Squares::advance(const std::pair<double, double> &error_and_norm, const double step_size)
   {
-    const auto &exact       = discretization.scene.exact_solution;
-    const auto [u, u_exact] = squares(exact.displacement, state.displacement, state.time);
-    const auto [v, v_exact] = squares(exact.velocity, state.velocity, state.time);
-    const auto ratio        = [](const double a, const double b) { return b > 0. ? std::sqrt(a / b) : 0.; };
-    displacement_errors += weight * u;
-    displacement_norms += weight * u_exact;
-    velocity_errors += weight * v;
-    velocity_norms += weight * v_exact;
-    return {std::sqrt(u),
-            std::sqrt(v),
-            std::sqrt(u_exact),
-            std::sqrt(v_exact),
-            ratio(displacement_errors, displacement_norms),
-            ratio(velocity_errors, velocity_norms)};
+    error_integral += step_size / 2. * (error + error_and_norm.first);
+    norm_integral += step_size / 2. * (norm + error_and_norm.second);
+    std::tie(error, norm) = error_and_norm;
+  }
+
+
+  template <int dim>
+  double ErrorEvaluation<dim>::Squares::relative() const
+  {
+    if (norm_integral > 0.)
+      return std::sqrt(error_integral / norm_integral);
+    return norm > 0. ? std::sqrt(error / norm) : 0.;
+  }
+
+
+  template <int dim>
+  ErrorNorms ErrorEvaluation<dim>::evaluate(const State &state, const double step_size)
+  {
+    const auto &exact = discretization.scene.exact_solution;
+    displacement.advance(squares(exact.displacement, state.displacement, state.time), step_size);
+    velocity.advance(squares(exact.velocity, state.velocity, state.time), step_size);
+    return {std::sqrt(displacement.error),
+            std::sqrt(velocity.error),
+            std::sqrt(displacement.norm),
+            std::sqrt(velocity.norm),
+            displacement.relative(),
+            velocity.relative()};
   }
 
 

@@ -104,7 +104,7 @@ namespace signorini
     const ProductCount products = products_of_step();
     contact_now                 = contact_summary(meshed->surface, discretization, state);
     if (discretization.scene.exact_solution.given)
-      latest_errors = errors.evaluate(state, state.step == 0 ? discretization.scene.time.step_size : step_size);
+      latest_errors = errors.evaluate(state, step_size);
     double standard_kinetic = ledger.current().kinetic;
     if (discretization.scene.time.has_massless_contact_nodes())
       {

@@ -16,7 +16,7 @@ namespace signorini
     double velocity          = 0.; ///< norm of v - I v(t)
     double displacement_norm = 0.; ///< norm of I u(t)
     double velocity_norm     = 0.; ///< norm of I v(t)
-    /** (sum of squared errors so far / sum of squared norms so far)^(1/2), weighted by the sizes of the steps. */
+    /** (integral of squared errors so far / integral of squared norms so far)^(1/2), by the trapezoidal rule in time; at the start the values there. */
     double relative_displacement = 0.;
     double relative_velocity     = 0.;
   };
@@ -31,12 +31,21 @@ namespace signorini
     {
     }
 
-    /** @param weight the size of the step that has ended; of the initial state, that of the first step */
-    ErrorNorms evaluate(const State &state, double weight);
+    /** @param step_size of the step that has ended; 0 for the initial state */
+    ErrorNorms evaluate(const State &state, double step_size);
 
   private:
+    /** Squared norms at one instant, and their integral over time. */
+    struct Squares
+    {
+      double error = 0., norm = 0., error_integral = 0., norm_integral = 0.;
+
+      void   advance(const std::pair<double, double> &error_and_norm, double step_size);
+      double relative() const;
+    };
+
     const Discretization<dim> &discretization;
-    double displacement_errors = 0., displacement_norms = 0., velocity_errors = 0., velocity_norms = 0.;
+    Squares                    displacement, velocity;
 
     /** Squared norms of the error of a field and of its exact interpolant. */
     std::pair<double, double>
