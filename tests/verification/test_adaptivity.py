@@ -3,7 +3,8 @@
 # Copyright (C) 2026 by the signorini authors
 
 """Runs on meshes that change: the account of the energy closes with the column energy_transfer, the contact force is that of a fine uniform mesh at a
-part of its unknowns, a mesh that need not change is kept, and any number of processes makes the same meshes.
+part of its unknowns, a mesh that need not change is kept, changes of the mesh give no blow, a front in a bar is followed, and any number of processes
+makes the same meshes.
 """
 
 import math
@@ -12,6 +13,7 @@ import check_history
 
 BALL = ["Mapping=curved", "Bodies/ball/Refinements=2"]
 DISTANCE = BALL + ["Adaptivity/Indicator=distance", "Adaptivity/Maximum level=3"]
+WATCHED = BALL + ["Adaptivity/Indicator=residual", "Adaptivity/Maximum level=3", "Adaptivity/Distance=0.06"]
 RESIDUAL = BALL + ["Adaptivity/Indicator=residual", "Adaptivity/Maximum level=3", "Adaptivity/Repetitions=1", "Adaptivity/Maximum cells=1500"]
 
 
@@ -24,6 +26,16 @@ def roughness(force):
     """Mean of the second differences over the mean."""
     second = [abs(force[k + 1] - 2. * force[k] + force[k - 1]) for k in range(1, len(force) - 1)]
     return sum(second) / len(second) / (sum(force) / len(force))
+
+
+def kicks(run):
+    """Mean second difference of the contact force where the mesh changed, over that elsewhere in contact."""
+    changed, other = [], []
+    force, cells = run["contact_force"], run["cells"]
+    for k in range(1, len(force) - 1):
+        if min(force[k - 1:k + 2]) > 0.:
+            (other if cells[k - 1] == cells[k] == cells[k + 1] else changed).append(abs(force[k + 1] - 2. * force[k] + force[k - 1]))
+    return sum(changed) / len(changed) / (sum(other) / len(other))
 
 
 def n_meshes(run):
@@ -49,16 +61,40 @@ class Adaptivity(check_history.SceneTest):
         fine = self.run_ball("uniform-3", ["Mapping=curved", "Bodies/ball/Refinements=3"])
         coarse = self.run_ball("uniform-2", BALL)
         # residual changes coarse cells in the middle of contact, whose quadrature matters more
-        for name, overrides, error, transfer in (("distance", DISTANCE, 0.03, 1e-12), ("residual", RESIDUAL, 0.03, 1e-6)):
+        for name, overrides, error, transfer in (("distance", DISTANCE, 0.03, 1e-12), ("residual", RESIDUAL, 0.03, 1e-6), ("watched", WATCHED, 0.03, 1e-6)):
             with self.subTest(indicator=name):
                 run = self.run_ball(name, overrides)
                 self.expect_account(run, transfer)
                 self.assertGreater(n_meshes(run), 1)
                 self.assertLess(max(run["dofs"]), 0.6 * fine["dofs"][0])
                 self.assertLess(distance(run["contact_force"], fine["contact_force"]), error)
-                if name == "distance":
-                    self.assertLess(roughness(run["contact_force"]), 1.5 * roughness(fine["contact_force"]))
+                if name != "residual":  # which refines late, when nodes have touched on coarse cells
+                    self.assertLess(roughness(run["contact_force"]), 1.3 * roughness(fine["contact_force"]))
         self.assertGreater(distance(coarse["contact_force"], fine["contact_force"]), 0.05)
+
+    def test_no_kick(self):
+        """Where the mesh changes, the contact force is as smooth as elsewhere."""
+        run = self.run_ball("kicks", DISTANCE + ["Adaptivity/Maximum level=4"])
+        self.assertGreater(n_meshes(run), 5)
+        self.assertLess(kicks(run), 1.2)
+
+    def test_bar_against_uniform_meshes(self):
+        """Displacement error against the exact solution: fine cells at the front only are worth twice as many, and half of the steps do."""
+        scheme = ["Time/Scheme=generalized-alpha"]
+        coarse, fine = (check_history.Run(check_history.PARAMETERS / "bar_2d.prm", f"adaptivity-bar-{level}",
+                                          scheme + [f"Bodies/bar/Refinements={level}", f"Time/Step size={3e-3 / 2**level}"]) for level in (1, 2))
+        run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", "adaptivity-bar", scheme + [
+            "Adaptivity/Indicator=kelly", "Adaptivity/Maximum level=2", "Adaptivity/Marking=tolerance", "Adaptivity/Tolerance=0.03",
+            "Adaptivity/Coarsen ratio=0.5", "Adaptivity/Steps between remeshings=4", "Time/Step size=7.5e-4", "Time/Step size control=force",
+            "Time/Step tolerance=1e-3", "Time/Minimum step size=7.5e-4", "Time/Maximum step size=0.02"])
+        error, worst, best = (history["relative_displacement_error"][-1] for history in (run, coarse, fine))
+        self.assertTrue(best < error < worst)
+        way = math.log(worst / error) / math.log(worst / best)
+        needed = coarse["dofs"][0] * (fine["dofs"][0] / coarse["dofs"][0])**way
+        mean = sum(run["dofs"][1:]) / (len(run) - 1)
+        print(f"bar: error {100 * error:.3f} %, {mean:.0f} unknowns instead of {needed:.0f}, {len(run) - 1} steps instead of {len(fine) - 1}")
+        self.assertGreater(needed / mean, 2.)
+        self.assertLess(len(run), 0.5 * len(fine))
 
     def test_flight_keeps_the_mesh(self):
         """A body that flies undeformed has nothing to refine; nothing is near an obstacle either."""
