@@ -36,27 +36,44 @@ namespace signorini
       recent.splice(recent.begin(), recent, known);
     else
       {
-        dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-        const auto                &scene = discretization.scene;
-        chosen_preconditioner            = scene.solver.preconditioner;
-        if (chosen_preconditioner == "automatic")
-          chosen_preconditioner =
-            choose_preconditioner(discretization.courant_number(step_size), discretization.mesh_life_time);
         if (recent.size() == n_kept)
           recent.pop_back();
         recent.push_front(
           {stiffness_factor,
            std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor),
-           make_preconditioner(chosen_preconditioner, discretization.matrices, coordinates, 1., stiffness_factor),
+           nullptr,
            {},
-           uses});
-        ++built;
+           "",
+           uses,
+           0});
       }
     StepMatrix<dim> &matrix = recent.front();
     if (uses - matrix.last_use > forget_age)
       matrix.forecast.clear();
     matrix.last_use = uses;
+    choose(matrix, step_size);
+    ++matrix.n_uses;
     return matrix;
+  }
+
+
+  template <int dim>
+  void StepMatrices<dim>::choose(StepMatrix<dim> &matrix, const double step_size)
+  {
+    if ((matrix.n_uses & (matrix.n_uses - 1)) != 0)
+      return; // only for the first use, and when their number has doubled
+    std::string name = discretization.scene.solver.preconditioner;
+    if (name == "automatic")
+      // Nobody knows how long a mesh will last; one that has outlived what was expected may do so again.
+      name = choose_preconditioner(discretization.courant_number(step_size),
+                                   std::max(discretization.mesh_life_time, 2 * matrix.n_uses));
+    if (name == matrix.preconditioner_name)
+      return;
+    dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
+    matrix.preconditioner_name = name;
+    matrix.preconditioner =
+      make_preconditioner(name, discretization.matrices, coordinates, 1., matrix.stiffness_factor);
+    ++built;
   }
 
 

@@ -86,7 +86,7 @@ namespace
         scheme->advance(system, state, scene.time.step_size);
         outcome.energy_change = std::max(outcome.energy_change, std::abs(energy() / initial_energy - 1.));
       }
-    outcome.errors = ErrorEvaluation<2>(discretization).evaluate(state);
+    outcome.errors = ErrorEvaluation<2>(discretization).evaluate(state, 0.);
     return outcome;
   }
 

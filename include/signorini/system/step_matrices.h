@@ -22,7 +22,9 @@ namespace signorini
     std::unique_ptr<StepOperator<dim>>    product;          ///< M + s A
     std::unique_ptr<MaskedPreconditioner> preconditioner;
     IncrementForecast                     forecast;
+    std::string                           preconditioner_name;
     unsigned int                          last_use = 0; ///< counted in solutions
+    unsigned int                          n_uses   = 0;
   };
 
   /**
@@ -41,7 +43,7 @@ namespace signorini
     StepMatrix<dim> &get(double stiffness_factor, double step_size);
 
     /** Of the last matrix. */
-    const std::string &preconditioner_name() const { return chosen_preconditioner; }
+    std::string preconditioner_name() const { return recent.empty() ? "" : recent.front().preconditioner_name; }
 
     /** Number of preconditioners built so far. */
     unsigned int n_built() const { return built; }
@@ -50,9 +52,11 @@ namespace signorini
     const Discretization<dim>     &discretization;
     const ContactCoordinates<dim> &coordinates;
     dealii::TimerOutput           &timer;
-    std::string                    chosen_preconditioner;
     std::list<StepMatrix<dim>>     recent; ///< latest first
     unsigned int                   uses = 0, built = 0;
+
+    /** Give the matrix the preconditioner that pays, unless it has it. */
+    void choose(StepMatrix<dim> &matrix, double step_size);
   };
 } // namespace signorini
 
