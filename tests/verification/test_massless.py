@@ -139,7 +139,7 @@ class Massless(check_history.SceneTest):
 
     def test_a_process_without_anything(self):
         """Three processes, two cells: one of them owns no node."""
-        overrides = [KLR, "Bodies/bar/Repetitions=1, 2", "Bodies/bar/Upper corner=1, 2", "Time/End time=0.9", "Time/Step size=1e-2"]
+        overrides = [KLR, "Bodies/bar/Repetitions=1, 2", "Bodies/bar/Upper corner=1, 2", "Time/End time=0.9", "Time/Step size=9e-3"]  # touches within a step, not at its end, where round-off would decide
         one, three = (self.run_scene("bar_2d", f"tiny-{n}", overrides, n) for n in (1, 3))
         self.expect_contact(one)
         self.expect_same_history(one, three, 1e-8)
