@@ -85,7 +85,7 @@ class Adaptivity(check_history.SceneTest):
                                           scheme + [f"Bodies/bar/Refinements={level}", f"Time/Step size={3e-3 / 2**level}"]) for level in (1, 2))
         run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", "adaptivity-bar", scheme + [
             "Adaptivity/Indicator=kelly", "Adaptivity/Maximum level=2", "Adaptivity/Marking=tolerance", "Adaptivity/Tolerance=0.03",
-            "Adaptivity/Coarsen ratio=0.5", "Adaptivity/Steps between remeshings=4", "Time/Step size=7.5e-4", "Time/Step size control=force",
+            "Adaptivity/Coarsen ratio=0.5", "Adaptivity/Distance=0.5", "Adaptivity/Steps between remeshings=4", "Time/Step size=7.5e-4", "Time/Step size control=force",
             "Time/Step tolerance=1e-3", "Time/Minimum step size=7.5e-4", "Time/Maximum step size=0.02"])
         error, worst, best = (history["relative_displacement_error"][-1] for history in (run, coarse, fine))
         self.assertTrue(best < error < worst)
