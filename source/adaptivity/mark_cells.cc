@@ -83,8 +83,12 @@ namespace signorini
       {
         const double n_wanted =
           Utilities::MPI::sum(std::count(wanted.begin(), wanted.end(), true), triangulation.get_communicator());
-        const double room = double(parameters.maximum_cells) - distribution.n_cells() - n_wanted * ((1 << dim) - 1);
-        threshold.refine  = std::max(threshold.refine, distribution.threshold_of_number(room / ((1 << dim) - 1)));
+        double room = double(parameters.maximum_cells) - distribution.n_cells();
+        if (n_wanted * ((1 << dim) - 1) <= room)
+          room -= n_wanted * ((1 << dim) - 1);
+        else // all or none, lest contact be fine in parts
+          wanted.assign(wanted.size(), false);
+        threshold.refine = std::max(threshold.refine, distribution.threshold_of_number(room / ((1 << dim) - 1)));
       }
     if (marking->weighs_parts()
         && refinable_part(triangulation, squares, refinable, threshold.refine)

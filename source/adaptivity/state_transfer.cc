@@ -16,8 +16,9 @@ namespace signorini
     State clock_of(const State &state)
     {
       State result;
-      result.step = state.step;
-      result.time = state.time;
+      result.step           = state.step;
+      result.time           = state.time;
+      result.last_step.size = state.last_step.size;
       return result;
     }
 
@@ -40,6 +41,8 @@ namespace signorini
           result.push_back({friction.accumulated_slip});
           result.push_back({path_and_status(surface, friction)});
         }
+      if (state.last_step.any())
+        result.push_back({state.last_step.velocity_change, &mass_moments<dim>});
       return result;
     }
   } // namespace
@@ -54,6 +57,7 @@ namespace signorini
     , clock(clock_of(state))
     , has_acceleration(state.acceleration.size() > 0)
     , has_friction(state.friction.any())
+    , has_last_step(state.last_step.any())
     , elastic_size(std::sqrt(std::max(0., dot(state.internal_force, state.displacement))))
     , fields(discretization, sources(surface, coordinates, state))
   {
@@ -78,12 +82,8 @@ namespace signorini
     surface.admit(displacement.field);
     state.displacement = displacement.field;
     if (displacement.lost_moments.size() > 0)
-      state.displacement += project_in_energy(discretization,
-                                              coordinates,
-                                              state.displacement,
-                                              displacement.lost_moments,
-                                              surface.normal_gap(state.displacement),
-                                              elastic_size);
+      state.displacement += project_in_energy(
+        discretization, coordinates, displacement.lost_moments, surface.normal_gap(state.displacement), elastic_size);
     state.velocity      = in_mass(*next++);
     state.contact_force = forces_of_nodes(surface, coordinates, (next++)->field);
     if (has_acceleration)
@@ -95,6 +95,12 @@ namespace signorini
         friction.slip             = std::move((next++)->field);
         friction.accumulated_slip = std::move((next++)->field);
         set_path_and_status(surface, (next++)->field, friction);
+      }
+    if (has_last_step)
+      {
+        state.last_step.velocity_change = in_mass(*next++);
+        state.last_step.momentum_change = discretization.make_vector();
+        system.apply_mass(state.last_step.momentum_change, state.last_step.velocity_change);
       }
     state.momentum = state.internal_force = discretization.make_vector();
     system.apply_mass(state.momentum, state.velocity);

@@ -58,7 +58,7 @@ namespace signorini
     if (writes_fields(0, false))
       fields.write(state, meshed->surface, mesh_control.indicators());
 
-    const auto stepping = make_time_stepping(scene.time, scene.step_sizes, *scheme, meshed->system);
+    const auto stepping = make_time_stepping(scene.time, scene.step_sizes, *scheme);
     while (!stepping->finished(state))
       {
         const AcceptedStep step = advance(*stepping, observation);
@@ -108,6 +108,7 @@ namespace signorini
         if (!flags.refines() || repetition == mesh_control.repetitions())
           return step;
         state = start;
+        stepping.take_back();
         adapt_mesh(stepping, observation);
       }
   }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/energy_projection.h>
 #include <signorini/system/preconditioners.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
@@ -19,23 +18,12 @@ namespace signorini
         slowest = std::min(slowest, body.material.pressure_wave_speed());
       return 1e-8 * std::pow(slowest / discretization.body_size(), 2);
     }
-
-    /** Twice the elastic energy of a sum. */
-    template <int dim>
-    double squared_size(const Discretization<dim> &discretization, Vector displacement, const Vector &correction)
-    {
-      displacement += correction;
-      Vector force = discretization.make_vector();
-      discretization.matrices.apply_stiffness(force, displacement);
-      return dot(force, displacement);
-    }
   } // namespace
 
 
   template <int dim>
   Vector project_in_energy(const Discretization<dim>     &discretization,
                            const ContactCoordinates<dim> &coordinates,
-                           const Vector                  &displacement,
                            const Vector                  &error_moments,
                            const std::vector<double>     &bounds,
                            const double                   size)
@@ -51,34 +39,26 @@ namespace signorini
     coordinates.force_to_contact(right_hand_side);
     const std::vector<double> nothing(coordinates.supported_entries().size(), 0.);
     ActiveSet                 active(bounds.size(), contact_status::open);
-    Vector                    result;
-    for (const double accuracy : {1e-9, 1e-12})
-      {
-        solver.solve({matrix,
-                      *preconditioner,
-                      right_hand_side,
-                      coordinates.normal_entries(),
-                      bounds,
-                      coordinates.supported_entries(),
-                      nothing,
-                      accuracy * size,
-                      1e-14 * discretization.body_size()},
-                     active,
-                     correction,
-                     residual);
-        result = correction;
-        coordinates.displacement_to_cartesian(result);
-        if (squared_size(discretization, displacement, result) <= size * size)
-          break;
-      }
-    return result;
+    solver.solve({matrix,
+                  *preconditioner,
+                  right_hand_side,
+                  coordinates.normal_entries(),
+                  bounds,
+                  coordinates.supported_entries(),
+                  nothing,
+                  1e-12 * size,
+                  1e-14 * discretization.body_size()},
+                 active,
+                 correction,
+                 residual);
+    coordinates.displacement_to_cartesian(correction);
+    return correction;
   }
 
 
 #define INSTANTIATE(dim)                                                                                               \
   template Vector project_in_energy(const Discretization<dim> &,                                                       \
                                     const ContactCoordinates<dim> &,                                                   \
-                                    const Vector &,                                                                    \
                                     const Vector &,                                                                    \
                                     const std::vector<double> &,                                                       \
                                     double);

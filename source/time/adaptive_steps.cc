@@ -25,9 +25,8 @@ namespace signorini
   AdaptiveSteps::AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters)
     : estimate(std::move(estimate))
     , parameters(parameters)
-    , lowest(std::min(0, -level_below(parameters.first, parameters.minimum)))
-    , highest(std::max(0, level_below(parameters.maximum, parameters.first)))
     , rules(this->estimate->rules())
+    , highest(std::max(0, level_below(parameters.maximum, parameters.first)))
   {
   }
 
@@ -41,6 +40,7 @@ namespace signorini
         return hand_out(state, std::move(second));
       }
     StepTrial trial = find_trial(system, state);
+    record_changes(state, trial);
     estimate->accept(state, trial);
     TakenStep &last = trial.steps.back();
     if (parameters.end_time - last.state.time <= round_off * last.step_size)
@@ -48,6 +48,15 @@ namespace signorini
     if (trial.steps.size() > 1)
       waiting = std::move(last);
     return hand_out(state, std::move(trial.steps.front()));
+  }
+
+
+  double AdaptiveSteps::minimum(const DynamicalSystem &system) const
+  {
+    if (parameters.minimum > 0.)
+      return parameters.minimum;
+    const double resolved = parameters.wave_part * system.shortest_wave_time();
+    return std::min(parameters.first, std::max(resolved, rules.smallest_part * parameters.first));
   }
 
 
@@ -82,6 +91,9 @@ namespace signorini
 
   StepTrial AdaptiveSteps::find_trial(DynamicalSystem &system, const State &state)
   {
+    if (new_mesh)
+      lowest = std::min(0, -level_below(parameters.first, minimum(system)));
+    new_mesh = false;
     approach(system, state);
     level = std::max(level, lowest);
     rest -= rest > 0;
@@ -132,7 +144,7 @@ namespace signorini
   void AdaptiveSteps::forget()
   {
     waiting.reset();
-    estimate->forget();
+    new_mesh = true;
   }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/time/contact_events.h>
+#include <signorini/time/energy_norm.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -15,6 +16,8 @@ namespace signorini
   {
     /** Forces below this part of the largest one are what solvers leave. */
     constexpr double negligible = 1e-7;
+    /** As small beside the energy of the motion over the size of the bodies: a force that would hardly be noticed. */
+    constexpr double negligible_beside_energy = 1e-10;
   } // namespace
 
 
@@ -26,9 +29,11 @@ namespace signorini
       largest = std::max(largest, std::abs(value));
     largest = dealii::Utilities::MPI::max(largest, state.contact_force.get_mpi_communicator());
 
+    const double threshold =
+      std::max(negligible * largest, negligible_beside_energy * energy_of_motion(state) / system.length());
     ActiveSet result(force.size(), contact_status::open);
     for (std::size_t k = 0; k < force.size(); ++k)
-      if (force[k] < -negligible * largest)
+      if (force[k] < -threshold)
         {
           const bool sticks = state.friction.any() && contact_status::sticks(state.friction.status[k]);
           result[k]         = sticks ? contact_status::stick : contact_status::slip;

@@ -22,15 +22,15 @@ namespace signorini
       differ(contact_statuses(system, start), contact_statuses(system, step.state), start.displacement);
     trial.exponent  = changed ? 2. : 0.5;
     trial.is_flight = !changed && !any_contact(system, start);
-    trial.is_known  = last_size > 0.;
+    trial.is_known  = start.last_step.any();
     if (!trial.is_known)
       return trial;
     Vector velocity = step.state.velocity, momentum = step.state.momentum;
     velocity -= start.velocity;
     momentum -= start.momentum;
     const double at_rest = velocity * momentum;
-    velocity.add(-span / last_size, velocity_change);
-    momentum.add(-span / last_size, momentum_change);
+    velocity.add(-span / start.last_step.size, start.last_step.velocity_change);
+    momentum.add(-span / start.last_step.size, start.last_step.momentum_change);
     const double error = std::sqrt(0.5 * std::max(0., std::min(at_rest, velocity * momentum)));
     if (error > 0.)
       trial.error = error / unit(start, step.state);
@@ -47,13 +47,6 @@ namespace signorini
 
   void EmbeddedEstimate::accept(const State &start, const StepTrial &trial)
   {
-    const State &before = trial.steps.size() > 1 ? trial.steps[trial.steps.size() - 2].state : start;
-    const State &after  = trial.steps.back().state;
-    velocity_change     = after.velocity;
-    velocity_change -= before.velocity;
-    momentum_change = after.momentum;
-    momentum_change -= before.momentum;
-    largest_energy = std::max({largest_energy, energy_of_motion(start), energy_of_motion(after)});
-    last_size      = trial.steps.back().step_size;
+    largest_energy = std::max({largest_energy, energy_of_motion(start), energy_of_motion(trial.steps.back().state)});
   }
 } // namespace signorini

@@ -31,7 +31,7 @@ namespace signorini
 
     Vector change = end.contact_force;
     change -= start.contact_force;
-    const double between = last_size > 0. ? (last_size + span) / 2. : span; // from mean to mean
+    const double between = start.last_step.any() ? (start.last_step.size + span) / 2. : span; // from mean to mean
     const double forces  = change.l1_norm() * span / between;
     if (forces > 0.)
       trial.error = std::max(trial.error, forces / largest_expected_force(start, end) * (span / unit) * (span / unit));
@@ -54,7 +54,6 @@ namespace signorini
   {
     motion.accept(start, trial);
     const State &end       = trial.steps.back().state;
-    last_size              = trial.steps.back().step_size;
     largest_force          = std::max(largest_force, end.contact_force.l1_norm());
     largest_energy         = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
     largest_elastic_energy = std::max(largest_elastic_energy, elastic_energy(end));
@@ -67,6 +66,7 @@ namespace signorini
     rules.content           = 0.3; // forces waver: what is 1.2 for twice the size by now may soon be less
     rules.content_in_flight = 1.;
     rules.rest              = 0;
+    rules.smallest_part     = 1. / 8.; // resting contact chatters in shorter and shorter steps
     rules.flight_is_free    = true;
     return rules;
   }

@@ -242,6 +242,7 @@ TEST(StepEstimates, Orders)
     StepTrial first;
     first.steps.push_back({before, {}, tau});
     first.steps.back().report = scheme->advance(system, first.steps.back().state, tau);
+    record_changes(before, first);
     estimate.accept(before, first);
     return estimate.attempt(system, first.steps.back().state, tau, 0.).error;
   };

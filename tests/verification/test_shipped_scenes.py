@@ -8,6 +8,7 @@ Expensive scenes are shortened. Scenes of two bodies and those with friction hav
 """
 
 import check_history
+import test_adaptivity
 import test_friction
 import test_two_bodies
 
@@ -49,7 +50,7 @@ class ShippedScenes(check_history.SceneTest):
 
     def test_no_scene_is_forgotten(self):
         self.assertEqual(sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")),
-                         sorted([*SCENES, *DRIVEN, *test_two_bodies.FREE_SCENES, *test_friction.SCENES]))
+                         sorted([*SCENES, *DRIVEN, *test_two_bodies.FREE_SCENES, *test_friction.SCENES, *test_adaptivity.SCENES]))
 
     def check_driven(self, name):
         overrides, size = DRIVEN[name]

@@ -38,7 +38,7 @@ namespace signorini
   private:
     Discretization<dim> &discretization;
     const State          clock; ///< step and time
-    const bool           has_acceleration, has_friction;
+    const bool           has_acceleration, has_friction, has_last_step;
     const double         elastic_size; ///< energy norm of the old displacement
     FieldTransfer<dim>   fields;
   };

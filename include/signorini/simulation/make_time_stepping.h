@@ -13,10 +13,8 @@
 namespace signorini
 {
   /** The steps that a scene asks for. The system tells the sizes below which nothing is gained. The scheme must outlive the result. */
-  std::unique_ptr<TimeStepping> make_time_stepping(const TimeParameters     &time,
-                                                   const StepSizeParameters &sizes,
-                                                   TimeScheme               &scheme,
-                                                   const DynamicalSystem    &system);
+  std::unique_ptr<TimeStepping>
+  make_time_stepping(const TimeParameters &time, const StepSizeParameters &sizes, TimeScheme &scheme);
 } // namespace signorini
 
 #endif

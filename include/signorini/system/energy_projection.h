@@ -14,16 +14,13 @@ namespace signorini
    * the result is not larger than that of the function, unless a bound is in the way.
    *
    * Rigid motions of free bodies have no energy; a tiny multiple of the mass keeps them where they are.
-   * Solved to 1e-9 of the size of the function, and if that is not enough for a smaller energy, to 1e-12.
-   * @param displacement  what is to be corrected
    * @param error_moments r
-   * @param size          of the function, as a norm of energy (the square root of twice an energy)
+   * @param size          of the function, as a norm of energy (the square root of twice an energy): the unit of accepted errors
    * Collective.
    */
   template <int dim>
   Vector project_in_energy(const Discretization<dim>     &discretization,
                            const ContactCoordinates<dim> &coordinates,
-                           const Vector                  &displacement,
                            const Vector                  &error_moments,
                            const std::vector<double>     &bounds,
                            double                         size);

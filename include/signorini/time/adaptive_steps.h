@@ -33,10 +33,11 @@ namespace signorini
     {
       double tolerance; ///< relative
       double first;     ///< size of the first step
-      double
-        minimum; ///< > 0: sizes are not below, but those of the halves of a doubled step and of the last two of the run
+      /** Sizes are not below, but those of the halves of a doubled step and of the last two of the run; 0: see wave_part */
+      double minimum;
       double maximum;
       double end_time;
+      double wave_part = 0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
     };
 
     AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
@@ -44,6 +45,7 @@ namespace signorini
     AcceptedStep advance(DynamicalSystem &system, State &state) override;
     double       fraction_done(const State &state) const override;
     void         forget() override;
+    void         take_back() override { --n_accepted; }
     std::string  summary() const override;
 
     unsigned int rejected() const { return n_rejected; }
@@ -52,14 +54,17 @@ namespace signorini
   private:
     const std::unique_ptr<StepEstimate> estimate;
     const Parameters                    parameters;
-    const int                           lowest, highest; ///< sizes are first 2^level
     const StepRules                     rules;
-    int                                 level = 0; ///< of the next step
-    unsigned int                        rest  = 0; ///< steps that are not to be followed by a longer one
+    const int                           highest;         ///< sizes are first 2^level
+    int                                 lowest   = 0;    ///< on this mesh
+    bool                                new_mesh = true; ///< since the last step
+    int                                 level    = 0;    ///< of the next step
+    unsigned int                        rest     = 0;    ///< steps that are not to be followed by a longer one
     std::optional<TakenStep> waiting; ///< the second half of a doubled step, when the first one has been handed out
     unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
     double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
 
+    double       minimum(const DynamicalSystem &system) const;
     void         approach(const DynamicalSystem &system, const State &state);
     void         try_longer(const StepTrial &trial, double factor);
     StepTrial    find_trial(DynamicalSystem &system, const State &state);

@@ -27,16 +27,13 @@ namespace signorini
 
     StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
     void      accept(const State &start, const StepTrial &trial) override;
-    void      forget() override { last_size = 0.; }
 
     /** Errors in the energy norm are relative to this, the square root of the largest energy of the motion so far. */
     double unit(const State &start, const State &end) const;
 
   private:
     TimeScheme &scheme;
-    double      largest_energy = 0.;              ///< of the motion so far
-    Vector      velocity_change, momentum_change; ///< of the last step
-    double      last_size = 0.;                   ///< of the last step; zero: none
+    double      largest_energy = 0.; ///< of the motion so far
   };
 } // namespace signorini
 

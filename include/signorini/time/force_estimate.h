@@ -35,14 +35,11 @@ namespace signorini
 
     StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
     void      accept(const State &start, const StepTrial &trial) override;
-    /** Forces are kept as numbers only, and outlive the mesh. */
-    void      forget() override { motion.forget(); }
     StepRules rules() const override;
 
   private:
     EmbeddedEstimate motion;
     const double     unit;
-    double           last_size     = 0.; ///< of the last step; zero: none
     double           largest_force = 0., largest_energy = 0., largest_elastic_energy = 0.; ///< so far
 
     double largest_expected_force(const State &start, const State &end) const;

@@ -21,9 +21,19 @@ namespace signorini
     bool any() const { return force.size() > 0; }
   };
 
+  /** What the last step did to the motion: the control of steps compares with it. Empty where nobody asks for it. */
+  struct LastStep
+  {
+    double size = 0.;
+    Vector velocity_change;
+    Vector momentum_change; ///< M times the change of velocity
+
+    bool any() const { return size > 0.; }
+  };
+
   /**
    * The motion at one instant: all that goes from step to step and from mesh to mesh. With the mesh and its `Refinements` it determines
-   * how a run goes on; what estimates, solvers and the control of steps remember besides may be forgotten (see TimeStepping::forget()). The products
+   * how a run goes on; what solvers and the control of steps remember besides may be forgotten (see TimeStepping::forget()). The products
    * with M and A are kept, because both the next step and the ledger need them.
    */
   struct State
@@ -37,6 +47,7 @@ namespace signorini
     Vector        internal_force; ///< A u
     Vector        acceleration;   ///< a; empty unless the scheme needs it
     FrictionState friction;
+    LastStep      last_step;
   };
 } // namespace signorini
 

@@ -27,7 +27,6 @@ namespace signorini
 
     StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
     void      accept(const State &start, const StepTrial &trial) override { single.accept(start, trial); }
-    void      forget() override { single.forget(); }
 
   private:
     TimeScheme      &scheme;

@@ -27,12 +27,16 @@ namespace signorini
     unsigned int n_solved        = 0;     ///< steps that were computed, those thrown away included
   };
 
+  /** Write into each state of a trial what its step has changed, see LastStep. */
+  void record_changes(const State &start, StepTrial &trial);
+
   /** What a kind of errors means for the choice of the next size. */
   struct StepRules
   {
     double       content           = 0.;  ///< part of the tolerance below which a longer step is tried, anyway
     double       content_in_flight = 0.5; ///< the same for steps without contact
     unsigned int rest              = 8;   ///< steps after a rejection that are not lengthened
+    double       smallest_part     = 0.;  ///< of the first size: the default of the smallest size is not below
     bool flight_is_free = false; ///< no contact, no error: flight takes the longest steps that do not miss the touch
   };
 
@@ -51,13 +55,10 @@ namespace signorini
      */
     virtual StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) = 0;
 
-    /** The steps of a trial from this state count: what is kept for the next estimate follows them. */
+    /** The steps of a trial from this state count: what is kept for the next estimate follows them. Numbers only, no vectors: the mesh may change. */
     virtual void accept(const State & /*start*/, const StepTrial & /*trial*/) {}
 
     virtual StepRules rules() const { return {}; }
-
-    /** Forget what is kept, because vectors have got another size or meaning. */
-    virtual void forget() {}
   };
 } // namespace signorini
 

@@ -31,8 +31,11 @@ namespace signorini
 
     bool finished(const State &state) const { return fraction_done(state) >= 1.; }
 
-    /** The mesh has changed: keep no vectors. The next step is the next one all the same. */
+    /** The mesh has changed: keep no vectors, and nothing that depends on the size of cells. The next step is the next one all the same. */
     virtual void forget() {}
+
+    /** The step that was handed out last does not count: it is repeated on another mesh. */
+    virtual void take_back() {}
 
     /** How the sizes came out, in words; empty if there is nothing to say. */
     virtual std::string summary() const { return ""; }
