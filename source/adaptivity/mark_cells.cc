@@ -5,6 +5,8 @@
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/marking.h>
 
+#include <deal.II/grid/grid_tools.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,6 +39,44 @@ namespace signorini
           cell->clear_coarsen_flag();
         }
     }
+
+    /** Let all processes know which of their ghost cells are going to be refined: by active_cell_index. */
+    template <int dim>
+    std::vector<char> refine_flags_with_ghosts(const parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      using Cell = typename Triangulation<dim>::active_cell_iterator;
+      std::vector<char> flags(triangulation.n_active_cells());
+      for (const auto &cell : triangulation.active_cell_iterators())
+        flags[cell->active_cell_index()] = cell->is_locally_owned() && cell->refine_flag_set();
+      GridTools::exchange_cell_data_to_ghosts<char, parallel::distributed::Triangulation<dim>>(
+        triangulation,
+        [&](const Cell &cell) { return std_cxx17::optional<char>(flags[cell->active_cell_index()]); },
+        [&](const Cell &cell, const char flag) { flags[cell->active_cell_index()] = flag; });
+      return flags;
+    }
+
+
+    /**
+     * Coarsen no family beside cells that are finer or become so. If the finer ones are coarsened, too, the family is next. The
+     * triangulation would allow both at once, but only where it sees the flags, not across processes.
+     */
+    template <int dim>
+    void keep_families_beside_finer_cells(parallel::distributed::Triangulation<dim> &triangulation)
+    {
+      const std::vector<char> refined = refine_flags_with_ghosts(triangulation);
+      std::vector<int>        finest(triangulation.n_vertices(), 0);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (!cell->is_artificial())
+          for (const unsigned int v : cell->vertex_indices())
+            finest[cell->vertex_index(v)] =
+              std::max(finest[cell->vertex_index(v)], cell->level() + refined[cell->active_cell_index()]);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned() && cell->coarsen_flag_set())
+          for (const unsigned int v : cell->vertex_indices())
+            if (finest[cell->vertex_index(v)] > cell->level())
+              cell->clear_coarsen_flag();
+    }
+
 
     template <int dim>
     void count_flags(const parallel::distributed::Triangulation<dim> &triangulation, MeshChange &change)
@@ -110,6 +150,7 @@ namespace signorini
     count_flags(triangulation, change);
     if (!change.any())
       return change;
+    keep_families_beside_finer_cells(triangulation);
     triangulation.prepare_coarsening_and_refinement(); // may add flags and remove some
     count_flags(triangulation, change);
     if (!change.refines() && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
