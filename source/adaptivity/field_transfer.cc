@@ -162,18 +162,36 @@ namespace signorini
 
 
   template <int dim>
-  Vector FieldTransfer<dim>::set_nodes(const std::vector<CellFields> &cells, const unsigned int source) const
+  std::vector<typename FieldTransfer<dim>::Result>
+  FieldTransfer<dim>::values_at_nodes(const std::vector<CellFields> &cells) const
   {
-    Vector field = discretization.make_vector();
+    std::vector<Result> results(sources.size());
+    for (Result &result : results)
+      result.field = discretization.make_vector();
+    const auto       &partitioner = *discretization.matrices.pattern.partitioner;
+    std::vector<char> is_done(discretization.matrices.pattern.n_owned);
     for (const auto &cell : discretization.dof_handler.active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
-          if (const auto dof = cell->vertex_dof_index(v, 0);
-              discretization.locally_owned.is_element(dof)
-              && !discretization.hanging_node_constraints.is_constrained(dof))
-            for (unsigned int c = 0; c < dim; ++c)
-              field(dof + c) = cells[cell->active_cell_index()][n_values * source + dim * v + c];
-    return field;
+          {
+            const auto dof = cell->vertex_dof_index(v, 0);
+            if (!partitioner.in_local_range(dof))
+              continue;
+            const unsigned int first = partitioner.global_to_local(dof);
+            if (is_done[first / dim])
+              continue;
+            is_done[first / dim] = 1;
+            if (discretization.hanging_node_constraints.is_constrained(dof))
+              continue;
+            const double *value = &cells[cell->active_cell_index()][dim * v];
+            for (Result &result : results)
+              {
+                for (unsigned int c = 0; c < dim; ++c)
+                  result.field.local_element(first + c) = value[c];
+                value += n_values;
+              }
+          }
+    return results;
   }
 
 
@@ -218,13 +236,10 @@ namespace signorini
       std::any_of(cells.begin(), cells.end(), [&](const CellFields &cell) { return is_coarsened(cell); });
     const bool coarsened = Utilities::MPI::max(static_cast<unsigned int>(here), discretization.communicator()) > 0;
 
-    std::vector<Result> results(sources.size());
+    std::vector<Result> results = values_at_nodes(cells);
     for (unsigned int s = 0; s < sources.size(); ++s)
-      {
-        results[s].field = set_nodes(cells, s);
-        if (coarsened && sources[s].moments != nullptr)
-          results[s].lost_moments = lost_moments(cells, s, results[s].field);
-      }
+      if (coarsened && sources[s].moments != nullptr)
+        results[s].lost_moments = lost_moments(cells, s, results[s].field);
     return results;
   }
 

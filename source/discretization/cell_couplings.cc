@@ -61,26 +61,20 @@ namespace signorini
     cell_vertices.reserve(global_vertices.size());
     for (const auto global : global_vertices)
       cell_vertices.push_back(local_nodes.local(global));
-    masters_start.assign(local_nodes.size() + 1, 0);
+    parts_start.assign(local_nodes.size() + 1, 1);
+    parts_start[0] = 0;
     for (const Line *line : lines)
-      masters_start[local_nodes.local(line->index / dim) + 1] = line->entries.size();
-    std::partial_sum(masters_start.begin(), masters_start.end(), masters_start.begin());
-    masters.resize(masters_start.back());
+      parts_start[local_nodes.local(line->index / dim) + 1] = line->entries.size();
+    std::partial_sum(parts_start.begin(), parts_start.end(), parts_start.begin());
+    all_parts.resize(parts_start.back());
+    for (unsigned int node = 0; node < local_nodes.size(); ++node)
+      all_parts[parts_start[node]] = {node, 1.};
     for (const Line *line : lines)
       {
-        unsigned int next = masters_start[local_nodes.local(line->index / dim)];
+        unsigned int next = parts_start[local_nodes.local(line->index / dim)];
         for (const auto &[dof, weight] : line->entries)
-          masters[next++] = {local_nodes.local(dof / dim), weight};
+          all_parts[next++] = {local_nodes.local(dof / dim), weight};
       }
-  }
-
-
-  template <int dim>
-  std::vector<std::pair<unsigned int, double>> CellCouplings<dim>::parts(const unsigned int node) const
-  {
-    if (!is_hanging(node))
-      return {{node, 1.}};
-    return {masters.begin() + masters_start[node], masters.begin() + masters_start[node + 1]};
   }
 
 

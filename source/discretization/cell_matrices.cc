@@ -79,38 +79,41 @@ namespace signorini
   template <int dim>
   ScaledCellMatrix<dim> CellMatrices<dim>::of(const Cell &cell) const
   {
-    return is_straight(cell) ? of_straight(cell) : of_curved(cell);
+    if (all_straight)
+      return of_straight(cell);
+    const CellId id = cell->id();
+    return is_straight(cell, id) ? of_straight(cell) : of_curved(cell, id);
   }
 
 
   template <int dim>
   void CellMatrices<dim>::forget_unused()
   {
-    const bool scarce = n_kept() > capacity / 2;
-    for (auto entry = shapes.begin(); entry != shapes.end();)
-      if (scarce && !entry->second.second.used)
-        entry = shapes.erase(entry);
-      else
-        (entry++)->second.second.used = false;
-    for (auto entry = curved_cells.begin(); entry != curved_cells.end();)
-      if (scarce && !entry->second.used)
-        entry = curved_cells.erase(entry);
-      else
-        (entry++)->second.used = false;
+    if (n_kept() > capacity / 2)
+      {
+        for (auto entry = shapes.begin(); entry != shapes.end();)
+          entry = entry->second.second.last_mesh == mesh ? std::next(entry) : shapes.erase(entry);
+        for (auto entry = curved_cells.begin(); entry != curved_cells.end();)
+          entry = entry->second.last_mesh == mesh ? std::next(entry) : curved_cells.erase(entry);
+      }
+    ++mesh;
     latest = nullptr;
   }
 
 
   template <int dim>
-  bool CellMatrices<dim>::is_straight(const Cell &cell) const
+  bool CellMatrices<dim>::is_straight(const Cell &cell, const CellId &id) const
   {
-    if (all_straight)
-      return true;
     // A cell may be a part of the map of a cell of the coarse mesh.
-    Cell ancestor = cell;
-    while (ancestor->level() > 0)
-      ancestor = ancestor->parent();
-    return is_flat<dim>(ancestor);
+    const auto [known, is_new] = straight_coarse_cells.emplace(id.get_coarse_cell_id(), false);
+    if (is_new)
+      {
+        Cell ancestor = cell;
+        while (ancestor->level() > 0)
+          ancestor = ancestor->parent();
+        known->second = is_flat<dim>(ancestor);
+      }
+    return known->second;
   }
 
 
@@ -118,9 +121,9 @@ namespace signorini
   ScaledCellMatrix<dim> CellMatrices<dim>::of_straight(const Cell &cell) const
   {
     const Shape shape(cell, mapping);
-    const auto  scaled = [&shape](std::pair<Shape, Kept> &found) {
-      found.second.used  = true;
-      const double ratio = shape.size / found.first.size;
+    const auto  scaled = [this, &shape](std::pair<Shape, Kept> &found) {
+      found.second.last_mesh = mesh;
+      const double ratio     = shape.size / found.first.size;
       return ScaledCellMatrix<dim>{&found.second.matrix, std::pow(ratio, dim), dim == 2 ? 1. : ratio};
     };
     if (latest != nullptr && shape.is_same(latest->first))
@@ -141,10 +144,9 @@ namespace signorini
 
 
   template <int dim>
-  ScaledCellMatrix<dim> CellMatrices<dim>::of_curved(const Cell &cell) const
+  ScaledCellMatrix<dim> CellMatrices<dim>::of_curved(const Cell &cell, const CellId &id) const
   {
-    const CellId id    = cell->id();
-    auto         found = curved_cells.find(id);
+    auto found = curved_cells.find(id);
     if (found == curved_cells.end() && curved_cells.size() >= capacity)
       {
         compute(cell, not_kept);
@@ -155,7 +157,7 @@ namespace signorini
         found = curved_cells.emplace(id, Kept()).first;
         compute(cell, found->second.matrix);
       }
-    found->second.used = true;
+    found->second.last_mesh = mesh;
     return {&found->second.matrix, 1., 1.};
   }
 

@@ -110,12 +110,16 @@ namespace signorini
     coordinates.force_to_contact(right_hand_side);
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
-    matrix.forecast.guess(right_hand_side, increment);
+    if (!matrix.forecast.guess(right_hand_side, increment)) // on a new mesh, or with a new size of steps
+      {
+        increment.equ(problem.step_size, problem.start.velocity);
+        coordinates.displacement_to_contact(increment);
+      }
 
-    std::vector<double> prescribed = coordinates.supported_values(problem.start_time + problem.step_size);
+    std::vector<double> prescribed = coordinates.supported_values(problem.start.time + problem.step_size);
     if (!prescribed.empty())
       {
-        Vector displacement = problem.displacement;
+        Vector displacement = problem.start.displacement;
         coordinates.rotate_to_frames(displacement); // supported entries are not relative
         for (unsigned int j = 0; j < prescribed.size(); ++j)
           prescribed[j] -= displacement.local_element(coordinates.supported_entries()[j]);

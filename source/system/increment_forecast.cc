@@ -6,12 +6,11 @@
 
 namespace signorini
 {
-  void IncrementForecast::guess(const Vector &right_hand_side, Vector &increment)
+  bool IncrementForecast::guess(const Vector &right_hand_side, Vector &increment)
   {
-    increment            = 0.;
     const unsigned int n = entries.size();
     if (n == 0)
-      return;
+      return false;
 
     // b - s with s from the last two steps
     Vector force = right_hand_side;
@@ -32,9 +31,11 @@ namespace signorini
     Eigen::VectorXd weights = modes.eigenvectors().transpose() * scaling.asDiagonal() * projection;
     for (unsigned int i = 0; i < n; ++i)
       weights[i] = modes.eigenvalues()[i] > smallest ? weights[i] / modes.eigenvalues()[i] : 0.;
-    weights = scaling.asDiagonal() * modes.eigenvectors() * weights;
+    weights   = scaling.asDiagonal() * modes.eigenvectors() * weights;
+    increment = 0.;
     for (unsigned int i = 0; i < n; ++i)
       increment.add(weights[i], entries[i].increment);
+    return true;
   }
 
 

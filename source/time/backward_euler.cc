@@ -15,7 +15,7 @@ namespace signorini
     system.add_load(b, tau * tau, end_time);
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({tau * tau, b, gap, state.displacement, state.time, tau, tau * tau}, solution);
+    system.solve({tau * tau, b, gap, state, tau, tau * tau}, solution);
     const Vector &d = solution.increment;
 
     Vector r = solution.contact_reaction;

@@ -13,7 +13,7 @@ namespace signorini
     const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
     const NormalGap   gap    = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({rule.stiffness_factor(tau), b, gap, state.displacement, state.time, tau}, solution);
+    system.solve({rule.stiffness_factor(tau), b, gap, state, tau}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r *= rule.reaction_weight(tau);

@@ -32,7 +32,7 @@ namespace signorini
 
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({scale, b, gap, state.displacement, state.time, tau}, solution);
+    system.solve({scale, b, gap, state, tau}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r /= scale;

@@ -16,7 +16,7 @@ namespace signorini
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
     // Only half of the new force enters the balance, hence the factor 4 rather than 2.
-    system.solve({tau * tau / 4., b, gap, state.displacement, state.time, tau, tau * tau / 4.}, solution);
+    system.solve({tau * tau / 4., b, gap, state, tau, tau * tau / 4.}, solution);
     const Vector &d = solution.increment;
 
     Vector r = solution.contact_reaction;

@@ -49,8 +49,7 @@ namespace signorini
           if (!touching[k])
             bounds[k] = std::numeric_limits<double>::infinity();
 
-        system.solve({rule.stiffness_factor(tau), right_hand_side, bounds, state.displacement, state.time, tau},
-                     solution);
+        system.solve({rule.stiffness_factor(tau), right_hand_side, bounds, state, tau}, solution);
         effort.active_set_iterations += solution.effort.active_set_iterations;
         effort.linear_iterations += solution.effort.linear_iterations;
         effort.fallback    = effort.fallback || solution.effort.fallback;

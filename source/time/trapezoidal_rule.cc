@@ -38,9 +38,7 @@ namespace signorini
     {
       const double      square = step_size * step_size;
       IncrementSolution solution;
-      system.solve(
-        {square / 4., right_hand_side, gap, state.displacement, state.time, step_size, square / 2., further_reaction},
-        solution);
+      system.solve({square / 4., right_hand_side, gap, state, step_size, square / 2., further_reaction}, solution);
       return solution;
     }
 

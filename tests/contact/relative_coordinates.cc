@@ -149,7 +149,9 @@ namespace
     Vector both = bodies.nodal([&](const Point<dim> &) { return shift; }), slave = both;
     for (const Tensor<1, dim> &sliding : bodies.surface.relative_tangential(both))
       if (bodies.scene.pairs.size() == 1)
-        EXPECT_LT(sliding.norm(), 1e-13);
+        {
+          EXPECT_LT(sliding.norm(), 1e-13);
+        }
     bodies.coordinates.displacement_to_contact(both);
     for (const unsigned int i : bodies.coordinates.relative_entries())
       EXPECT_NEAR(both.local_element(i), 0., 1e-13);
@@ -252,7 +254,7 @@ TEST(RelativeCoordinates, SomeTangentsAreHeldIn3d)
   scene.pairs[0].friction = {"coulomb", "0.3", "", true};
   const TwoBodies<3> bodies(scene);
   const auto         count = [&](const unsigned int n) {
-    return bodies.sum([n](const ContactNode<3> &node) { return node.relative[1] + node.relative[2] == n; });
+    return bodies.sum([n](const ContactNode<3> &node) { return 0u + node.relative[1] + node.relative[2] == n; });
   };
   EXPECT_EQ(count(1), bodies.sum([](const ContactNode<3> &node) { return node.pair == 0 && node.position[0] == 1.; }));
   EXPECT_GT(count(1), 1.);

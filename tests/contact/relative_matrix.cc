@@ -72,7 +72,9 @@ namespace
           unit(i) = 1.;
         matrix.vmult(product, unit);
         if (is_owned)
-          EXPECT_NEAR(diagonal(i), product(i), 1e-13 * scale) << "entry " << i << " at angle " << angle;
+          {
+            EXPECT_NEAR(diagonal(i), product(i), 1e-13 * scale) << "entry " << i << " at angle " << angle;
+          }
       }
   }
 

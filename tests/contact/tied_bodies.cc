@@ -86,7 +86,9 @@ namespace
       EXPECT_NEAR(found.products[k], expected.products[k], 1e-9) << k;
     EXPECT_GT(std::abs(expected.products[0]), 0.01);
     if (preconditioner == "incomplete-cholesky")
-      EXPECT_LE(found.iterations, expected.iterations + 2);
+      {
+        EXPECT_LE(found.iterations, expected.iterations + 2);
+      }
   }
 } // namespace
 

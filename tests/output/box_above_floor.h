@@ -32,7 +32,12 @@ signorini::Scene<dim> box_above_floor()
   floor.point[dim - 1]  = -0.1;
   floor.normal[dim - 1] = 1.;
   scene.obstacles.push_back(floor);
-  scene.pairs.push_back({"box[bottom] : floor", 0, {2 * dim - 2}, 0});
+  signorini::PairDescription pair;
+  pair.name               = "box[bottom] : floor";
+  pair.slave              = 0;
+  pair.slave_boundary_ids = {2 * dim - 2};
+  pair.obstacle           = 0;
+  scene.pairs.push_back(pair);
   scene.time.step_size = 0.1;
   scene.time.end_time  = 1.;
   return scene;

@@ -113,8 +113,9 @@ namespace signorini
       const Eigen::MatrixXd K      = mass + problem.stiffness_factor * stiffness;
       const unsigned int    middle = mass.rows() / 2;
       solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
-      const double moved = motion ? motion(problem.start_time + problem.step_size) - problem.displacement(middle) : 0.;
-      const auto   b     = view(problem.right_hand_side);
+      const double moved =
+        motion ? motion(problem.start.time + problem.step_size) - problem.start.displacement(middle) : 0.;
+      const auto b                   = view(problem.right_hand_side);
       view(solution.increment)       = minimise(K, b, problem.bounds, motion ? &moved : nullptr);
       const Eigen::VectorXd reaction = K * view(solution.increment) - b;
       // Exactly zero where there is no contact, as in the real system.

@@ -67,7 +67,7 @@ namespace signorini
     VertexValues            moments_of_children(const Cell &parent, const Source &source) const;
     CellFields              prolongate(const CellFields &parent, unsigned int child) const;
     std::vector<CellFields> receive();
-    Vector                  set_nodes(const std::vector<CellFields> &cells, unsigned int source) const;
+    std::vector<Result>     values_at_nodes(const std::vector<CellFields> &cells) const;
     Vector lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
   };
 } // namespace signorini

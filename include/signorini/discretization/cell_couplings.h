@@ -7,7 +7,7 @@
 #include <signorini/discretization/local_nodes.h>
 #include <signorini/linear_algebra/node_pattern.h>
 
-#include <array>
+#include <deal.II/base/array_view.h>
 
 namespace signorini
 {
@@ -22,6 +22,7 @@ namespace signorini
   class CellCouplings
   {
   public:
+    using Part                               = std::pair<unsigned int, double>; ///< a local node and its weight
     static constexpr unsigned int n_vertices = 1u << dim;
 
     explicit CellCouplings(const Discretization<dim> &discretization);
@@ -38,19 +39,22 @@ namespace signorini
     std::vector<unsigned int> coupled_nodes(unsigned int cell) const;
 
     /** What a vertex is made of: itself, or the nodes that it hangs between and their weights. */
-    std::vector<std::pair<unsigned int, double>> parts(unsigned int node) const;
+    dealii::ArrayView<const Part> parts(const unsigned int node) const
+    {
+      return {&all_parts[parts_start[node]], parts_start[node + 1] - parts_start[node]};
+    }
 
     /** The upper triangle of the couplings, in compressed rows over nodes(). */
     NodePattern pattern() const;
 
   private:
-    LocalNodes                                   local_nodes;
-    std::vector<unsigned int>                    cell_vertices;
-    std::vector<char>                            is_resolved;   ///< by cell
-    std::vector<unsigned int>                    masters_start; ///< by local node
-    std::vector<std::pair<unsigned int, double>> masters;
+    LocalNodes                local_nodes;
+    std::vector<unsigned int> cell_vertices;
+    std::vector<char>         is_resolved; ///< by cell
+    std::vector<unsigned int> parts_start; ///< by local node
+    std::vector<Part>         all_parts;
 
-    bool is_hanging(const unsigned int node) const { return masters_start[node] < masters_start[node + 1]; }
+    bool is_hanging(const unsigned int node) const { return all_parts[parts_start[node]].first != node; }
     void number_nodes(const Discretization<dim> &discretization);
   };
 } // namespace signorini

@@ -99,7 +99,7 @@ namespace signorini
     struct Kept
     {
       CellMatrix<dim> matrix;
-      bool            used;
+      unsigned int    last_mesh; ///< that used it, see forget_unused()
     };
 
     const Scene<dim>                                                    &scene;
@@ -110,12 +110,15 @@ namespace signorini
     mutable dealii::FEValues<dim>                                        fe_values;
     mutable std::unordered_multimap<std::size_t, std::pair<Shape, Kept>> shapes;
     mutable std::unordered_map<dealii::CellId, Kept, CellIdHash<dim>>    curved_cells;
-    mutable std::pair<Shape, Kept> *latest = nullptr; ///< neighbours are often of one shape
+    mutable std::unordered_map<dealii::types::coarse_cell_id, bool>
+                                    straight_coarse_cells; ///< and all their descendants
+    mutable std::pair<Shape, Kept> *latest = nullptr;      ///< neighbours are often of one shape
     mutable CellMatrix<dim>         not_kept;
+    unsigned int                    mesh = 0; ///< number of calls of forget_unused()
 
-    bool                  is_straight(const Cell &cell) const;
+    bool                  is_straight(const Cell &cell, const dealii::CellId &id) const;
     ScaledCellMatrix<dim> of_straight(const Cell &cell) const;
-    ScaledCellMatrix<dim> of_curved(const Cell &cell) const;
+    ScaledCellMatrix<dim> of_curved(const Cell &cell, const dealii::CellId &id) const;
     void                  compute(const Cell &cell, CellMatrix<dim> &result) const;
   };
 } // namespace signorini

@@ -70,9 +70,6 @@ namespace signorini
     /** The largest energy of the motion so far. */
     double energy() const { return energy_scale; }
 
-    /** The preconditioner in use. */
-    const std::string &preconditioner_name() const { return step_matrices.preconditioner_name(); }
-
     /** Matrix-vector products so far in words. */
     std::string cost_summary() const;
 

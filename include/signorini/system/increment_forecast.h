@@ -23,8 +23,8 @@ namespace signorini
   class IncrementForecast
   {
   public:
-    /** The guess for the right-hand side b; zero if nothing is known. */
-    void guess(const Vector &right_hand_side, Vector &increment);
+    /** The guess for the right-hand side b. @return false if nothing is known; the increment is not changed then */
+    bool guess(const Vector &right_hand_side, Vector &increment);
 
     /** Remember a solved step: K increment = right_hand_side - residual. */
     void remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual);

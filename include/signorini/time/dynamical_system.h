@@ -6,6 +6,7 @@
 
 #include <signorini/base/contact_status.h>
 #include <signorini/base/types.h>
+#include <signorini/time/state.h>
 
 #include <vector>
 
@@ -25,15 +26,14 @@ namespace signorini
 
   /**
    * minimise 1/2 d'(M + s A) d - b'd over increments d with d.nu <= bound at the contact nodes and the prescribed
-   * increments at supports. The step [start_time, start_time + step_size] determines supports and the scale of errors.
+   * increments at supports. The step [start.time, start.time + step_size] determines supports and the scale of errors.
    */
   struct IncrementProblem
   {
     double           stiffness_factor; ///< s, tau^2/4 for the trapezoidal rule
     const Vector    &right_hand_side;  ///< b
     const NormalGap &bounds;
-    const Vector    &displacement; ///< u at the start
-    double           start_time;
+    const State     &start; ///< the motion before the step: what supports are measured from, and a first guess
     double           step_size;
     double           force_factor = 0.; ///< nodal forces times this are reactions: tau^2/2 for the trapezoidal rule
     /** Reactions of contact besides those of this problem in the step, to which friction is entitled, too; null: none. */
