@@ -8,13 +8,20 @@
 
 namespace signorini
 {
+  namespace
+  {
+    constexpr double good_guess = 0.01; ///< in tolerances
+  }
+
+
   ConjugateGradients::Report ConjugateGradients::solve(const LinearOperator       &matrix,
                                                        const MaskedPreconditioner &preconditioner,
                                                        Vector                     &solution,
                                                        Vector                     &residual,
                                                        const double                tolerance,
                                                        const double                reduction,
-                                                       const unsigned int          maximum_iterations)
+                                                       const unsigned int          maximum_iterations,
+                                                       const bool                  is_guess)
   {
     if (preconditioned.get_partitioner() != solution.get_partitioner() || preconditioned.size() == 0)
       {
@@ -26,8 +33,9 @@ namespace signorini
     Report report;
     preconditioner.vmult(preconditioned, residual);
     double       norm_square = dot(residual, preconditioned);
-    const double goal        = std::max(tolerance, reduction * std::sqrt(std::max(norm_square, 0.)));
-    direction                = preconditioned;
+    const double norm        = std::sqrt(std::max(norm_square, 0.));
+    const double goal = is_guess && norm <= tolerance ? good_guess * tolerance : std::max(tolerance, reduction * norm);
+    direction         = preconditioned;
     while (!(report.converged = norm_square <= goal * goal) && report.iterations < maximum_iterations)
       {
         matrix.vmult(product, direction);

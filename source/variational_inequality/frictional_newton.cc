@@ -51,7 +51,7 @@ namespace signorini
         ++report.active_set_iterations;
         set_mask(problem, status);
         linearise(problem, status, solution, residual);
-        const auto linear = step(problem, solution, residual, precision, last_norm);
+        const auto linear = step(problem, solution, residual, precision, last_norm, report.linear_iterations == 0);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
@@ -204,7 +204,8 @@ namespace signorini
                                                     Vector                   &solution,
                                                     Vector                   &residual,
                                                     const Precision           precision,
-                                                    const double              last_norm)
+                                                    const double              last_norm,
+                                                    const bool                is_guess)
   {
     if (!slip.any())
       return conjugate_gradients.solve(problem.matrix,
@@ -213,7 +214,8 @@ namespace signorini
                                        residual,
                                        problem.tolerance,
                                        precision == Precision::rough ? rough_reduction : 0.,
-                                       limits.maximum_linear_iterations);
+                                       limits.maximum_linear_iterations,
+                                       is_guess);
     const auto goal = [&](const double norm) {
       double reduction = rough_reduction;
       if (precision == Precision::settled && slip.any_turning() && last_norm > 0.)

@@ -30,7 +30,8 @@ namespace signorini
                                                       residual,
                                                       problem.tolerance,
                                                       reduction,
-                                                      limits.maximum_linear_iterations);
+                                                      limits.maximum_linear_iterations,
+                                                      report.linear_iterations == 0);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;

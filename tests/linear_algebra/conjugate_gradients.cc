@@ -230,6 +230,26 @@ TEST(ConjugateGradients, StopWhereTheyAreTold)
   EXPECT_EQ(limited_report.iterations, 2u);
 }
 
+// Errors of guesses add up from step to step: one of half the tolerance is improved, one of a thousandth is not touched.
+TEST(ConjugateGradients, AGuessHasToBeBetterThanASolution)
+{
+  const auto iterations = [](const double tolerance, const bool is_guess) {
+    LinearSystem system(MPI_COMM_WORLD);
+    system.solve(1e-8);
+    const Vector before = system.solution;
+    const auto   report = ConjugateGradients().solve(
+      system.matrix, system.preconditioner, system.solution, system.residual, tolerance, 0.5, 200, is_guess);
+    EXPECT_TRUE(report.converged);
+    Vector change = system.solution;
+    change -= before;
+    EXPECT_EQ(change.linfty_norm() == 0., report.iterations == 0);
+    return report.iterations;
+  };
+  EXPECT_EQ(iterations(2e-8, false), 0u);
+  EXPECT_GT(iterations(2e-8, true), 1u);
+  EXPECT_EQ(iterations(1e-5, true), 0u);
+}
+
 TEST(ConjugateGradients, AnyNumberOfProcessesFindsTheSameSolution)
 {
   LinearSystem distributed(MPI_COMM_WORLD), serial(MPI_COMM_SELF);

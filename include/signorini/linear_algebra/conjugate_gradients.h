@@ -31,6 +31,9 @@ namespace signorini
      * @param tolerance bound for (residual' P^-1 residual)^(1/2) over the free entries, P the preconditioner: an estimate of the
      *                  error in the norm of K
      * @param reduction stop earlier if this norm has fallen by this factor since the start (0: never)
+     * @param is_guess  the solution on entry continues earlier solutions. What is wrong with it is alike from step to step and adds up, unlike
+     *                  what is left by iterations; so it is taken as it is, without any iteration, only if it is a hundred times as good as the
+     *                  tolerance, and improved to that otherwise
      */
     Report solve(const LinearOperator       &matrix,
                  const MaskedPreconditioner &preconditioner,
@@ -38,7 +41,8 @@ namespace signorini
                  Vector                     &residual,
                  double                      tolerance,
                  double                      reduction,
-                 unsigned int                maximum_iterations);
+                 unsigned int                maximum_iterations,
+                 bool                        is_guess = false);
 
   private:
     Vector preconditioned, direction, product;

@@ -63,9 +63,18 @@ namespace signorini
       settled,
       full
     };
-    /** Solve the linear system. @param last_norm what was unbalanced at the start of the last one @return iterations; zero if all was balanced */
-    ConjugateGradients::Report
-    step(const ConstrainedProblem &problem, Vector &solution, Vector &residual, Precision precision, double last_norm);
+    /**
+     * Solve the linear system.
+     * @param last_norm what was unbalanced at the start of the last one
+     * @param is_guess  see ConjugateGradients
+     * @return iterations; zero if all was balanced
+     */
+    ConjugateGradients::Report step(const ConstrainedProblem &problem,
+                                    Vector                   &solution,
+                                    Vector                   &residual,
+                                    Precision                 precision,
+                                    double                    last_norm,
+                                    bool                      is_guess);
   };
 } // namespace signorini
 
