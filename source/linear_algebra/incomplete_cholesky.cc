@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace signorini
 {
@@ -98,22 +99,39 @@ namespace signorini
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       position_of[order[p]] = p;
 
-    origins.resize(pattern.n_local);
-    for (unsigned int node = 0; node < pattern.n_local; ++node)
-      for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+    const auto for_each_entry = [&](const auto &action) {
+      for (unsigned int node = 0; node < pattern.n_local; ++node)
+        for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+          {
+            const unsigned int i = position_of[node], j = position_of[pattern.columns[k]];
+            if (i != j)
+              action(std::max(i, j), std::min(i, j), Origin{k, j > i});
+          }
+    };
+    // Sorted by columns first: in this order each row gets its entries by ascending columns.
+    std::vector<unsigned int> column_start(pattern.n_local + 1, 0);
+    row_start.assign(pattern.n_local + 1, 0);
+    for_each_entry([&](const unsigned int row, const unsigned int column, const Origin &) {
+      ++row_start[row + 1];
+      ++column_start[column + 1];
+    });
+    std::partial_sum(row_start.begin(), row_start.end(), row_start.begin());
+    std::partial_sum(column_start.begin(), column_start.end(), column_start.begin());
+    std::vector<std::pair<unsigned int, Origin>> by_column(row_start.back());
+    std::vector<unsigned int>                    next(column_start.begin(), column_start.end() - 1);
+    for_each_entry([&](const unsigned int row, const unsigned int column, const Origin &origin) {
+      by_column[next[column]++] = {row, origin};
+    });
+    next.assign(row_start.begin(), row_start.end() - 1);
+    columns.resize(row_start.back());
+    origins.resize(row_start.back());
+    for (unsigned int column = 0; column < pattern.n_local; ++column)
+      for (unsigned int e = column_start[column]; e < column_start[column + 1]; ++e)
         {
-          const unsigned int i = position_of[node], j = position_of[pattern.columns[k]];
-          if (i != j)
-            origins[std::max(i, j)].push_back({std::min(i, j), k, j > i});
+          const auto &[row, origin] = by_column[e];
+          columns[next[row]]        = column;
+          origins[next[row]++]      = origin;
         }
-    row_start.assign(1, 0);
-    for (std::vector<Origin> &row : origins)
-      {
-        std::sort(row.begin(), row.end(), [](const Origin &a, const Origin &b) { return a.column < b.column; });
-        for (const Origin &origin : row)
-          columns.push_back(origin.column);
-        row_start.push_back(columns.size());
-      }
     lower.resize(columns.size() + 1);
     pivots.resize(pattern.n_local);
     inverse_pivots.resize(pattern.n_local + 1); // one spare, see Lanes
@@ -141,12 +159,12 @@ namespace signorini
     std::vector<char>              in_row(pattern.n_local, 0);
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
-        for (const Origin &origin : origins[i])
+        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           {
             const Small<block_size> block =
-              scale * matrix_block<dim, block_size>(matrices, origin.position, mass_factor, stiffness_factor);
-            row[origin.column]    = origin.transposed ? Small<block_size>(block.transpose()) : block;
-            in_row[origin.column] = 1;
+              scale * matrix_block<dim, block_size>(matrices, origins[a].position, mass_factor, stiffness_factor);
+            row[columns[a]]    = origins[a].transposed ? Small<block_size>(block.transpose()) : block;
+            in_row[columns[a]] = 1;
           }
         // An eliminated (hanging) node has no entries, and its own are never free.
         Small<block_size> pivot = Small<block_size>::Identity();

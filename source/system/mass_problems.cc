@@ -10,12 +10,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    constexpr unsigned int shortest_life_of_a_factor = 5; ///< in steps: below, the diagonal of the mass is as good
-  }
-
-
   template <int dim>
   MassProblems<dim>::MassProblems(const Discretization<dim>     &discretization,
                                   const ContactSurface<dim>     &surface,
@@ -39,9 +33,7 @@ namespace signorini
     if (mass)
       return;
     mass           = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
-    preconditioner = discretization.mesh_life_time > shortest_life_of_a_factor
-                       ? make_mass_preconditioner(discretization.matrices, coordinates)
-                       : make_preconditioner("jacobi", discretization.matrices, coordinates, 1., 0.);
+    preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
   }
 
 

@@ -72,10 +72,10 @@ namespace signorini
     /** Where an entry of the lower triangle comes from: position in the upper triangle of the matrix, and whether it is turned. */
     struct Origin
     {
-      unsigned int column, position;
+      unsigned int position;
       bool         transposed;
     };
-    std::vector<std::vector<Origin>> origins; ///< by row; only during the set-up
+    std::vector<Origin> origins; ///< like `columns`; only during the set-up
 
     void build_pattern(const std::vector<unsigned int> &eliminate_last);
     /** @return false if a pivot is not positive definite. */
