@@ -31,7 +31,7 @@ namespace signorini
   void CellAssembly<dim>::add(const unsigned int index, const ScaledCellMatrix<dim> &cell)
   {
     if (couplings.has_hanging_nodes(index))
-      add_resolved(index, cell);
+      add_resolved(couplings.vertices(index), cell);
     else
       add_plain(couplings.vertices(index), cell);
   }
@@ -61,36 +61,9 @@ namespace signorini
 
 
   template <int dim>
-  void CellAssembly<dim>::add_resolved(const unsigned int index, const ScaledCellMatrix<dim> &cell)
+  void CellAssembly<dim>::add_resolved(const unsigned int *vertices, const ScaledCellMatrix<dim> &cell)
   {
-    resolve(index, cell);
-    for (unsigned int r = 0; r < nodes.size(); ++r)
-      {
-        unsigned int k = sum.pattern.row_start[nodes[r]];
-        for (unsigned int s = r; s < nodes.size(); ++s)
-          {
-            while (sum.pattern.columns[k] != nodes[s])
-              ++k;
-            sum.mass[k] += mass[r * nodes.size() + s];
-            add_block<dim>(sum.stiffness[k], stiffness[r * nodes.size() + s], 1., false);
-          }
-      }
-  }
-
-
-  template <int dim>
-  void CellAssembly<dim>::resolve(const unsigned int index, const ScaledCellMatrix<dim> &cell)
-  {
-    nodes                = couplings.coupled_nodes(index);
-    const unsigned int n = nodes.size();
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      {
-        parts[v].clear();
-        for (const auto &[node, weight] : couplings.parts(couplings.vertices(index)[v]))
-          parts[v].emplace_back(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin(), weight);
-      }
-    mass.assign(n * n, 0.);
-    stiffness.assign(n * n, {});
+    find_places(vertices);
     for (unsigned int a = 0; a < n_vertices; ++a)
       for (unsigned int b = 0; b < n_vertices; ++b)
         {
@@ -99,12 +72,37 @@ namespace signorini
             for (const auto &[s, column_weight] : parts[b])
               if (r <= s)
                 {
-                  const double weight = row_weight * column_weight;
-                  mass[n * r + s] += weight * cell.mass_factor * cell.matrix->mass[pair];
-                  add_block<dim>(
-                    stiffness[n * r + s], cell.matrix->stiffness[pair], weight * cell.stiffness_factor, a > b);
+                  const unsigned int k      = places[r * nodes.size() + s];
+                  const double       weight = row_weight * column_weight;
+                  sum.mass[k] += weight * cell.mass_factor * cell.matrix->mass[pair];
+                  add_block<dim>(sum.stiffness[k], cell.matrix->stiffness[pair], weight * cell.stiffness_factor, a > b);
                 }
         }
+  }
+
+
+  template <int dim>
+  void CellAssembly<dim>::find_places(const unsigned int *vertices)
+  {
+    couplings.coupled_nodes(vertices, nodes);
+    const unsigned int n = nodes.size();
+    for (unsigned int v = 0; v < n_vertices; ++v)
+      {
+        parts[v].clear();
+        for (const auto &[node, weight] : couplings.parts(vertices[v]))
+          parts[v].emplace_back(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin(), weight);
+      }
+    places.resize(n * n);
+    for (unsigned int r = 0; r < n; ++r)
+      {
+        unsigned int k = sum.pattern.row_start[nodes[r]];
+        for (unsigned int s = r; s < n; ++s)
+          {
+            while (sum.pattern.columns[k] != nodes[s])
+              ++k;
+            places[r * n + s] = k;
+          }
+      }
   }
 
 

@@ -79,15 +79,14 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<unsigned int> CellCouplings<dim>::coupled_nodes(const unsigned int cell) const
+  void CellCouplings<dim>::coupled_nodes(const unsigned int *vertices, std::vector<unsigned int> &nodes) const
   {
-    std::vector<unsigned int> result;
+    nodes.clear();
     for (unsigned int v = 0; v < n_vertices; ++v)
-      for (const auto &[node, weight] : parts(vertices(cell)[v]))
-        result.push_back(node);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
+      for (const auto &[node, weight] : parts(vertices[v]))
+        nodes.push_back(node);
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
 
 
@@ -95,13 +94,13 @@ namespace signorini
   NodePattern CellCouplings<dim>::pattern() const
   {
     // The nodes of each cell, and from them the cells of each node.
-    std::vector<unsigned int> nodes_start(1, 0), nodes, cells_start(local_nodes.size() + 1, 0);
+    std::vector<unsigned int> nodes_start(1, 0), nodes, coupled, cells_start(local_nodes.size() + 1, 0);
     nodes.reserve(cell_vertices.size());
     for (unsigned int cell = 0; cell < is_resolved.size(); ++cell)
       {
         if (is_resolved[cell])
           {
-            const auto coupled = coupled_nodes(cell);
+            coupled_nodes(vertices(cell), coupled);
             nodes.insert(nodes.end(), coupled.begin(), coupled.end());
           }
         else

@@ -25,22 +25,20 @@ namespace signorini
     void add(unsigned int index, const ScaledCellMatrix<dim> &cell);
 
   private:
-    using Block                              = typename ElasticMatrices<dim>::Block;
     static constexpr unsigned int n_vertices = CellMatrix<dim>::n_vertices;
 
     const CellCouplings<dim> &couplings;
     ElasticMatrices<dim>     &sum;
 
-    // Of a cell with hanging nodes.
-    std::vector<unsigned int> nodes; ///< that it couples, ascending
+    // Of the cell with hanging nodes that is being added.
+    std::vector<unsigned int> nodes;  ///< that it couples, ascending
+    std::vector<unsigned int> places; ///< in the sum, of the couplings of `nodes`, row by row; of the upper triangle
     std::array<std::vector<std::pair<unsigned int, double>>, n_vertices>
-                        parts; ///< of its vertices, by place in `nodes`
-    std::vector<double> mass;  ///< between `nodes`, row by row
-    std::vector<Block>  stiffness;
+      parts; ///< of its vertices, by place in `nodes`
 
     void add_plain(const unsigned int *vertices, const ScaledCellMatrix<dim> &cell);
-    void add_resolved(unsigned int index, const ScaledCellMatrix<dim> &cell);
-    void resolve(unsigned int index, const ScaledCellMatrix<dim> &cell);
+    void add_resolved(const unsigned int *vertices, const ScaledCellMatrix<dim> &cell);
+    void find_places(const unsigned int *vertices);
   };
 } // namespace signorini
 

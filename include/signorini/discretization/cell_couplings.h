@@ -35,8 +35,8 @@ namespace signorini
 
     bool has_hanging_nodes(const unsigned int cell) const { return is_resolved[cell]; }
 
-    /** Local nodes that a cell couples, ascending: its vertices, those that hang replaced. */
-    std::vector<unsigned int> coupled_nodes(unsigned int cell) const;
+    /** Local nodes that a cell with these vertices couples, ascending: its vertices, those that hang replaced. */
+    void coupled_nodes(const unsigned int *vertices, std::vector<unsigned int> &nodes) const;
 
     /** What a vertex is made of: itself, or the nodes that it hangs between and their weights. */
     dealii::ArrayView<const Part> parts(const unsigned int node) const
