@@ -57,9 +57,11 @@ namespace signorini
                 visited[neighbour] = 1;
                 numbering.push_back(neighbour);
               }
-          std::stable_sort(numbering.begin() + first, numbering.end(), [&](const auto a, const auto b) {
-            return graph.degree(a) < graph.degree(b);
-          });
+          // By insertion: few at a time, and std::stable_sort() asks for memory each time.
+          const auto fewer_neighbours = [&](const auto a, const auto b) { return graph.degree(a) < graph.degree(b); };
+          const auto begin            = numbering.begin() + first;
+          for (auto next = begin; next != numbering.end(); ++next)
+            std::rotate(std::upper_bound(begin, next, *next, fewer_neighbours), next, next + 1);
         }
     }
   } // namespace

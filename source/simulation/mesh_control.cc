@@ -2,10 +2,23 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/distance_indicator.h>
+#include <signorini/base/user_error.h>
 #include <signorini/simulation/mesh_control.h>
 
 namespace signorini
 {
+  template <int dim>
+  void MeshControl<dim>::check_first_mesh() const
+  {
+    const unsigned int most    = discretization.scene.adaptivity.maximum_cells;
+    const auto         n_cells = discretization.triangulation.n_global_active_cells();
+    if (most > 0 && n_cells > most)
+      throw UserError(discretization.scene.file_name + ": Adaptivity/Maximum cells = " + std::to_string(most)
+                      + " is less than what the run begins with, " + std::to_string(n_cells)
+                      + " cells. Give a larger number, or reduce `Refinements` of the bodies.");
+  }
+
+
   template <int dim>
   MeshChange MeshControl<dim>::judge(const MeshedScene<dim> &meshed, const StepRecord &step)
   {

@@ -141,7 +141,10 @@ namespace signorini
     meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
     set_initial_state();
     if (mesh_control.any())
-      adapt_initial_mesh();
+      {
+        mesh_control.check_first_mesh();
+        adapt_initial_mesh();
+      }
   }
 
 

@@ -101,6 +101,24 @@ namespace signorini
 
 
   template <int dim>
+  void ElasticContactSystem<dim>::guess_from_start(const IncrementProblem &problem, Vector &increment)
+  {
+    increment.equ(problem.step_size, problem.start.velocity);
+    coordinates.displacement_to_contact(increment);
+    if (problem.start.friction.any())
+      active = problem.start.friction.status;
+    else
+      {
+        Vector force = problem.start.contact_force;
+        coordinates.force_to_contact(force);
+        for (unsigned int k = 0; k < active.size(); ++k)
+          active[k] =
+            force.local_element(coordinates.normal_entries()[k]) < 0. ? contact_status::slip : contact_status::open;
+      }
+  }
+
+
+  template <int dim>
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem, IncrementSolution &solution)
   {
     StepMatrix<dim>           &matrix = step_matrices.get(problem.stiffness_factor, problem.step_size);
@@ -110,11 +128,8 @@ namespace signorini
     coordinates.force_to_contact(right_hand_side);
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
-    if (!matrix.forecast.guess(right_hand_side, increment)) // on a new mesh, or with a new size of steps
-      {
-        increment.equ(problem.step_size, problem.start.velocity);
-        coordinates.displacement_to_contact(increment);
-      }
+    if (!matrix.forecast.guess(right_hand_side, increment))
+      guess_from_start(problem, increment);
 
     std::vector<double> prescribed = coordinates.supported_values(problem.start.time + problem.step_size);
     if (!prescribed.empty())

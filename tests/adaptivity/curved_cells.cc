@@ -25,13 +25,14 @@ namespace
     body.refine_where         = "x - 0.2";
     Scene<dim> scene          = scene_of<dim>({body});
     scene.mapping             = "curved";
-    const Assembled<dim>   problem(scene);
-    const auto            &discretization = problem.discretization;
-    const auto            &fe             = discretization.fe;
-    const Material        &material       = body.material;
-    const Vector           u = discretization.interpolate_hanging_nodes(field<dim>(discretization, expressions));
-    dealii::Vector<double> interior(discretization.triangulation.n_active_cells());
-    add_interior_residual(discretization, u, u, ResidualWeights{}, interior);
+    const Assembled<dim>     problem(scene);
+    const auto              &discretization = problem.discretization;
+    const auto              &fe             = discretization.fe;
+    const Material          &material       = body.material;
+    const Vector             u = discretization.interpolate_hanging_nodes(field<dim>(discretization, expressions));
+    dealii::Vector<double>   interior(discretization.triangulation.n_active_cells());
+    const CellNeighbors<dim> mesh(discretization);
+    add_interior_residual(mesh, u, u, ResidualWeights{}, interior);
 
     const dealii::FEValuesExtractors::Vector     vector(0);
     dealii::FEValues<dim>                        values(discretization.mapping,
@@ -46,7 +47,6 @@ namespace
     std::vector<dealii::Tensor<3, dim>>          hessians(values.n_quadrature_points);
     std::vector<dealii::Tensor<1, dim>>          forces(values.n_quadrature_points);
     std::vector<dealii::SymmetricTensor<2, dim>> strains(faces.n_quadrature_points);
-    const CellNeighbors<dim>                     mesh(discretization);
     const StressVectors<dim>                     stress(mesh, u);
     const double                                 lambda = material.lambda(), mu = material.mu();
     for (unsigned int i = 0; i < mesh.cells.size(); ++i)

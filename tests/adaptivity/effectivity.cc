@@ -121,12 +121,10 @@ TEST(Effectivity, StaticContact)
     const Vector &load = on_mesh.loads.at(0.);
     StaticEquilibrium<2>(discretization, on_mesh.surface, on_mesh.coordinates).find(state, &load);
     const Vector &u = state.displacement;
-    return Found{squared_residual_estimate(discretization,
-                                           on_mesh.surface,
-                                           on_mesh.supports,
-                                           balance_at_rest(discretization, on_mesh.surface, u, state.contact_force),
-                                           ResidualWeights{}),
-                 0.5 * (u * stiffness_times(discretization, u)) - load * u};
+    return Found{
+      ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
+        .squares(balance_at_rest(discretization, on_mesh.surface, u, state.contact_force), ResidualWeights{}),
+      0.5 * (u * stiffness_times(discretization, u)) - load * u};
   };
   const auto errors = expect_bounded_effectivity("static contact", scene, solve, 4., 9.5);
   // The order of the method in terms of the number of unknowns, whatever the corners.
@@ -157,11 +155,8 @@ TEST(Effectivity, OneTimeStep)
     make_time_scheme(scene.time.scheme)->advance(system, end, tau);
     // Squared norm of velocity and displacement: 4/tau^2 times that of the problem of the step.
     const Vector &d = end.displacement;
-    return Found{squared_residual_estimate(discretization,
-                                           on_mesh.surface,
-                                           on_mesh.supports,
-                                           balance_of_step(discretization, on_mesh.surface, {start, end, tau}),
-                                           ResidualWeights{tau}),
+    return Found{ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
+                   .squares(balance_of_step(discretization, on_mesh.surface, {start, end, tau}), ResidualWeights{tau}),
                  4. / (tau * tau)
                    * (0.5 * (d * mass_times(discretization, d)) - tau * (d * start.momentum)
                       + tau * tau / 8. * (d * end.internal_force))};

@@ -34,8 +34,8 @@ namespace
     state.contact_force  = uniform_contact_force(bodies);
     const double energy  = state.displacement * stiffness_times(discretization, state.displacement);
     const auto   squares = [&](const ForceBalance &balance, const double step_size) {
-      return squared_residual_estimate(
-        discretization, bodies.surface, bodies.supports, balance, ResidualWeights{step_size});
+      return ResidualEstimate(discretization, bodies.surface, bodies.supports)
+        .squares(balance, ResidualWeights{step_size});
     };
     const ForceBalance rest = balance_at_rest(discretization, bodies.surface, state.displacement, state.contact_force);
     EXPECT_LT(sum(squares(rest, 0.)), 1e-20 * energy);
@@ -114,7 +114,7 @@ TEST(FullContact, AnOpenNodeMakesItsNeighboursSemiContact)
     EXPECT_EQ(fields.open.local_element(2 * node.node), std::abs(node.position[0] - 0.5) < 0.3 ? 1. : 0.)
       << node.position;
   const auto squares =
-    squared_residual_estimate(bodies.discretization, bodies.surface, bodies.supports, balance, ResidualWeights{});
+    ResidualEstimate(bodies.discretization, bodies.surface, bodies.supports).squares(balance, ResidualWeights{});
   double by_gap = 0.; // of the cells of the slave next to the open node: normal stress p on half, and s gap
   for (const auto &cell : bodies.discretization.triangulation.active_cell_iterators())
     if (cell->is_locally_owned() && cell->material_id() == 0)

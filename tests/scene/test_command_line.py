@@ -70,6 +70,8 @@ class CommandLine(unittest.TestCase):
                                  ("Nonsense/Key=1", "Nonsense"),
                                  ("Output directory=/dev/null/x", "/dev/null")):
             self.expect_mistake([QUICK_START, "--validate", "--set", assignment], word)
+        adaptive = str(pathlib.Path(QUICK_START).parent / "adaptive_bar.prm")
+        self.expect_mistake([adaptive, "--validate", "--set", "Adaptivity/Maximum cells=3"], "Maximum cells = 3", "begins with")
 
     def test_mistakes_of_a_mesh_file(self):
         anvil = (pathlib.Path(QUICK_START).parent / "meshes" / "anvil.msh").read_text(encoding="utf-8")

@@ -42,38 +42,6 @@ namespace signorini
     const CellNeighbors<dim>   mesh;
     const SurfaceRoles<dim>    roles;
   };
-
-  // For a single evaluation. Vectors of the parts have values at hanging nodes.
-
-  template <int dim>
-  dealii::Vector<double> squared_residual_estimate(const Discretization<dim> &discretization,
-                                                   const ContactSurface<dim> &surface,
-                                                   const Supports<dim>       &supports,
-                                                   const ForceBalance        &balance,
-                                                   const ResidualWeights     &weights)
-  {
-    return ResidualEstimate<dim>(discretization, surface, supports).squares(balance, weights);
-  }
-
-  template <int dim>
-  void add_interior_residual(const Discretization<dim> &discretization,
-                             const Vector              &displacement,
-                             const Vector              &specific_force,
-                             const ResidualWeights     &weights,
-                             dealii::Vector<double>    &squares)
-  {
-    add_interior_residual(CellNeighbors<dim>(discretization), displacement, specific_force, weights, squares);
-  }
-
-  template <int dim>
-  void add_stress_jumps(const Discretization<dim> &discretization,
-                        const Vector              &displacement,
-                        const ResidualWeights     &weights,
-                        dealii::Vector<double>    &squares)
-  {
-    const CellNeighbors<dim> mesh(discretization);
-    add_stress_jumps(StressVectors<dim>(mesh, displacement), weights, squares);
-  }
 } // namespace signorini
 
 #endif
