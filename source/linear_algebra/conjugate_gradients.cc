@@ -10,8 +10,9 @@ namespace signorini
 {
   namespace
   {
-    constexpr double good_guess = 0.01; ///< in tolerances
-  }
+    constexpr double good_guess  = 0.01; ///< in tolerances
+    constexpr double improvement = 0.1;  ///< of one that is not as good
+  }                                      // namespace
 
 
   ConjugateGradients::Report ConjugateGradients::solve(const LinearOperator       &matrix,
@@ -34,9 +35,11 @@ namespace signorini
     preconditioner.vmult(preconditioned, residual);
     double       norm_square = dot(residual, preconditioned);
     const double norm        = std::sqrt(std::max(norm_square, 0.));
-    const double goal = is_guess && norm <= tolerance ? good_guess * tolerance : std::max(tolerance, reduction * norm);
-    direction         = preconditioned;
-    while (!(report.converged = norm_square <= goal * goal) && report.iterations < maximum_iterations)
+    const bool   may_improve = is_guess && norm <= tolerance;
+    const double accepted    = std::max(tolerance, reduction * norm);
+    const double goal        = may_improve ? std::max(good_guess * tolerance, improvement * norm) : accepted;
+    direction                = preconditioned;
+    while (norm_square > goal * goal && report.iterations < maximum_iterations)
       {
         matrix.vmult(product, direction);
         ++report.iterations;
@@ -49,8 +52,8 @@ namespace signorini
         extend_direction(preconditioned, new_norm_square / norm_square, direction);
         norm_square = new_norm_square;
       }
-    if (norm_square < -goal * goal) // the preconditioner is not positive definite, and this is no norm
-      report.converged = false;
+    // A negative square means that the preconditioner is not positive definite, and this is no norm.
+    report.converged = std::abs(norm_square) <= accepted * accepted;
     return report;
   }
 } // namespace signorini

@@ -78,7 +78,7 @@ namespace signorini
           throw RunError("The incomplete Cholesky factor does not exist: the matrix of the step is not positive "
                          "definite. Check the mesh for inverted cells, or set Solver/Preconditioner = jacobi.");
       }
-    origins = {};
+    std::vector<Origin>().swap(origins); // assignment of an empty list would keep the memory
     set_held_nodes({});
   }
 

@@ -169,7 +169,8 @@ namespace signorini
             "are.");
     declare("Maximum cells",
             Integer(),
-            "Refinement stops at about this number of cells of all bodies together. 0: no limit.");
+            "Refinement stops at about this number of cells of all bodies together, not less than the run begins with. "
+            "0: no limit.");
     declare("Steps between remeshings", Integer(), "The mesh may change after every so many steps.");
     declare("Repetitions",
             Integer(),

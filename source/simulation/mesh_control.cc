@@ -12,7 +12,7 @@ namespace signorini
   {
     const unsigned int most    = discretization.scene.adaptivity.maximum_cells;
     const auto         n_cells = discretization.triangulation.n_global_active_cells();
-    if (most > 0 && n_cells > most)
+    if (any() && most > 0 && n_cells > most)
       throw UserError(discretization.scene.file_name + ": Adaptivity/Maximum cells = " + std::to_string(most)
                       + " is less than what the run begins with, " + std::to_string(n_cells)
                       + " cells. Give a larger number, or reduce `Refinements` of the bodies.");

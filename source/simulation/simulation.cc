@@ -138,13 +138,11 @@ namespace signorini
   template <int dim>
   void Simulation<dim>::prepare()
   {
+    mesh_control.check_first_mesh();
     meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
     set_initial_state();
     if (mesh_control.any())
-      {
-        mesh_control.check_first_mesh();
-        adapt_initial_mesh();
-      }
+      adapt_initial_mesh();
   }
 
 

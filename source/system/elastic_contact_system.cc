@@ -105,16 +105,29 @@ namespace signorini
   {
     increment.equ(problem.step_size, problem.start.velocity);
     coordinates.displacement_to_contact(increment);
-    if (problem.start.friction.any())
-      active = problem.start.friction.status;
-    else
+    Vector force = problem.start.contact_force;
+    coordinates.force_to_contact(force);
+    for (unsigned int k = 0; k < active.size(); ++k)
       {
-        Vector force = problem.start.contact_force;
-        coordinates.force_to_contact(force);
-        for (unsigned int k = 0; k < active.size(); ++k)
-          active[k] =
-            force.local_element(coordinates.normal_entries()[k]) < 0. ? contact_status::slip : contact_status::open;
+        // New nodes between those that stick and those that slip are under pressure, but have no status yet.
+        active[k] = problem.start.friction.any() ? problem.start.friction.status[k] : contact_status::open;
+        if (force.local_element(coordinates.normal_entries()[k]) < 0.)
+          active[k] = std::max(active[k], contact_status::slip);
       }
+  }
+
+
+  template <int dim>
+  std::vector<double> ElasticContactSystem<dim>::prescribed_increments(const IncrementProblem &problem) const
+  {
+    std::vector<double> prescribed = coordinates.supported_values(problem.start.time + problem.step_size);
+    if (prescribed.empty())
+      return prescribed;
+    Vector displacement = problem.start.displacement;
+    coordinates.rotate_to_frames(displacement); // supported entries are not relative
+    for (unsigned int j = 0; j < prescribed.size(); ++j)
+      prescribed[j] -= displacement.local_element(coordinates.supported_entries()[j]);
+    return prescribed;
   }
 
 
@@ -131,15 +144,6 @@ namespace signorini
     if (!matrix.forecast.guess(right_hand_side, increment))
       guess_from_start(problem, increment);
 
-    std::vector<double> prescribed = coordinates.supported_values(problem.start.time + problem.step_size);
-    if (!prescribed.empty())
-      {
-        Vector displacement = problem.start.displacement;
-        coordinates.rotate_to_frames(displacement); // supported entries are not relative
-        for (unsigned int j = 0; j < prescribed.size(); ++j)
-          prescribed[j] -= displacement.local_element(coordinates.supported_entries()[j]);
-      }
-
     // A node that the guess drives into the obstacle is expected to touch.
     for (unsigned int k = 0; k < active.size(); ++k)
       if (increment.local_element(coordinates.normal_entries()[k]) > problem.bounds[k])
@@ -150,17 +154,18 @@ namespace signorini
       friction_of_nodes = friction.of_step(
         problem.force_factor, problem.bounds, 1e-10 * discretization.body_size(), problem.further_reaction);
 
-    Vector residual = discretization.make_vector();
-    solution.effort = effort_of(solver->solve({*matrix.product,
-                                               *matrix.preconditioner,
-                                               right_hand_side,
-                                               coordinates.normal_entries(),
-                                               problem.bounds,
-                                               coordinates.supported_entries(),
-                                               prescribed,
-                                               solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
-                                               bound_tolerance(increment, discretization.body_size()),
-                                               friction_of_nodes},
+    const std::vector<double> prescribed = prescribed_increments(problem);
+    Vector                    residual   = discretization.make_vector();
+    solution.effort                      = effort_of(solver->solve({*matrix.product,
+                                                                    *matrix.preconditioner,
+                                                                    right_hand_side,
+                                                                    coordinates.normal_entries(),
+                                                                    problem.bounds,
+                                                                    coordinates.supported_entries(),
+                                                                    prescribed,
+                                                                    solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
+                                                                    bound_tolerance(increment, discretization.body_size()),
+                                                                    friction_of_nodes},
                                               active,
                                               increment,
                                               residual));

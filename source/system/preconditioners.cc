@@ -66,7 +66,7 @@ namespace signorini
                  frames.contact_nodes())
         , turned(matrices.pattern.partitioner)
       {
-        relative.stiffness = {}; // only the pattern is needed from now on
+        decltype(relative.stiffness)().swap(relative.stiffness); // only the pattern is needed from now on
       }
 
       void set_mask(const Mask &mask) override

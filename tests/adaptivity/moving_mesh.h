@@ -69,6 +69,7 @@ namespace signorini::tests
     EnergyBooking advance(const double step_size)
     {
       const StepReport report = scheme->advance(meshed->system, state, step_size);
+      effort                  = report.corrector;
       return ledger.book(state, report, meshed->load(state.time));
     }
 
@@ -88,6 +89,7 @@ namespace signorini::tests
     std::unique_ptr<TimeScheme>       scheme;
     State                             state;
     EnergyLedger                      ledger;
+    SolveEffort                       effort; ///< of the last step
     unsigned int                      n_changes = 0;
   };
 } // namespace signorini::tests

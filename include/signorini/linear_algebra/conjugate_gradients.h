@@ -32,8 +32,8 @@ namespace signorini
      *                  error in the norm of K
      * @param reduction stop earlier if this norm has fallen by this factor since the start (0: never)
      * @param is_guess  the solution on entry continues earlier solutions. What is wrong with it is alike from step to step and adds up, unlike
-     *                  what is left by iterations; so it is taken as it is, without any iteration, only if it is a hundred times as good as the
-     *                  tolerance, and improved to that otherwise
+     *                  what is left by iterations; so one that is within the tolerance is still improved, tenfold or to a hundredth of the
+     *                  tolerance, whatever `reduction` says. One that is not is solved like any other
      */
     Report solve(const LinearOperator       &matrix,
                  const MaskedPreconditioner &preconditioner,

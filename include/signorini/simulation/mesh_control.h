@@ -23,7 +23,7 @@ namespace signorini
     /** Whether the scene lets the mesh change at all. */
     bool any() const { return discretization.scene.adaptivity.any(); }
 
-    /** @throws UserError if the mesh that the scene begins with has more cells than the scene allows */
+    /** @throws UserError if the mesh that the scene begins with has more cells than it allows */
     void check_first_mesh() const;
 
     /** Flag cells by a step that was made on the present mesh; without any flag the mesh is good enough. Collective. */

@@ -91,6 +91,9 @@ namespace signorini
     /** The velocity goes on, and contact is where it was: where no increments are known, on a new mesh or with a new size of steps. */
     void guess_from_start(const IncrementProblem &problem, Vector &increment);
 
+    /** What is left to go to the prescribed displacements, per supported entry. */
+    std::vector<double> prescribed_increments(const IncrementProblem &problem) const;
+
     /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
     double solver_tolerance(const StepMatrix<dim>     &matrix,
                             double                     step_size,

@@ -66,7 +66,7 @@ namespace signorini
     /**
      * Solve the linear system.
      * @param last_norm what was unbalanced at the start of the last one
-     * @param is_guess  see ConjugateGradients
+     * @param is_guess  see ConjugateGradients; of no importance where nodes slip
      * @return iterations; zero if all was balanced
      */
     ConjugateGradients::Report step(const ConstrainedProblem &problem,
