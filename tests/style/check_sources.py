@@ -18,10 +18,10 @@ COPYRIGHT = "by the signorini authors"
 
 def sources(root):
     """Paths relative to root of the tracked files, or of all files where git cannot tell."""
-    git = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, text=True, check=False)
-    if git.returncode == 0:
+    try:
+        git = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, text=True, check=True)
         names = [name for name in git.stdout.split("\0") if name]
-    else:
+    except (OSError, subprocess.CalledProcessError):  # not installed, or no repository
         names = [path.relative_to(root).as_posix() for path in root.rglob("*")
                  if path.is_file() and path.relative_to(root).parts[0] not in ("build", "output", ".git")]
     return [pathlib.PurePosixPath(name) for name in sorted(names) if (root / name).is_file()]

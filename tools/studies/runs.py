@@ -65,10 +65,15 @@ def run(executable, task):
     except OSError as error:
         return fail(task, f"{executable}: {error.strerror}")
     if result.returncode != 0:
-        text = result.stderr.strip()
-        return fail(task, text.splitlines()[0] if text else f"exit status {result.returncode}")
+        return fail(task, reason(result))
     remove(task.folder, "volume.pvd", "fields/volume_*")  # large, and only the contact surface is drawn
     return read(task)
+
+
+def reason(result):
+    """What the program says about its failure; libraries may have printed something before."""
+    lines = result.stderr.strip().splitlines() or [f"exit status {result.returncode}"]
+    return next((line for line in lines if line.startswith("signorini: ")), lines[0])
 
 
 def fail(task, message):
