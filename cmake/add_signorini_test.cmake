@@ -14,7 +14,7 @@ function(signorini_add_test name)
     set(TEST_TIMEOUT 300)
   endif()
   add_executable(${name} ${TEST_SOURCES})
-  deal_ii_setup_target(${name})
+  signorini_compile(${name})
   target_link_libraries(${name} signorini_test_main)
   target_compile_definitions(${name} PRIVATE
     SIGNORINI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SIGNORINI_EXECUTABLE="$<TARGET_FILE:signorini>")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/cell_map.h>
+#include <signorini/finite_elements/cell_map.h>
 #include <signorini/adaptivity/residual_parts.h>
 
 namespace signorini

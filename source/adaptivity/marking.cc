@@ -12,7 +12,9 @@ namespace signorini
 {
   namespace
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+    /** A threshold that no cell reaches. */
+    constexpr double out_of_reach = std::numeric_limits<double>::infinity();
+
 
     /**
      * The part of the threshold of refinement below which cells may be coarsened. By default what a smooth solution allows: a cell that replaces its
@@ -40,7 +42,7 @@ namespace signorini
         const double bulk    = distribution.threshold_of_part(parameters.refine_fraction);
         const double coarsen = distribution.threshold_of_rest(parameters.coarsen_fraction);
         const bool   is_good = std::sqrt(distribution.total()) <= parameters.tolerance;
-        return {is_good ? infinity : bulk, std::min(coarsen, coarsen_ratio<dim>(parameters) * bulk)};
+        return {is_good ? out_of_reach : bulk, std::min(coarsen, coarsen_ratio<dim>(parameters) * bulk)};
       }
 
     private:
@@ -61,10 +63,10 @@ namespace signorini
       MarkingThresholds thresholds(const IndicatorDistribution &distribution) const override
       {
         if (distribution.total() == 0.)
-          return {infinity, 0.};
+          return {out_of_reach, 0.};
         const double share   = tolerance * tolerance / distribution.n_cells();
         const bool   is_good = std::sqrt(distribution.total()) <= tolerance;
-        return {is_good ? infinity : share, ratio * share};
+        return {is_good ? out_of_reach : share, ratio * share};
       }
 
     private:

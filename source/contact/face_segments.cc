@@ -19,13 +19,13 @@ namespace signorini
   {
     /** The auxiliary plane: through the centre of the slave face, across its normal there. */
     template <int dim>
-    struct Plane
+    struct FacePlane
     {
       Point<dim>                          origin;
       Tensor<1, dim>                      normal;
       std::array<Tensor<1, dim>, dim - 1> axes;
 
-      explicit Plane(const SurfaceFace<dim> &face)
+      explicit FacePlane(const SurfaceFace<dim> &face)
         : origin(face.centre())
         , normal(face.unit_normal())
       {
@@ -47,7 +47,7 @@ namespace signorini
 
     /** The reference coordinates of the point of a face that lies over a point of the plane, by Newton's method. */
     template <int dim>
-    Point<dim - 1> map_back(const SurfaceFace<dim> &face, const Plane<dim> &plane, const Point<dim - 1> &target)
+    Point<dim - 1> map_back(const SurfaceFace<dim> &face, const FacePlane<dim> &plane, const Point<dim - 1> &target)
     {
       Point<dim - 1> xi = face.middle();
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
@@ -72,7 +72,7 @@ namespace signorini
 
     /** The outline of a face in the plane, counterclockwise (2d: two ascending coordinates). */
     template <int dim>
-    std::vector<Point<dim - 1>> outline(const SurfaceFace<dim> &face, const Plane<dim> &plane)
+    std::vector<Point<dim - 1>> outline(const SurfaceFace<dim> &face, const FacePlane<dim> &plane)
     {
       std::vector<Point<dim - 1>> points;
       for (const Point<dim> &vertex : face.vertices)
@@ -160,7 +160,7 @@ namespace signorini
   Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
   {
     Segment<dim>     segment;
-    const Plane<dim> plane(slave);
+    const FacePlane<dim> plane(slave);
     // Beyond 84 degrees faces do not look at each other; a projection would be distorted without bound.
     if (master.unit_normal() * plane.normal > -0.1)
       return segment;
@@ -192,7 +192,7 @@ namespace signorini
   template <int dim>
   double projected_area(const SurfaceFace<dim> &face)
   {
-    return measure(outline(face, Plane<dim>(face)));
+    return measure(outline(face, FacePlane<dim>(face)));
   }
 
 

@@ -4,7 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/discretization/cap_manifold.h>
 #include <signorini/discretization/coarse_mesh.h>
-#include <signorini/scene/mesh_file.h>
+#include <signorini/mesh_files/mesh_file.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>

@@ -4,7 +4,7 @@
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/node_friction.h>
 #include <signorini/output/surface_patches.h>
-#include <signorini/scene/has_friction.h>
+#include <signorini/model/has_friction.h>
 
 #include <algorithm>
 

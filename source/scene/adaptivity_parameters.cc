@@ -13,7 +13,6 @@ namespace signorini
   namespace
   {
     constexpr unsigned int highest_level = 15;
-    constexpr unsigned int unlimited     = std::numeric_limits<int>::max();
 
     /**
      * The keys but for `Indicator`, with their defaults. A key counts as given if it has another value: `parameters.prm` lists all keys and must be
@@ -213,8 +212,8 @@ namespace signorini
     adaptivity.distance      = not_negative(in, "Distance", "Give a length, or 0 for the default.");
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
     adaptivity.minimum_level = in.integer("Minimum level", 0, highest_level);
-    adaptivity.maximum_cells = in.integer("Maximum cells", 0, unlimited);
-    adaptivity.steps_between = in.integer("Steps between remeshings", 1, unlimited);
+    adaptivity.maximum_cells = in.integer("Maximum cells", 0, SectionReader::unlimited);
+    adaptivity.steps_between = in.integer("Steps between remeshings", 1, SectionReader::unlimited);
     adaptivity.repetitions   = in.integer("Repetitions", 0, 20);
     if (!adaptivity.any())
       return adaptivity;

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/scene/body_shape.h>
-#include <signorini/scene/check_expressions.h>
+#include <signorini/model/body_shape.h>
+#include <signorini/prm/check_expressions.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/scene/body_shape.h>
-#include <signorini/scene/check_expressions.h>
+#include <signorini/model/body_shape.h>
+#include <signorini/prm/check_expressions.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>

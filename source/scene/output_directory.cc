@@ -16,7 +16,7 @@ namespace signorini
 
   namespace
   {
-    [[noreturn]] void refuse(const std::string &directory, const std::string &reason)
+    [[noreturn]] void refuse_directory(const std::string &directory, const std::string &reason)
     {
       throw UserError("Output directory = " + directory + ": cannot write there: " + reason
                       + ". Choose another folder, or correct its permissions.");
@@ -44,11 +44,11 @@ namespace signorini
         folder /= name;
         std::error_code error;
         if (fs::exists(folder, error) && !fs::is_directory(folder, error))
-          refuse(directory, "`" + folder.string() + "` is a file, not a folder");
+          refuse_directory(directory, "`" + folder.string() + "` is a file, not a folder");
         if (!fs::exists(folder, error) && fs::create_directory(folder, error))
           made.folders.push_back(folder);
         if (error)
-          refuse(directory, error.message());
+          refuse_directory(directory, error.message());
       }
 
     const fs::path scratch = folder / ".signorini_write_test";
@@ -60,6 +60,6 @@ namespace signorini
     std::error_code ignored;
     fs::remove(scratch, ignored);
     if (!written)
-      refuse(directory, reason);
+      refuse_directory(directory, reason);
   }
 } // namespace signorini

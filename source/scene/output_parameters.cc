@@ -5,15 +5,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <limits>
-
 namespace signorini
 {
-  namespace
-  {
-    constexpr unsigned int unlimited = std::numeric_limits<int>::max();
-  }
-
   void declare_output(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -28,8 +21,8 @@ namespace signorini
   {
     OutputParameters output;
     output.vtu           = in.flag("VTU");
-    output.vtu_every     = in.integer("VTU every", 0, unlimited);
-    output.history_every = in.integer("History every", 1, unlimited);
+    output.vtu_every     = in.integer("VTU every", 0, SectionReader::unlimited);
+    output.history_every = in.integer("History every", 1, SectionReader::unlimited);
     return output;
   }
 } // namespace signorini

@@ -3,7 +3,7 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/scene/pair_name.h>
-#include <signorini/scene/section_reader.h>
+#include <signorini/prm/section_reader.h>
 
 #include <algorithm>
 #include <regex>

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/scene/apply_statements.h>
-#include <signorini/scene/check_expressions.h>
+#include <signorini/prm/apply_statements.h>
+#include <signorini/prm/check_expressions.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/scene/sections.h>
 

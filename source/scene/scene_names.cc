@@ -3,7 +3,7 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/scene/scene_names.h>
-#include <signorini/scene/section_reader.h>
+#include <signorini/prm/section_reader.h>
 
 #include <deal.II/base/parameter_handler.h>
 

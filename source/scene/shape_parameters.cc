@@ -3,9 +3,9 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
-#include <signorini/scene/body_shape.h>
-#include <signorini/scene/check_expressions.h>
-#include <signorini/scene/mesh_file.h>
+#include <signorini/model/body_shape.h>
+#include <signorini/prm/check_expressions.h>
+#include <signorini/mesh_files/mesh_file.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>

@@ -14,7 +14,6 @@ namespace signorini
   namespace
   {
     constexpr double       max_tolerance = 1e-2;
-    constexpr unsigned int unlimited     = std::numeric_limits<int>::max();
 
     std::string as_text(const double value)
     {
@@ -60,8 +59,8 @@ namespace signorini
       in.fail("Tolerance",
               "a step solved so roughly is useless, its error appears as energy. Give at most " + as_text(max_tolerance)
                 + ", for example 2e-11.");
-    solver.maximum_active_set_iterations = in.integer("Maximum active set iterations", 1, unlimited);
-    solver.maximum_linear_iterations     = in.integer("Maximum linear iterations", 1, unlimited);
+    solver.maximum_active_set_iterations = in.integer("Maximum active set iterations", 1, SectionReader::unlimited);
+    solver.maximum_linear_iterations     = in.integer("Maximum linear iterations", 1, SectionReader::unlimited);
     return solver;
   }
 } // namespace signorini

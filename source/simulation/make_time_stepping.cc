@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/simulation/make_time_stepping.h>
-#include <signorini/time/adaptive_steps.h>
-#include <signorini/time/force_estimate.h>
-#include <signorini/time/step_doubling.h>
+#include <signorini/step_size/adaptive_steps.h>
+#include <signorini/step_size/force_estimate.h>
+#include <signorini/step_size/step_doubling.h>
 
 #include <algorithm>
 

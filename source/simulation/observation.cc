@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/scene/has_friction.h>
+#include <signorini/model/has_friction.h>
 #include <signorini/simulation/observation.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/system/energy_projection.h>
-#include <signorini/system/preconditioners.h>
+#include <signorini/preconditioners/preconditioners.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 namespace signorini

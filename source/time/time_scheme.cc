@@ -2,19 +2,19 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/time/backward_euler.h>
-#include <signorini/time/contact_implicit_newmark.h>
-#include <signorini/time/contact_stabilized_newmark.h>
-#include <signorini/time/generalized_alpha.h>
-#include <signorini/time/hager_hueeber_wohlmuth.h>
-#include <signorini/time/khenous_laborde_renard.h>
-#include <signorini/time/laursen_chawla.h>
-#include <signorini/time/laursen_love.h>
-#include <signorini/time/moreau_jean.h>
-#include <signorini/time/newmark.h>
-#include <signorini/time/nonsmooth_generalized_alpha.h>
-#include <signorini/time/projected_contact_stabilized.h>
-#include <signorini/time/reference_integration.h>
+#include <signorini/schemes/backward_euler.h>
+#include <signorini/schemes/contact_implicit_newmark.h>
+#include <signorini/schemes/contact_stabilized_newmark.h>
+#include <signorini/schemes/generalized_alpha.h>
+#include <signorini/schemes/hager_hueeber_wohlmuth.h>
+#include <signorini/schemes/khenous_laborde_renard.h>
+#include <signorini/schemes/laursen_chawla.h>
+#include <signorini/schemes/laursen_love.h>
+#include <signorini/schemes/moreau_jean.h>
+#include <signorini/schemes/newmark.h>
+#include <signorini/schemes/nonsmooth_generalized_alpha.h>
+#include <signorini/schemes/projected_contact_stabilized.h>
+#include <signorini/schemes/reference_integration.h>
 
 namespace signorini
 {

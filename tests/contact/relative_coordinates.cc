@@ -7,7 +7,7 @@
 
 #include "two_bodies.h"
 
-#include <signorini/system/step_operator.h>
+#include <signorini/preconditioners/step_operator.h>
 
 #include <gtest/gtest.h>
 

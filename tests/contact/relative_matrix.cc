@@ -6,8 +6,8 @@
 
 #include "two_bodies.h"
 
-#include <signorini/contact/relative_matrix.h>
-#include <signorini/system/step_operator.h>
+#include <signorini/preconditioners/relative_matrix.h>
+#include <signorini/preconditioners/step_operator.h>
 
 #include <gtest/gtest.h>
 

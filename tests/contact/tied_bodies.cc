@@ -7,8 +7,8 @@
 
 #include "two_bodies.h"
 
-#include <signorini/system/preconditioners.h>
-#include <signorini/system/step_operator.h>
+#include <signorini/preconditioners/preconditioners.h>
+#include <signorini/preconditioners/step_operator.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 
 #include "shapes.h"
 
-#include <signorini/scene/cap.h>
+#include <signorini/model/cap.h>
 
 #include <gtest/gtest.h>
 

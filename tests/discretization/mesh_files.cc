@@ -6,7 +6,7 @@
 
 #include "shapes.h"
 
-#include <signorini/scene/mesh_file.h>
+#include <signorini/mesh_files/mesh_file.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "scene_file.h"
 
-#include <signorini/scene/body_shape.h>
-#include <signorini/scene/cap.h>
+#include <signorini/model/body_shape.h>
+#include <signorini/model/cap.h>
 
 #include <gtest/gtest.h>
 

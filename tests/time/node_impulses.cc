@@ -4,7 +4,7 @@
 // The coupled equations of the impulses of laursen-love: their solution fulfils them and is the minimum of a convex function, one
 // node alone knows only one way to get its energy back, and where the equations cannot be solved the step says so and the energy is right.
 
-#include <signorini/time/node_impulses.h>
+#include <signorini/schemes/node_impulses.h>
 
 #include <gtest/gtest.h>
 

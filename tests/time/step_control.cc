@@ -4,9 +4,9 @@
 // The size of steps follows the motion: undeformed flight takes growing steps that cost one solution each, contact begins with a small one,
 // the end time is met exactly, a rejected step leaves no trace, and every run ends.
 
-#include <signorini/time/adaptive_steps.h>
-#include <signorini/time/force_estimate.h>
-#include <signorini/time/step_doubling.h>
+#include <signorini/step_size/adaptive_steps.h>
+#include <signorini/step_size/force_estimate.h>
+#include <signorini/step_size/step_doubling.h>
 
 #include <gtest/gtest.h>
 

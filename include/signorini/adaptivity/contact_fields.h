@@ -5,7 +5,7 @@
 #define signorini_adaptivity_contact_fields_h
 
 #include <signorini/adaptivity/force_balance.h>
-#include <signorini/adaptivity/stress_vectors.h>
+#include <signorini/finite_elements/stress_vectors.h>
 #include <signorini/adaptivity/surface_roles.h>
 
 namespace signorini

@@ -4,7 +4,7 @@
 #ifndef signorini_adaptivity_field_transfer_h
 #define signorini_adaptivity_field_transfer_h
 
-#include <signorini/adaptivity/cell_moments.h>
+#include <signorini/finite_elements/cell_moments.h>
 
 namespace signorini
 {

@@ -4,7 +4,7 @@
 #ifndef signorini_adaptivity_force_balance_h
 #define signorini_adaptivity_force_balance_h
 
-#include <signorini/adaptivity/body_force.h>
+#include <signorini/finite_elements/body_force.h>
 #include <signorini/adaptivity/error_indicator.h>
 
 namespace signorini

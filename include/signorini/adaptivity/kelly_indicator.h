@@ -4,7 +4,7 @@
 #ifndef signorini_adaptivity_kelly_indicator_h
 #define signorini_adaptivity_kelly_indicator_h
 
-#include <signorini/adaptivity/cell_neighbors.h>
+#include <signorini/finite_elements/cell_neighbors.h>
 #include <signorini/adaptivity/error_indicator.h>
 
 namespace signorini

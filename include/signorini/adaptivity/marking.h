@@ -5,7 +5,7 @@
 #define signorini_adaptivity_marking_h
 
 #include <signorini/adaptivity/indicator_distribution.h>
-#include <signorini/scene/adaptivity_parameters.h>
+#include <signorini/model/adaptivity_parameters.h>
 
 #include <memory>
 

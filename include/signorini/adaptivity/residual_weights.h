@@ -4,7 +4,7 @@
 #ifndef signorini_adaptivity_residual_weights_h
 #define signorini_adaptivity_residual_weights_h
 
-#include <signorini/scene/body_description.h>
+#include <signorini/model/body_description.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #ifndef signorini_adaptivity_surface_roles_h
 #define signorini_adaptivity_surface_roles_h
 
-#include <signorini/adaptivity/cell_neighbors.h>
+#include <signorini/finite_elements/cell_neighbors.h>
 #include <signorini/contact/contact_surface.h>
 
 #include <deal.II/base/function_parser.h>

@@ -4,7 +4,7 @@
 #ifndef signorini_contact_rigid_obstacle_h
 #define signorini_contact_rigid_obstacle_h
 
-#include <signorini/scene/obstacle_description.h>
+#include <signorini/model/obstacle_description.h>
 
 #include <memory>
 

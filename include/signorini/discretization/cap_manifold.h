@@ -4,7 +4,7 @@
 #ifndef signorini_discretization_cap_manifold_h
 #define signorini_discretization_cap_manifold_h
 
-#include <signorini/scene/cap.h>
+#include <signorini/model/cap.h>
 
 #include <deal.II/grid/manifold.h>
 

@@ -4,7 +4,7 @@
 #ifndef signorini_discretization_coarse_mesh_h
 #define signorini_discretization_coarse_mesh_h
 
-#include <signorini/scene/body_description.h>
+#include <signorini/model/body_description.h>
 
 #include <deal.II/grid/tria.h>
 

@@ -4,11 +4,11 @@
 #ifndef signorini_scene_scene_h
 #define signorini_scene_scene_h
 
-#include <signorini/scene/adaptivity_parameters.h>
-#include <signorini/scene/body_description.h>
-#include <signorini/scene/contact_description.h>
-#include <signorini/scene/obstacle_description.h>
-#include <signorini/scene/run_parameters.h>
+#include <signorini/model/adaptivity_parameters.h>
+#include <signorini/model/body_description.h>
+#include <signorini/model/contact_description.h>
+#include <signorini/model/obstacle_description.h>
+#include <signorini/model/run_parameters.h>
 #include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
 

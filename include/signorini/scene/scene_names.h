@@ -5,7 +5,7 @@
 #define signorini_scene_scene_names_h
 
 #include <signorini/scene/pair_name.h>
-#include <signorini/scene/scene_text.h>
+#include <signorini/prm/scene_text.h>
 
 #include <string>
 #include <vector>

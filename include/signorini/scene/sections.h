@@ -6,7 +6,7 @@
 
 #include <signorini/scene/scene.h>
 #include <signorini/scene/scene_names.h>
-#include <signorini/scene/section_reader.h>
+#include <signorini/prm/section_reader.h>
 
 namespace dealii
 {

@@ -6,7 +6,7 @@
 
 #include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
-#include <signorini/time/time_stepping.h>
+#include <signorini/step_size/time_stepping.h>
 
 #include <memory>
 

@@ -8,7 +8,7 @@
 #include <signorini/output/run_log.h>
 #include <signorini/simulation/mesh_control.h>
 #include <signorini/simulation/observation.h>
-#include <signorini/time/time_stepping.h>
+#include <signorini/step_size/time_stepping.h>
 
 #include <deal.II/base/timer.h>
 

@@ -4,7 +4,7 @@
 #ifndef signorini_system_mass_problems_h
 #define signorini_system_mass_problems_h
 
-#include <signorini/system/preconditioners.h>
+#include <signorini/preconditioners/preconditioners.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 

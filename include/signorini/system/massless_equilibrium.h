@@ -4,7 +4,7 @@
 #ifndef signorini_system_massless_equilibrium_h
 #define signorini_system_massless_equilibrium_h
 
-#include <signorini/system/preconditioners.h>
+#include <signorini/preconditioners/preconditioners.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 namespace signorini

@@ -6,7 +6,7 @@
 
 #include <signorini/discretization/discretization.h>
 #include <signorini/system/increment_forecast.h>
-#include <signorini/system/preconditioners.h>
+#include <signorini/preconditioners/preconditioners.h>
 
 #include <deal.II/base/timer.h>
 

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+#
+# signorini_compile(<target>): how all code of the project is compiled.
+
+include(CheckCXXCompilerFlag)
+
+# The flags of the options below that this compiler knows. PUBLIC, because Eigen aligns its memory by the widest
+# registers: all who include a header with a matrix in it have to agree about them.
+set(SIGNORINI_FLAGS "")
+set(candidates "")
+if(SIGNORINI_NATIVE)
+  # Floating-point contraction changes round-off only; every result is defined by a tolerance. Small blocks fill
+  # registers of four numbers, so AVX-512 has nothing to add.
+  list(APPEND candidates -march=native -mno-avx512f)
+endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Release")
+  # Debian's deal.II passes on its own flags. Debug information and unrolling of all loops cost a third of the time of
+  # the compiler; the loops that matter are unrolled by hand.
+  list(APPEND candidates -g0 -fno-unroll-loops -fno-unroll-all-loops)
+endif()
+if(SIGNORINI_UNITY)
+  # GCC takes the sources of a unity build for headers, where unnamed namespaces would be a mistake.
+  list(APPEND candidates -Wno-subobject-linkage)
+endif()
+foreach(flag IN LISTS candidates)
+  string(MAKE_C_IDENTIFIER "has${flag}" has_flag)
+  check_cxx_compiler_flag(${flag} ${has_flag})
+  if(${has_flag})
+    list(APPEND SIGNORINI_FLAGS ${flag})
+  endif()
+endforeach()
+
+function(signorini_compile target)
+  deal_ii_setup_target(${target})
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra $<$<BOOL:${SIGNORINI_WARNINGS_AS_ERRORS}>:-Werror> ${SIGNORINI_FLAGS})
+endfunction()

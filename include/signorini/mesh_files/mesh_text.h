@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_mesh_files_mesh_text_h
+#define signorini_mesh_files_mesh_text_h
+
+#include <deal.II/grid/grid_in.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace signorini
+{
+  /** Why a file is not a mesh, without its name. */
+  class MeshFileError : public std::runtime_error
+  {
+  public:
+    using std::runtime_error::runtime_error;
+
+    /** What helps against a broken file. */
+    static inline const std::string remedy = "Write the mesh again.";
+  };
+
+  /** The content of a mesh file in a form that deal.II reads. */
+  struct MeshText
+  {
+    dealii::GridIn<3>::Format format; ///< msh, ucd or vtk
+    std::string               text;
+  };
+
+  /**
+   * Read a file, tell its format by its extension and content, and check what deal.II's readers take for granted: the file
+   * ends where it should, and what it refers to exists. @throws MeshFileError
+   */
+  MeshText read_mesh_text(const std::string &path);
+
+  /**
+   * The mesh of an Abaqus input file in UCD format. A face of the surface (`*SURFACE`, of elements or element sets) whose
+   * name contains the digits of a number gets this number as boundary id, all others 0. @throws MeshFileError
+   */
+  std::string abaqus_to_ucd(const std::string &text);
+
+  /** Refuse a text in UCD format with missing lines, or with cells and faces of vertices that do not exist. */
+  void check_ucd(const std::string &text);
+  /**
+   * Number and place, in words, of a hexahedron that lists its vertices in the other direction of rotation than most in a
+   * text in UCD format; empty if there is none. deal.II refuses such meshes without telling which cell it is.
+   */
+  std::string find_inverted_hexahedron(const std::string &ucd);
+  /** The same as check_ucd() for a legacy VTK file. */
+  void check_vtk(const std::string &text);
+  /** Refuse a Gmsh file that is not ASCII, or that has sections without end. */
+  void check_gmsh(const std::string &text);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_model_contact_description_h
+#define signorini_model_contact_description_h
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
+
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  /** The law of friction of a pair, see FrictionLaw. Coefficient and bound are expressions in x, y, z of the reference configuration. */
+  struct FrictionDescription
+  {
+    std::string law         = "coulomb"; ///< coulomb | tresca
+    std::string coefficient = "0";       ///< mu (coulomb)
+    std::string bound;                   ///< largest tangential stress; empty: none (coulomb only)
+
+    /** Whether any node of the pair may bear tangential forces: false for coulomb with the coefficient 0. */
+    bool any = false;
+  };
+
+  /** One entry of `Contact/Pairs`: `slave : obstacle` or `slave : master`, each body with boundary ids in brackets or without. */
+  struct PairDescription
+  {
+    static constexpr unsigned int none = static_cast<unsigned int>(-1);
+
+    std::string                             name;                ///< as written in the scene
+    unsigned int                            slave;               ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id> slave_boundary_ids;  ///< empty: the whole boundary of the body
+    unsigned int                            obstacle = none;     ///< index into Scene::obstacles, or
+    unsigned int                            master   = none;     ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id> master_boundary_ids; ///< empty: the whole boundary of the body
+    FrictionDescription                     friction;
+
+    bool of_two_bodies() const { return master != none; }
+  };
+
+  /** Section `Probes/<name>`: history of the contact node that is closest to a point. */
+  template <int dim>
+  struct ProbeDescription
+  {
+    std::string        name;
+    dealii::Point<dim> point; ///< in the reference configuration
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_model_run_parameters_h
+#define signorini_model_run_parameters_h
+
+#include <string>
+
+namespace signorini
+{
+  /** Section `Solver`: the inequality of a step and the linear systems in it. */
+  struct SolverParameters
+  {
+    std::string preconditioner = "automatic"; ///< automatic | jacobi | incomplete-cholesky | ml
+    /**
+     * Solutions are accepted when their error in the energy norm of the velocity is below `tolerance` times the root of the
+     * largest energy of the run so far; the energy ledger then closes to this accuracy.
+     */
+    double       tolerance                     = 2e-11;
+    unsigned int maximum_active_set_iterations = 50; ///< before the guaranteed fallback takes over
+    unsigned int maximum_linear_iterations     = 10000;
+  };
+
+  /** Section `Output`. */
+  struct OutputParameters
+  {
+    unsigned int vtu_every     = 0; ///< write fields every so many steps; 0: only the first and the last
+    bool         vtu           = true;
+    unsigned int history_every = 1;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_preconditioners_preconditioners_h
+#define signorini_preconditioners_preconditioners_h
+
+#include <signorini/linear_algebra/incomplete_cholesky.h>
+#include <signorini/preconditioners/step_operator.h>
+
+#include <memory>
+
+namespace signorini
+{
+  /**
+   * What `automatic` means, by measurement (doc/performance.md): the diagonal where the step is so small that the mass
+   * rules or the matrix will soon be another one, multigrid (ML) where the stiffness rules, the incomplete factor in
+   * between. Where the mass is negligible (Courant numbers above 1000) multigrid is of no use: it knows neither
+   * supports nor contact, bodies without them are nearly free to move, and the large rigid motions that it then
+   * proposes cost digits.
+   * @param courant_number   c_p tau / h
+   * @param matrix_life_time number of steps that will use the matrix
+   */
+  std::string choose_preconditioner(double courant_number, unsigned int matrix_life_time);
+
+  /** The masked preconditioner of a name (jacobi | incomplete-cholesky | ml) for a M + b A in contact coordinates. */
+  template <int dim>
+  std::unique_ptr<MaskedPreconditioner> make_preconditioner(const std::string             &name,
+                                                            const ElasticMatrices<dim>    &matrices,
+                                                            const ContactCoordinates<dim> &coordinates,
+                                                            double                         mass_factor,
+                                                            double                         stiffness_factor);
+
+  /** Incomplete factor of the block-scalar mass. */
+  template <int dim>
+  std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
+                                                                 const ContactCoordinates<dim> &coordinates);
+} // namespace signorini
+
+#endif

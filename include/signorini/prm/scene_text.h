@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_prm_scene_text_h
+#define signorini_prm_scene_text_h
+
+#include <signorini/scene/read_scene.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  /** `set key = value`, or with an empty key: `subsection` of the last name in @p section. */
+  struct Statement
+  {
+    std::vector<std::string> section; ///< names of the enclosing sections, outermost first
+    std::string              key;
+    std::string              value;
+    std::string              origin; ///< "scene.prm, line 12" or "scene.prm, --set"
+
+    /** `Section/Subsection/Key`. */
+    std::string path() const;
+  };
+
+  /**
+   * A .prm taken apart into statements, in the order of the file, overrides last. The syntax is that of deal.II's
+   * ParameterHandler; it is scanned here because a statement must remember its line, so that a check of values, which
+   * comes much later, can still name it.
+   */
+  struct SceneText
+  {
+    std::string            file_name;
+    std::string            original; ///< the file as it was read
+    std::vector<Statement> statements;
+
+    /** The statement that decides on a key (the last one), or nullptr. An empty key asks for the section. */
+    const Statement *find(const std::vector<std::string> &section, const std::string &key) const;
+  };
+
+  /** Read a file and append the overrides. @throws UserError if it cannot be read or is not a .prm. */
+  SceneText read_scene_text(const std::string &file_name, const std::vector<Override> &overrides);
+
+  /** The statements of a stream; @p file_name is used for messages and to find included files. */
+  std::vector<Statement> scan_statements(std::istream &in, const std::string &file_name);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_schemes_alpha_rule_h
+#define signorini_schemes_alpha_rule_h
+
+#include <signorini/time/time_scheme.h>
+
+namespace signorini
+{
+  /**
+   * The balance of the generalized-alpha methods (Chung and Hulbert 1993) and what follows from it for the increment d. With accelerations a,
+   *
+   *   M [(1 - alpha_m) a_new + alpha_m a] + A [(1 - alpha_f) u_new + alpha_f u] = (1 - alpha_f) f_new + alpha_f f,
+   *   d = tau v + tau^2 [(1/2 - beta) a + beta a_new],   v_new = v + tau [(1 - gamma) a + gamma a_new],
+   *   beta = (1 - alpha_m + alpha_f)^2 / 4,   gamma = 1/2 - alpha_m + alpha_f.
+   */
+  class AlphaRule
+  {
+  public:
+    AlphaRule(double alpha_m, double alpha_f);
+
+    /** The method of a spectral radius at infinite frequency, 0 <= rho <= 1. */
+    static AlphaRule with_spectral_radius(double rho);
+
+    const double alpha_m, alpha_f, beta, gamma;
+
+    /** a, or at the start that of loads and elastic forces. */
+    Vector acceleration(DynamicalSystem &system, const State &state) const;
+
+    /** tau v + tau^2 (1/2 - beta) a: the increment without a_new. */
+    Vector free_increment(const State &state, const Vector &acceleration, double step_size) const;
+
+    /** tau [(1 - gamma) a + gamma a_new]. */
+    Vector velocity_change(const Vector &acceleration, const Vector &new_acceleration, double step_size) const;
+
+    /** b of (M + s A) d = b, the balance multiplied by beta tau^2 / (1 - alpha_m). */
+    Vector right_hand_side(DynamicalSystem &system,
+                           const State     &state,
+                           const Vector    &acceleration,
+                           const Vector    &free_increment,
+                           double           step_size) const;
+
+    /** s. */
+    double stiffness_factor(double step_size) const;
+
+    /** From reactions K d - b to forces in the balance. */
+    double reaction_weight(double step_size) const;
+
+    /**
+     * What the rule itself does to the energy in a step with known works of contact and supports: the mean velocity is not d/tau, and
+     * the forces are not the means of both ends.
+     */
+    static double work(DynamicalSystem  &system,
+                       const State      &before,
+                       const State      &after,
+                       const Vector     &increment,
+                       const StepReport &report);
+  };
+} // namespace signorini
+
+#endif

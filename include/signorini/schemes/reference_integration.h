@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_schemes_reference_integration_h
+#define signorini_schemes_reference_integration_h
+
+#include <signorini/time/time_scheme.h>
+
+namespace signorini
+{
+  /**
+   * Not a scheme but the solution that schemes approximate: with a redistributed mass the problem in space is an ordinary differential equation
+   * with Lipschitz continuous right-hand side (Khenous, Laborde and Renard 2008),
+   *
+   *   u' = v,   M~ v' = f - A u + r   in nodes with mass (r: of the other body),   contact nodes in static equilibrium with u.nu <= g,
+   *
+   * and SUNDIALS ARKODE integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of
+   * its own as it takes within each step of the run. Against it, the error of a scheme in time can be measured on the
+   * same mesh. What the tolerance leaves is seen as unexplained energy. Slow: every stage solves a contact problem.
+   * Supports have to stand still.
+   */
+  class ReferenceIntegration : public TimeScheme
+  {
+  public:
+    /** @param tolerance accepted relative error per step of the integrator */
+    explicit ReferenceIntegration(double tolerance);
+
+    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const double tolerance;
+  };
+} // namespace signorini
+
+#endif

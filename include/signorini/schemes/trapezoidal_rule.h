@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_schemes_trapezoidal_rule_h
+#define signorini_schemes_trapezoidal_rule_h
+
+#include <signorini/time/time_scheme.h>
+
+/**
+ * The steps that all schemes with 2 beta = gamma = 1/2 share. The elastic forces of both ends of the step act with equal
+ * weights, so that the increment d solves
+ *
+ *   (M + tau^2/4 A) d = M p - tau^2/2 (A u - f) + tau^2/2 (forces of constraints),     p: predictor of the increment.
+ */
+namespace signorini
+{
+  namespace trapezoidal_rule
+  {
+    /** tau M v - tau^2/2 (A u - mean load): the right-hand side for p = tau v. */
+    Vector right_hand_side(DynamicalSystem &system, const State &state, double step_size);
+
+    /** The free increment tau v and its L2 projection onto the admissible ones. */
+    struct ProjectedPredictor
+    {
+      Vector      increment;       ///< p = tau v + c
+      Vector      correction;      ///< c
+      Vector      mass_correction; ///< M c
+      SolveEffort effort;
+    };
+    ProjectedPredictor
+    project_predictor(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap);
+
+    /** Solve for the increment, d.nu <= gap. @param further_reaction see IncrementProblem */
+    IncrementSolution solve(DynamicalSystem &system,
+                            const State     &state,
+                            double           step_size,
+                            const Vector    &right_hand_side,
+                            const NormalGap &gap,
+                            const Vector    *further_reaction = nullptr);
+
+    /** 2/tau^2 times the reaction of supports on the increment. */
+    double support_work(const IncrementSolution &solution, double step_size);
+
+    /** The end of the step of a scheme without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction. */
+    StepReport
+    finish_implicit(const DynamicalSystem &system, State &state, double step_size, const IncrementSolution &solution);
+
+    /** The state at the end of the step: u + d, v + 2/tau (d - p), the new contact force, and the products M v and A u. */
+    void finish(const DynamicalSystem &system,
+                State                 &state,
+                double                 step_size,
+                const Vector          &increment,
+                const Vector          &velocity_change,
+                Vector               &&contact_force);
+  } // namespace trapezoidal_rule
+} // namespace signorini
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_step_size_adaptive_steps_h
+#define signorini_step_size_adaptive_steps_h
+
+#include <signorini/step_size/time_stepping.h>
+
+#include <memory>
+#include <optional>
+
+namespace signorini
+{
+  /**
+   * Steps whose size follows an estimate of their error: with the tolerance TOL and an error eps = O(tau^(1/kappa)),
+   *
+   *   tau_new = tau min(2, max(1/4, (0.8 TOL / eps)^kappa)),   accepted if eps <= TOL or tau is the smallest size.
+   *
+   * - Sizes are the first one times powers of two, so that a size comes back and with it its matrix; only the last two steps of a run are
+   *   of another size, because the end time is met exactly.
+   * - Longer steps are tried only where the factor reaches 2, and not in the steps after a rejection; in flight already where the error is
+   *   half of TOL, because vibrations weaker than TOL need not be followed and their error does not grow with the step. An
+   *   estimate may have other StepRules.
+   * - In flight a step is at most half as long as the time until the first node touches, but not shorter than the smallest
+   *   size: the approach ends after some steps, and contact begins with a small one. Where flight is free, a step may reach the
+   *   touch, and contact begins with the first size, if that is not rejected.
+   * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
+   */
+  class AdaptiveSteps : public TimeStepping
+  {
+  public:
+    struct Parameters
+    {
+      double tolerance; ///< relative
+      double first;     ///< size of the first step
+      /** Sizes are not below, but those of the halves of a doubled step and of the last two of the run; 0: see wave_part */
+      double minimum;
+      double maximum;
+      double end_time;
+      double wave_part = 0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
+    };
+
+    AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
+
+    AcceptedStep advance(DynamicalSystem &system, State &state) override;
+    double       fraction_done(const State &state) const override;
+    void         forget() override;
+    void         take_back() override { --n_accepted; }
+    std::string  summary() const override;
+
+    unsigned int rejected() const { return n_rejected; }
+    unsigned int solved() const { return n_solved; }
+
+  private:
+    const std::unique_ptr<StepEstimate> estimate;
+    const Parameters                    parameters;
+    const StepRules                     rules;
+    const int                           highest;         ///< sizes are first 2^level
+    int                                 lowest   = 0;    ///< on this mesh
+    bool                                new_mesh = true; ///< since the last step
+    int                                 level    = 0;    ///< of the next step
+    unsigned int                        rest     = 0;    ///< steps that are not to be followed by a longer one
+    std::optional<TakenStep> waiting; ///< the second half of a doubled step, when the first one has been handed out
+    unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
+    double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
+
+    double       minimum(const DynamicalSystem &system) const;
+    void         approach(const DynamicalSystem &system, const State &state);
+    void         try_longer(const StepTrial &trial, double factor);
+    StepTrial    find_trial(DynamicalSystem &system, const State &state);
+    double       span(const State &state) const;
+    AcceptedStep hand_out(State &state, TakenStep &&step);
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_step_size_contact_events_h
+#define signorini_step_size_contact_events_h
+
+#include <signorini/time/dynamical_system.h>
+#include <signorini/time/state.h>
+
+namespace signorini
+{
+  /** What the contact nodes of this process do in a state: open, or pressed; with friction slipping or sticking. */
+  ActiveSet contact_statuses(const DynamicalSystem &system, const State &state);
+
+  /** Whether a contact node is pressed, on any process. Collective. */
+  bool any_contact(const DynamicalSystem &system, const State &state);
+
+  /** Whether statuses differ, on any process. @param like tells the processes. Collective. */
+  bool differ(const ActiveSet &a, const ActiveSet &b, const Vector &like);
+
+  /**
+   * The time until the first contact node touches if all keep their velocity. Infinity if that is beyond the horizon, or if nodes are
+   * pressed already: then there is no flight. Nodes that would enter by less than round-off within the horizon do not count.
+   * Collective.
+   */
+  double time_to_touch(const DynamicalSystem &system, const State &state, double horizon);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_step_size_embedded_estimate_h
+#define signorini_step_size_embedded_estimate_h
+
+#include <signorini/step_size/step_estimate.h>
+
+namespace signorini
+{
+  /**
+   * One step, compared with what the last one predicted: with the mean acceleration w of the last step,
+   *
+   *   v_predicted = v + tau w   or   v_predicted = v,
+   *
+   * whichever is closer to the new velocity in the norm of M. The second one is for the step after a jolt, whose w means
+   * nothing any more. The distance is O(tau^2) in smooth motion and zero under constant acceleration. An estimate from above for
+   * schemes of order two, relative to the largest motion so far, but it costs no solution and no product. In the first step nothing is known.
+   */
+  class EmbeddedEstimate : public StepEstimate
+  {
+  public:
+    explicit EmbeddedEstimate(TimeScheme &scheme)
+      : scheme(scheme)
+    {
+    }
+
+    StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
+    void      accept(const State &start, const StepTrial &trial) override;
+
+    /** Errors in the energy norm are relative to this, the square root of the largest energy of the motion so far. */
+    double unit(const State &start, const State &end) const;
+
+  private:
+    TimeScheme &scheme;
+    double      largest_energy = 0.; ///< of the motion so far
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_step_size_force_estimate_h
+#define signorini_step_size_force_estimate_h
+
+#include <signorini/step_size/embedded_estimate.h>
+
+namespace signorini
+{
+  /**
+   * One step, measured by the contact forces r alone while there is no contact, and by them and the motion in contact: with the size tau'
+   * and the forces r' of the last step
+   *
+   *   eps_force = (tau / tau_0)^2 |r - r'|_1 / (1/2 (1 + tau'/tau)) / R,   eps = max(eps_force, embedded estimate).
+   *
+   * - The change of forces over one step is what a force that is constant over its step cannot show. For the error in L2 of time alone
+   *   steps would go with its -2/3rd power; the square of tau makes that -1/3: local slopes follow vibrations, whose next swing they
+   *   do not foretell.
+   * - The sum of the magnitudes of nodal forces sees both bodies, all pairs and friction.
+   * - R is the largest force so far, or, as long as the elastic energy E_el grows beyond all before, that of a spring which will take
+   *   up the largest energy E of the motion so far, |r|_1 (E / E_el)^1/2. So contact need not begin with the smallest steps.
+   * - A constant force may hide waves that carry the next one; so the motion counts, too, but not in flight: what vibrates there
+   *   is the business of its next contact.
+   */
+  class ForceEstimate : public StepEstimate
+  {
+  public:
+    /** @param unit tau_0 > 0, in which sizes are measured */
+    ForceEstimate(TimeScheme &scheme, const double unit)
+      : motion(scheme)
+      , unit(unit)
+    {
+    }
+
+    StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
+    void      accept(const State &start, const StepTrial &trial) override;
+    StepRules rules() const override;
+
+  private:
+    EmbeddedEstimate motion;
+    const double     unit;
+    double           largest_force = 0., largest_energy = 0., largest_elastic_energy = 0.; ///< so far
+
+    double largest_expected_force(const State &start, const State &end) const;
+  };
+} // namespace signorini
+
+#endif

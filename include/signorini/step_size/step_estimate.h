@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_step_size_step_estimate_h
+#define signorini_step_size_step_estimate_h
+
+#include <signorini/time/time_scheme.h>
+
+namespace signorini
+{
+  /** A step that a scheme has made: where it ended, what happened, and its length. */
+  struct TakenStep
+  {
+    State      state;
+    StepReport report;
+    double     step_size;
+  };
+
+  /** One or several steps that are to be accepted or rejected together, and the estimate of their error. */
+  struct StepTrial
+  {
+    std::vector<TakenStep> steps;
+    double                 error = 0.;   ///< estimate, relative to what the motion or its forces have been so far
+    double       exponent        = 1.;   ///< the step size goes with this power of the error: 1/p for an error O(tau^p)
+    bool         is_known        = true; ///< false: nothing to compare with, no error is known
+    bool         is_flight       = false; ///< no contact at start and end
+    unsigned int n_solved        = 0;     ///< steps that were computed, those thrown away included
+  };
+
+  /** Write into each state of a trial what its step has changed, see LastStep. */
+  void record_changes(const State &start, StepTrial &trial);
+
+  /** What a kind of errors means for the choice of the next size. */
+  struct StepRules
+  {
+    double       content           = 0.;  ///< part of the tolerance below which a longer step is tried, anyway
+    double       content_in_flight = 0.5; ///< the same for steps without contact
+    unsigned int rest              = 8;   ///< steps after a rejection that are not lengthened
+    double       smallest_part     = 0.;  ///< of the first size: the default of the smallest size is not below
+    bool flight_is_free = false; ///< no contact, no error: flight takes the longest steps that do not miss the touch
+  };
+
+  /**
+   * Makes steps of a scheme and estimates their error. Where contact begins, ends, or changes between sticking and slipping the error of
+   * these schemes is O(tau^1/2), elsewhere O(tau^p) (Klapproth, Schiela and Deuflhard, Numer. Math. 119 (2011)); hence the exponent.
+   */
+  class StepEstimate
+  {
+  public:
+    virtual ~StepEstimate() = default;
+
+    /**
+     * From a state over a span of time. The state is not touched.
+     * @param tolerance relative errors below are as good as none
+     */
+    virtual StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) = 0;
+
+    /** The steps of a trial from this state count: what is kept for the next estimate follows them. Numbers only, no vectors: the mesh may change. */
+    virtual void accept(const State & /*start*/, const StepTrial & /*trial*/) {}
+
+    virtual StepRules rules() const { return {}; }
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/finite_elements/cell_map.h>
+#include <signorini/finite_elements/stress_vectors.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    template <int dim>
+    FaceStress<dim> stress_at_points(const PointTable<dim> &polynomials,
+                                     const PointTable<dim> &map_polynomials,
+                                     const unsigned int     face,
+                                     const Material        &material,
+                                     const double          *displacement,
+                                     const double          *support_points)
+    {
+      const FourMatrices<dim> jacobian    = map_polynomials.gradients(support_points);
+      const FourMatrices<dim> cofactor    = cofactors(jacobian);
+      const FourNumbers       volume      = determinant<dim>(jacobian, cofactor);
+      const FourMatrices<dim> gradient    = product(polynomials.gradients(displacement), cofactor); // times volume
+      FourVectors<dim>        area_vector = cofactor[face / 2];
+      FourNumbers             divergence{}, square{}, area;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          area_vector[c] *= face % 2 == 1 ? 1. : -1.;
+          divergence += gradient[c][c];
+          square += area_vector[c] * area_vector[c];
+        }
+      for (unsigned int q = 0; q < PointTable<dim>::n_points; ++q)
+        area[q] = std::sqrt(square[q]);
+
+      FaceStress<dim>   result;
+      const FourNumbers scale = 1. / (volume * area);
+      result.tension          = FourNumbers{};
+      for (unsigned int i = 0; i < dim; ++i)
+        {
+          FourNumbers sum = material.lambda() * divergence * area_vector[i];
+          for (unsigned int j = 0; j < dim; ++j)
+            sum += material.mu() * (gradient[i][j] + gradient[j][i]) * area_vector[j];
+          result.vector[i] = sum * scale;
+          result.tension += result.vector[i] * area_vector[i] / area;
+        }
+      for (unsigned int q = 0; q < PointTable<dim>::n_points; ++q)
+        result.area[q] = q < GaussTables<dim>::n_face_points ? area[q] / GaussTables<dim>::n_face_points : 0.;
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  StressVectors<dim>::StressVectors(const CellNeighbors<dim> &mesh, const Vector &displacement)
+    : mesh(mesh)
+    , displacement(displacement)
+    , stresses(mesh.cells.size() * GaussTables<dim>::n_faces)
+  {
+    const auto                         &mapping   = mesh.discretization.mapping;
+    const auto                         &tables    = GaussTables<dim>::of_degree(1);
+    const auto                         &of_map    = GaussTables<dim>::of_degree(mapping.get_degree());
+    FaceStress<dim>                    *next_face = stresses.data();
+    std::array<double, dim *(1 << dim)> values;
+    for (const LocalCell<dim> &cell : mesh.cells)
+      {
+        mesh.gather(cell, displacement, values.data());
+        const auto      points   = support_points(mapping, cell.cell);
+        const Material &material = mesh.discretization.scene.bodies[cell.body].material;
+        for (unsigned int face = 0; face < GaussTables<dim>::n_faces; ++face)
+          *next_face++ = stress_at_points<dim>(
+            tables.faces[face], of_map.faces[face], face, material, values.data(), numbers(points));
+      }
+  }
+
+
+  template <int dim>
+  FaceStress<dim>
+  StressVectors<dim>::of_subface(const unsigned int cell, const unsigned int face, const unsigned int subface) const
+  {
+    const auto                         &discretization = mesh.discretization;
+    const LocalCell<dim>               &local          = mesh.cells[cell];
+    const unsigned int                  table          = GaussTables<dim>::n_subfaces * face + subface;
+    std::array<double, dim *(1 << dim)> values;
+    mesh.gather(local, displacement, values.data());
+    const auto points = support_points(discretization.mapping, local.cell);
+    return stress_at_points<dim>(GaussTables<dim>::of_degree(1).subfaces[table],
+                                 GaussTables<dim>::of_degree(discretization.mapping.get_degree()).subfaces[table],
+                                 face,
+                                 discretization.scene.bodies[local.body].material,
+                                 values.data(),
+                                 numbers(points));
+  }
+
+
+  template class StressVectors<2>;
+  template class StressVectors<3>;
+} // namespace signorini

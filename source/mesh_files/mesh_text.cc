@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/mesh_files/mesh_text.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    std::string extension_of(const std::string &path)
+    {
+      std::string extension = std::filesystem::path(path).extension().string();
+      std::transform(
+        extension.begin(), extension.end(), extension.begin(), [](const unsigned char c) { return std::tolower(c); });
+      return extension;
+    }
+
+    std::string read_whole_file(const std::string &path)
+    {
+      std::error_code error;
+      if (!std::filesystem::exists(path, error))
+        throw MeshFileError(
+          "there is no such file. Check the name; a relative path starts in the folder of the scene.");
+      if (std::filesystem::is_directory(path, error))
+        throw MeshFileError("it is a directory. Name a mesh file in it.");
+      std::ifstream in(path);
+      if (!in)
+        throw MeshFileError(std::strerror(errno) + std::string(". Check its permissions."));
+      std::ostringstream text;
+      text << in.rdbuf();
+      std::string content = text.str();
+      if (content.empty())
+        throw MeshFileError("the file is empty. Write the mesh again.");
+      if (content.find('\0') != std::string::npos)
+        throw MeshFileError("it is a binary file. Write the mesh as text (ASCII).");
+      content.erase(std::remove(content.begin(), content.end(), '\r'), content.end());
+      return content;
+    }
+
+    /** Abaqus has keywords: lines that begin with a star. UCD has numbers only. */
+    bool is_abaqus(const std::string &text)
+    {
+      return text[0] == '*' || text.find("\n*") != std::string::npos;
+    }
+  } // namespace
+
+  MeshText read_mesh_text(const std::string &path)
+  {
+    using Format                = dealii::GridIn<3>;
+    const std::string extension = extension_of(path);
+    if (extension != ".msh" && extension != ".inp" && extension != ".ucd" && extension != ".vtk")
+      throw MeshFileError("the extension `" + extension
+                          + "` is not known. Valid: .msh (Gmsh), .inp (Abaqus or UCD), .ucd (UCD), .vtk (VTK).");
+    const std::string text = read_whole_file(path);
+    if (extension == ".msh")
+      {
+        check_gmsh(text);
+        return {Format::msh, text};
+      }
+    if (extension == ".vtk")
+      {
+        check_vtk(text);
+        return {Format::vtk, text};
+      }
+    const std::string ucd = is_abaqus(text) ? abaqus_to_ucd(text) : text;
+    check_ucd(ucd);
+    return {Format::ucd, ucd};
+  }
+} // namespace signorini

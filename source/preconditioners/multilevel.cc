@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/preconditioners/multilevel.h>
+
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  Multilevel<dim>::Multilevel(const ElasticMatrices<dim>    &matrices,
+                              const ContactCoordinates<dim> &coordinates,
+                              const double                   mass_factor,
+                              const double                   stiffness_factor)
+    : coordinates(coordinates)
+    , cartesian(matrices.pattern.partitioner)
+  {
+    const NodePattern &pattern        = matrices.pattern;
+    const auto        &partitioner    = *pattern.partitioner;
+    const IndexSet    &owned          = partitioner.locally_owned_range();
+    const auto         for_each_entry = [&](const auto &action) {
+      const auto dof = [&](const unsigned int node, const unsigned int c) {
+        return partitioner.local_to_global(dim * node + c);
+      };
+      for (unsigned int node = 0; node < pattern.n_owned; ++node)
+        for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            for (unsigned int d = 0; d < dim; ++d)
+              {
+                action(dof(node, c), dof(pattern.columns[k], d), k, dim * d + c);
+                if (pattern.columns[k] != node && pattern.columns[k] < pattern.n_owned)
+                  action(dof(pattern.columns[k], d), dof(node, c), k, dim * d + c);
+              }
+    };
+    DynamicSparsityPattern sparsity(owned.size(), owned.size(), owned);
+    for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) { sparsity.add(row, column); });
+    for (const auto row : owned)
+      sparsity.add(row, row);
+    matrix.reinit(owned, owned, sparsity, cartesian.get_mpi_communicator(), true);
+    for_each_entry([&](const auto row, const auto column, const unsigned int k, const unsigned int entry) {
+      matrix.set(row, column, matrices.combined_block(k, mass_factor, stiffness_factor)[entry]);
+    });
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      if (pattern.is_empty(node)) // a hanging node
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const auto row = partitioner.local_to_global(dim * node + c);
+            matrix.set(row, row, 1.);
+          }
+    matrix.compress(VectorOperation::insert);
+
+    TrilinosWrappers::PreconditionAMG::AdditionalData data;
+    data.elliptic              = true;
+    data.higher_order_elements = false;
+    data.smoother_sweeps       = 2;
+    data.aggregation_threshold = 0.02;
+    std::vector<std::vector<bool>> constant_modes(dim, std::vector<bool>(owned.n_elements(), false));
+    for (unsigned int i = 0; i < owned.n_elements(); ++i)
+      constant_modes[i % dim][i] = true;
+    data.constant_modes = constant_modes;
+    multigrid.initialize(matrix, data);
+    mask.assign(owned.n_elements(), 0);
+  }
+
+
+  template <int dim>
+  void Multilevel<dim>::vmult(Vector &destination, const Vector &source) const
+  {
+    cartesian.copy_locally_owned_data_from(source);
+    for (unsigned int i = 0; i < mask.size(); ++i)
+      if (mask[i])
+        cartesian.local_element(i) = 0.;
+    coordinates.force_to_cartesian(cartesian);
+    destination.zero_out_ghost_values();
+    multigrid.vmult(destination, cartesian);
+    coordinates.displacement_to_contact(destination);
+    for (unsigned int i = 0; i < mask.size(); ++i)
+      if (mask[i])
+        destination.local_element(i) = 0.;
+  }
+
+
+  template class Multilevel<2>;
+  template class Multilevel<3>;
+} // namespace signorini

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/backward_euler.h>
+#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport BackwardEuler::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    const double end_time = state.time + tau;
+    Vector       b        = state.momentum;
+    b.sadd(tau, -tau * tau, state.internal_force);
+    system.add_load(b, tau * tau, end_time);
+    const NormalGap   gap = system.normal_gap(state.displacement);
+    IncrementSolution solution;
+    system.solve({tau * tau, b, gap, state, tau, tau * tau}, solution);
+    const Vector &d = solution.increment;
+
+    Vector r = solution.contact_reaction;
+    r /= tau * tau;
+    StepReport report;
+    report.corrector    = solution.effort;
+    report.work_contact = r * d;
+    report.work_support = solution.support_reaction * d / (tau * tau);
+
+    // v_new - v = d/tau - v
+    Vector velocity_change = d;
+    velocity_change.sadd(1. / tau, -1., state.velocity);
+    Vector load_excess = system.make_vector(); // over the mean of both ends
+    system.add_load(load_excess, 1., end_time);
+    system.add_mean_load(load_excess, -1., state.time, end_time);
+    Vector products = system.make_vector();
+    system.apply_mass(products, velocity_change);
+    report.work_scheme = load_excess * d - 0.5 * (products * velocity_change);
+    system.apply_stiffness(products, d);
+    report.work_scheme -= 0.5 * (products * d);
+
+    report.work_friction = record_friction(state, solution, 1. / (tau * tau), r);
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    return report;
+  }
+} // namespace signorini

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/contact_implicit_newmark.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport ContactImplicitNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    // (33): (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r
+    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const NormalGap         gap      = system.normal_gap(state.displacement);
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    // (34): v_new - v = 2/tau (d - tau v)
+    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
+  }
+} // namespace signorini

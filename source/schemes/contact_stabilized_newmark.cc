@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/contact_stabilized_newmark.h>
+#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/stop_held_nodes.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport ContactStabilizedNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    StepReport      report;
+    const NormalGap gap = system.normal_gap(state.displacement);
+
+    // (36): p = tau v + c, the L2 projection of the free increment
+    const auto    predictor = trapezoidal_rule::project_predictor(system, state, tau, gap);
+    const Vector &p = predictor.increment, &mass_c = predictor.mass_correction;
+    report.predictor = predictor.effort;
+
+    // (37): (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r
+    Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
+    b += mass_c;
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const Vector           &d        = solution.increment;
+
+    Vector r = solution.contact_reaction;
+    r *= 2. / (tau * tau);
+
+    // (38): v_new = v + 2/tau (d - p)
+    Vector velocity_change = d;
+    velocity_change -= p;
+
+    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Supports that accelerate react to the projection, too; their part of
+    // the second term is work from outside, and only the rest has a sign.
+    const double projection_work = -2. / (tau * tau) * (mass_c * velocity_change);
+    const double support_work    = -2. / (tau * tau) * (system.support_part(mass_c) * velocity_change);
+
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_predictor = projection_work - support_work;
+    report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
+
+    velocity_change *= 2. / tau;
+    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
+    if (stop_sticking_nodes && state.friction.any())
+      {
+        const ActiveSet sticking = staying_nodes(system, gap, solution, false, true);
+        report.work_friction += stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
+      }
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    return report;
+  }
+} // namespace signorini

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/generalized_alpha.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+namespace signorini
+{
+  StepReport GeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    const Vector      a      = rule.acceleration(system, state);
+    const Vector      d_free = rule.free_increment(state, a, tau);
+    const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
+    const NormalGap   gap    = system.normal_gap(state.displacement);
+    IncrementSolution solution;
+    system.solve({rule.stiffness_factor(tau), b, gap, state, tau}, solution);
+    const Vector &d = solution.increment;
+    Vector        r = solution.contact_reaction;
+    r *= rule.reaction_weight(tau);
+
+    // a_new = (d - d_free)/(beta tau^2)
+    Vector a_new = d;
+    a_new -= d_free;
+    a_new /= rule.beta * tau * tau;
+    Vector velocity_change = rule.velocity_change(a, a_new, tau);
+
+    StepReport report;
+    report.corrector    = solution.effort;
+    report.work_contact = r * d;
+    report.work_support = rule.reaction_weight(tau) * (solution.support_reaction * d);
+    const State before  = state;
+    state.acceleration  = std::move(a_new);
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    report.work_scheme = AlphaRule::work(system, before, state, d, report);
+    return report;
+  }
+} // namespace signorini

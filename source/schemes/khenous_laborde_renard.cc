@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/first_acceleration.h>
+#include <signorini/schemes/khenous_laborde_renard.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+namespace signorini
+{
+  KhenousLabordeRenard::KhenousLabordeRenard(const double beta, const double gamma)
+    : beta(beta)
+    , gamma(gamma)
+  {
+  }
+
+
+  StepReport KhenousLabordeRenard::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    const std::vector<unsigned int> massless = system.massless_entries();
+    Vector                          load     = system.make_vector();
+    system.add_load(load, 1., state.time);
+    const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
+    Vector       mass_a = system.make_vector(), new_load = mass_a;
+    system.apply_mass(mass_a, a);
+    system.add_load(new_load, 1., state.time + tau);
+
+    // b = M~ [tau v + tau^2 (1/2 - beta) a] + beta tau^2 (f_new - A u)
+    const double scale = beta * tau * tau;
+    Vector       b     = state.momentum;
+    b.sadd(tau, tau * tau * (0.5 - beta), mass_a);
+    b.add(scale, new_load, -scale, state.internal_force);
+
+    const NormalGap   gap = system.normal_gap(state.displacement);
+    IncrementSolution solution;
+    system.solve({scale, b, gap, state, tau}, solution);
+    const Vector &d = solution.increment;
+    Vector        r = solution.contact_reaction;
+    r /= scale;
+
+    Vector a_new = d;
+    a_new.add(-tau, state.velocity, -tau * tau * (0.5 - beta), a);
+    a_new /= scale;
+    for (const unsigned int i : massless)
+      a_new.local_element(i) = 0.;
+    Vector velocity_change = a;
+    velocity_change.sadd(tau * (1. - gamma), tau * gamma, a_new);
+    for (const unsigned int i : massless)
+      velocity_change.local_element(i) = d.local_element(i) / tau - state.velocity.local_element(i);
+
+    // The forces at the start that acceleration and contact do not balance: reactions of supports, and in a first step whatever
+    // loads massless nodes.
+    Vector unbalanced = mass_a;
+    unbalanced.add(1., state.internal_force, -1., load);
+    unbalanced -= state.contact_force;
+    Vector support = system.support_part(unbalanced);
+    unbalanced -= support;
+
+    StepReport report;
+    report.corrector    = solution.effort;
+    report.work_contact = (1. - gamma) * (state.contact_force * d) + gamma * (r * d);
+    report.work_support = (1. - gamma) * (support * d) + gamma / scale * (solution.support_reaction * d);
+
+    Vector momentum_change = state.momentum, stiffness_change = state.internal_force, mean_velocity = state.velocity;
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    state.acceleration = std::move(a_new);
+
+    // What the rule does to the energy: the mean velocity is not d/tau, and forces are not means of both ends.
+    momentum_change.sadd(-1., 1., state.momentum);
+    stiffness_change.sadd(-1., 1., state.internal_force);
+    mean_velocity += state.velocity;
+    mean_velocity.sadd(0.5, -1. / tau, d);
+    new_load -= load;
+    report.work_scheme = mean_velocity * momentum_change + (1. - gamma) * (unbalanced * d)
+                         - (gamma - 0.5) * (stiffness_change * d - new_load * d);
+    return report;
+  }
+} // namespace signorini

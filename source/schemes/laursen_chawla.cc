@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/laursen_chawla.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+#include <limits>
+
+namespace signorini
+{
+  StepReport LaursenChawla::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    // A node that is held at zero gap must not drop out by round-off.
+    const double touching = 1e-10 * system.length();
+    NormalGap    bounds   = system.normal_gap(state.displacement);
+    for (double &bound : bounds)
+      bound = bound <= touching ? 0. : std::numeric_limits<double>::infinity();
+
+    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, bounds);
+    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
+  }
+} // namespace signorini

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/laursen_love.h>
+#include <signorini/schemes/node_impulses.h>
+#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    /** The nodal impulses that solve the equations of the single nodes; if that fails, along the contact forces r. */
+    Vector impulses_per_node(DynamicalSystem         &system,
+                             const IncrementSolution &solution,
+                             const NormalGap         &gap,
+                             const Vector            &velocity,
+                             const Vector            &r,
+                             const double             tau,
+                             StepReport              &report)
+    {
+      std::vector<double> compression = solution.normal_reaction;
+      for (double &force : compression)
+        force *= -2. / (tau * tau);
+      NodeImpulses nodes        = solve_node_impulses(system, {compression, gap, system.relative_normal(velocity)});
+      report.impulse_iterations = nodes.iterations;
+      report.common_impulses    = !nodes.converged;
+      if (!nodes.converged)
+        return r;
+      for (double &impulse : nodes.impulses)
+        impulse *= -1.;
+      return system.normal_forces(nodes.impulses);
+    }
+  } // namespace
+
+
+  StepReport LaursenLove::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const NormalGap         gap      = system.normal_gap(state.displacement);
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const Vector           &d        = solution.increment;
+
+    Vector r = solution.contact_reaction;
+    r *= 2. / (tau * tau);
+    Vector velocity_change = d;
+    velocity_change.sadd(2. / tau, -2., state.velocity);
+
+    StepReport report;
+    report.corrector    = solution.effort;
+    report.work_contact = r * d;
+    report.work_support = trapezoidal_rule::support_work(solution, tau);
+
+    if (r.linfty_norm() > 0.)
+      {
+        Vector velocity = state.velocity; // v*, without impulses
+        velocity += velocity_change;
+        const Vector impulses =
+          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, tau, report) : r; // up to a factor
+
+        // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*
+        const Vector response = system.solve_mass(impulses);
+        const double kappa    = impulses * response;
+        const double omega    = -(impulses * velocity);
+        const double lost     = std::max(0., -report.work_contact);
+        double       alpha    = 0.;
+        if (kappa > 0. && (omega > 0. || lost > 0.))
+          alpha = (omega + std::sqrt(omega * omega + 2. * kappa * lost)) / kappa;
+        // Supports react to the impulses; with a velocity of their own that is work from outside.
+        Vector reaction = response;
+        system.apply_mass(reaction, response);
+        report.work_support += alpha * (system.support_part(reaction) * velocity);
+
+        velocity_change.add(alpha, response);
+        report.work_contact += alpha * (alpha * kappa / 2. - omega);
+        r.add(alpha / tau, impulses);
+      }
+    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
+    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    return report;
+  }
+} // namespace signorini

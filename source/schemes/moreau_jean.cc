@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/moreau_jean.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+#include <limits>
+
+namespace signorini
+{
+  StepReport MoreauJean::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    NormalGap       bounds   = system.normal_gap(state.displacement);
+    const NormalGap approach = system.relative_normal(state.velocity);
+    const double    touching = 1e-10 * system.length();
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+      {
+        const double half_step = tau / 2. * approach[k];
+        bounds[k] = bounds[k] - half_step <= touching ? half_step : std::numeric_limits<double>::infinity();
+      }
+    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, bounds);
+    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
+  }
+} // namespace signorini

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/schemes/reference_integration.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+#include <deal.II/lac/la_parallel_block_vector.h>
+
+#include <deal.II/sundials/arkode.h>
+
+#include <arkode/arkode_arkstep.h>
+
+namespace signorini
+{
+  namespace
+  {
+    /** u, and tau v: both lengths, so that one tolerance fits both. */
+    using Motion = dealii::LinearAlgebra::distributed::BlockVector<double>;
+
+
+    /** The motion as an ordinary differential equation. */
+    class Equation
+    {
+    public:
+      Equation(DynamicalSystem &system, const State &start, const double unit_of_time)
+        : system(system)
+        , massless(system.massless_entries())
+        , guess(start.displacement)
+        , unit_of_time(unit_of_time)
+      {
+      }
+
+      void right_hand_side(const double time, const Motion &motion, Motion &derivative)
+      {
+        Vector load = system.make_vector(), contact_force;
+        system.add_load(load, 1., time);
+        effort       = system.equilibrate_massless(complete(motion.block(0)), load, contact_force);
+        Vector force = system.make_vector();
+        system.apply_stiffness(force, guess);
+        force.sadd(-1., 1., load);
+        force += contact_force; // it acts on nodes with mass, too: those of the other body
+        derivative.block(0).equ(1. / unit_of_time, motion.block(1));
+        derivative.block(1).equ(unit_of_time, system.solve_mass(force));
+      }
+
+      /** The displacement in equilibrium at a time, and the contact force. */
+      Vector equilibrium(const double time, const Vector &displacement, Vector &contact_force)
+      {
+        Vector load = system.make_vector();
+        system.add_load(load, 1., time);
+        effort = system.equilibrate_massless(complete(displacement), load, contact_force);
+        return guess;
+      }
+
+      SolveEffort effort; ///< of the last equilibrium
+
+    private:
+      DynamicalSystem                &system;
+      const std::vector<unsigned int> massless;
+      Vector                          guess; ///< the last equilibrium: massless nodes begin with it
+      const double                    unit_of_time;
+
+      /** Nodes with mass as given, the others as they were last. */
+      Vector &complete(const Vector &displacement)
+      {
+        std::vector<double> kept;
+        for (const unsigned int i : massless)
+          kept.push_back(guess.local_element(i));
+        guess = displacement;
+        for (unsigned int k = 0; k < massless.size(); ++k)
+          guess.local_element(massless[k]) = kept[k];
+        return guess;
+      }
+    };
+  } // namespace
+
+
+  ReferenceIntegration::ReferenceIntegration(const double tolerance)
+    : tolerance(tolerance)
+  {
+  }
+
+
+  StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
+  {
+    using Integrator = dealii::SUNDIALS::ARKode<Motion>;
+    if (system.supports_move(state.time, state.time + tau))
+      throw UserError(
+        "Time/Scheme = reference does not follow supports that move, and a Dirichlet condition changes in time. Take "
+        "khenous-laborde-renard with `Newmark beta = 0.25` and a small step size instead.");
+    Equation     equation(system, state, tau);
+    const auto   massless = system.massless_entries();
+    const Vector start    = state.displacement;
+
+    Motion motion(2);
+    motion.block(0) = state.displacement;
+    motion.block(1).reinit(state.velocity);
+    motion.block(1).equ(tau, state.velocity);
+    system.stop_at_supports(motion.block(1));
+    for (const unsigned int i : massless) // no part of the equation
+      motion.block(1).local_element(i) = 0.;
+    motion.collect_sizes();
+
+    Integrator::AdditionalData data;
+    data.initial_time       = state.time;
+    data.final_time         = state.time + tau;
+    data.output_period      = tau;
+    data.initial_step_size  = tau / 20.;
+    data.minimum_step_size  = 1e-12 * tau;
+    data.maximum_order      = 5;
+    data.relative_tolerance = tolerance;
+    data.absolute_tolerance = tolerance * std::max(motion.block(1).linfty_norm(), 1e-8 * system.length());
+    Integrator integrator(data, state.displacement.get_mpi_communicator());
+
+    std::exception_ptr failure; // exceptions must not pass through SUNDIALS
+    integrator.explicit_function = [&](const double time, const Motion &y, Motion &derivative) -> int {
+      try
+        {
+          equation.right_hand_side(time, y, derivative);
+          return 0;
+        }
+      catch (...)
+        {
+          failure = std::current_exception();
+          return -1;
+        }
+    };
+    integrator.custom_setup = [](void *memory) { ARKStepSetMaxNumSteps(memory, 1000000); };
+    try
+      {
+        integrator.solve_ode(motion);
+      }
+    catch (const std::exception &error)
+      {
+        if (failure)
+          std::rethrow_exception(failure);
+        throw RunError("Time/Scheme = reference: the integrator ARKODE gave up at time " + std::to_string(state.time)
+                       + ". Use a smaller step size, or a larger Reference tolerance. (" + error.what() + ")");
+      }
+
+    Vector contact_force;
+    Vector increment = equation.equilibrium(state.time + tau, motion.block(0), contact_force);
+    increment -= start;
+    Vector velocity_change = motion.block(1);
+    velocity_change /= tau;
+    for (const unsigned int i : massless)
+      velocity_change.local_element(i) = increment.local_element(i) / tau;
+    velocity_change -= state.velocity;
+
+    StepReport report;
+    report.corrector = equation.effort;
+    trapezoidal_rule::finish(system, state, tau, increment, velocity_change, std::move(contact_force));
+    return report;
+  }
+} // namespace signorini

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/stop_held_nodes.h>
+
+namespace signorini
+{
+  ActiveSet staying_nodes(const DynamicalSystem   &system,
+                          const NormalGap         &gap,
+                          const IncrementSolution &solution,
+                          const bool               normal,
+                          const bool               tangential)
+  {
+    const double touching = 1e-10 * system.length();
+    ActiveSet    held(gap.size(), contact_status::open);
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (gap[k] <= touching && solution.normal_reaction[k] < 0.)
+        {
+          const bool sticks = tangential && !solution.status.empty() && contact_status::sticks(solution.status[k]);
+          if (normal)
+            held[k] = sticks ? contact_status::stick : contact_status::slip;
+          else if (sticks)
+            held[k] = contact_status::hang;
+        }
+    return held;
+  }
+
+
+  double stop_held_nodes(DynamicalSystem &system,
+                         const ActiveSet &held,
+                         const double     step_size,
+                         const Vector    &velocity,
+                         Vector          &velocity_change,
+                         Vector          &contact_force,
+                         StepReport      &report)
+  {
+    Vector new_velocity = velocity, correction, impulses;
+    new_velocity += velocity_change;
+    const SolveEffort effort = system.stop_relative_motion(new_velocity, held, correction, impulses);
+    if (effort.n_active == 0)
+      return 0.;
+    const Vector supports     = system.support_part(impulses);
+    const double work_support = supports * new_velocity;
+    const double work         = impulses * new_velocity + 0.5 * (impulses * correction) - work_support;
+
+    velocity_change += correction;
+    contact_force.add(1. / step_size, impulses, -1. / step_size, supports);
+    report.work_support += work_support;
+    report.predictor.linear_iterations += effort.linear_iterations;
+    return work;
+  }
+} // namespace signorini

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/trapezoidal_rule.h>
+
+namespace signorini
+{
+  namespace trapezoidal_rule
+  {
+    Vector right_hand_side(DynamicalSystem &system, const State &state, const double step_size)
+    {
+      Vector result = state.momentum;
+      result.sadd(step_size, -step_size * step_size / 2., state.internal_force);
+      system.add_mean_load(result, step_size * step_size / 2., state.time, state.time + step_size);
+      return result;
+    }
+
+
+    ProjectedPredictor
+    project_predictor(DynamicalSystem &system, const State &state, const double step_size, const NormalGap &gap)
+    {
+      ProjectedPredictor result;
+      result.increment = state.velocity;
+      result.increment *= step_size;
+      result.effort = system.project(result.increment, gap, step_size, result.correction, result.mass_correction);
+      result.increment += result.correction;
+      return result;
+    }
+
+
+    IncrementSolution solve(DynamicalSystem &system,
+                            const State     &state,
+                            const double     step_size,
+                            const Vector    &right_hand_side,
+                            const NormalGap &gap,
+                            const Vector    *further_reaction)
+    {
+      const double      square = step_size * step_size;
+      IncrementSolution solution;
+      system.solve({square / 4., right_hand_side, gap, state, step_size, square / 2., further_reaction}, solution);
+      return solution;
+    }
+
+
+    double support_work(const IncrementSolution &solution, const double step_size)
+    {
+      return 2. / (step_size * step_size) * (solution.support_reaction * solution.increment);
+    }
+
+
+    StepReport
+    finish_implicit(const DynamicalSystem &system, State &state, const double tau, const IncrementSolution &solution)
+    {
+      const Vector &d = solution.increment;
+      Vector        r = solution.contact_reaction;
+      r *= 2. / (tau * tau);
+
+      StepReport report;
+      report.corrector    = solution.effort;
+      report.work_contact = r * d;
+      report.work_support = support_work(solution, tau);
+
+      report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
+
+      Vector velocity_change = d;
+      velocity_change.sadd(2. / tau, -2., state.velocity);
+      finish(system, state, tau, d, velocity_change, std::move(r));
+      return report;
+    }
+
+
+    void finish(const DynamicalSystem &system,
+                State                 &state,
+                const double           step_size,
+                const Vector          &increment,
+                const Vector          &velocity_change,
+                Vector               &&contact_force)
+    {
+      state.displacement += increment;
+      state.velocity += velocity_change;
+      state.contact_force = std::move(contact_force);
+      state.time += step_size;
+      ++state.step;
+      system.apply_mass(state.momentum, state.velocity);
+      system.apply_stiffness(state.internal_force, state.displacement);
+    }
+  } // namespace trapezoidal_rule
+} // namespace signorini

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/step_size/adaptive_steps.h>
+#include <signorini/step_size/contact_events.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr double safety    = 0.8;
+    constexpr double round_off = 1e-9; ///< of levels and times
+
+    int level_below(const double size, const double first)
+    {
+      return static_cast<int>(std::floor(std::log2(size / first) + round_off));
+    }
+  } // namespace
+
+
+  AdaptiveSteps::AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters)
+    : estimate(std::move(estimate))
+    , parameters(parameters)
+    , rules(this->estimate->rules())
+    , highest(std::max(0, level_below(parameters.maximum, parameters.first)))
+  {
+  }
+
+
+  AcceptedStep AdaptiveSteps::advance(DynamicalSystem &system, State &state)
+  {
+    if (waiting)
+      {
+        TakenStep second = std::move(*waiting);
+        waiting.reset();
+        return hand_out(state, std::move(second));
+      }
+    StepTrial trial = find_trial(system, state);
+    record_changes(state, trial);
+    estimate->accept(state, trial);
+    TakenStep &last = trial.steps.back();
+    if (parameters.end_time - last.state.time <= round_off * last.step_size)
+      last.state.time = parameters.end_time;
+    if (trial.steps.size() > 1)
+      waiting = std::move(last);
+    return hand_out(state, std::move(trial.steps.front()));
+  }
+
+
+  double AdaptiveSteps::minimum(const DynamicalSystem &system) const
+  {
+    if (parameters.minimum > 0.)
+      return parameters.minimum;
+    const double resolved = parameters.wave_part * system.shortest_wave_time();
+    return std::min(parameters.first, std::max(resolved, rules.smallest_part * parameters.first));
+  }
+
+
+  void AdaptiveSteps::approach(const DynamicalSystem &system, const State &state)
+  {
+    const double touches = time_to_touch(system, state, 2. * parameters.maximum);
+    if (!std::isfinite(touches))
+      return;
+    // Touches that matter are found by their forces, and those of vibrating nodes should not hold up a flight.
+    const double part     = rules.flight_is_free ? 1. : 0.5;
+    const int    shortest = rules.flight_is_free ? std::max(lowest, std::min(level, 0)) : lowest;
+    const int    reached  = touches > 0. ? level_below(part * touches, parameters.first) : lowest;
+    level                 = std::min(level, std::max(reached, shortest));
+  }
+
+
+  void AdaptiveSteps::try_longer(const StepTrial &trial, const double factor)
+  {
+    if (rest > 0 || !trial.is_known)
+      return;
+    if (rules.flight_is_free && trial.is_flight)
+      {
+        level = highest;
+        return;
+      }
+    // Vibrations that are not resolved have errors as large as themselves, however long the step is.
+    const double content = trial.is_flight ? rules.content_in_flight : rules.content;
+    if (factor >= 2. || trial.error <= content * parameters.tolerance)
+      level = std::min(level + 1, highest);
+  }
+
+
+  StepTrial AdaptiveSteps::find_trial(DynamicalSystem &system, const State &state)
+  {
+    if (new_mesh)
+      lowest = std::min(0, -level_below(parameters.first, minimum(system)));
+    new_mesh = false;
+    approach(system, state);
+    level = std::max(level, lowest);
+    rest -= rest > 0;
+    for (;;)
+      {
+        StepTrial trial = estimate->attempt(system, state, span(state), parameters.tolerance);
+        n_solved += trial.n_solved;
+        const double factor =
+          trial.error > 0. ? std::pow(safety * parameters.tolerance / trial.error, trial.exponent) : 2.; // of the size
+        if (trial.error <= parameters.tolerance || level == lowest)
+          {
+            try_longer(trial, factor);
+            return trial;
+          }
+        ++n_rejected;
+        rest  = rules.rest;
+        level = std::max(lowest, level + (factor <= 0.25 ? -2 : -1));
+      }
+  }
+
+
+  double AdaptiveSteps::span(const State &state) const
+  {
+    const double size = std::ldexp(parameters.first, level), left = parameters.end_time - state.time;
+    // No tiny last step: forces are changes of momentum divided by it.
+    if (left <= 1.25 * size)
+      return left;
+    return left < 2. * size ? left / 2. : size;
+  }
+
+
+  AcceptedStep AdaptiveSteps::hand_out(State &state, TakenStep &&step)
+  {
+    smallest_size = n_accepted == 0 ? step.step_size : std::min(smallest_size, step.step_size);
+    largest_size  = std::max(largest_size, step.step_size);
+    ++n_accepted;
+    state = std::move(step.state);
+    return {step.report, step.step_size};
+  }
+
+
+  double AdaptiveSteps::fraction_done(const State &state) const
+  {
+    return state.time / parameters.end_time;
+  }
+
+
+  void AdaptiveSteps::forget()
+  {
+    waiting.reset();
+    new_mesh = true;
+  }
+
+
+  std::string AdaptiveSteps::summary() const
+  {
+    std::ostringstream text;
+    text << "  steps             " << n_accepted << " accepted, sizes from " << smallest_size << " to " << largest_size
+         << "; " << n_rejected << " attempts rejected; " << n_solved << " steps computed for that\n";
+    return text.str();
+  }
+} // namespace signorini

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/step_size/contact_events.h>
+#include <signorini/step_size/energy_norm.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Forces below this part of the largest one are what solvers leave. */
+    constexpr double negligible = 1e-7;
+    /** As small beside the energy of the motion over the size of the bodies: a force that would hardly be noticed. */
+    constexpr double negligible_beside_energy = 1e-10;
+  } // namespace
+
+
+  ActiveSet contact_statuses(const DynamicalSystem &system, const State &state)
+  {
+    const NormalGap force   = system.relative_normal(state.contact_force);
+    double          largest = 0.;
+    for (const double value : force)
+      largest = std::max(largest, std::abs(value));
+    largest = dealii::Utilities::MPI::max(largest, state.contact_force.get_mpi_communicator());
+
+    const double threshold =
+      std::max(negligible * largest, negligible_beside_energy * energy_of_motion(state) / system.length());
+    ActiveSet result(force.size(), contact_status::open);
+    for (std::size_t k = 0; k < force.size(); ++k)
+      if (force[k] < -threshold)
+        {
+          const bool sticks = state.friction.any() && contact_status::sticks(state.friction.status[k]);
+          result[k]         = sticks ? contact_status::stick : contact_status::slip;
+        }
+    return result;
+  }
+
+
+  bool any_contact(const DynamicalSystem &system, const State &state)
+  {
+    const ActiveSet statuses = contact_statuses(system, state);
+    return differ(statuses, ActiveSet(statuses.size(), contact_status::open), state.displacement);
+  }
+
+
+  bool differ(const ActiveSet &a, const ActiveSet &b, const Vector &like)
+  {
+    return dealii::Utilities::MPI::max(static_cast<unsigned int>(a != b), like.get_mpi_communicator()) > 0;
+  }
+
+
+  double time_to_touch(const DynamicalSystem &system, const State &state, const double horizon)
+  {
+    if (any_contact(system, state))
+      return std::numeric_limits<double>::infinity();
+    const NormalGap gap = system.normal_gap(state.displacement), approach = system.relative_normal(state.velocity);
+    const double    touching = 1e-9 * system.length();
+    double          first    = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (approach[k] * horizon > gap[k] + touching)
+        first = std::min(first, std::max(0., gap[k]) / approach[k]);
+    return dealii::Utilities::MPI::min(first, state.displacement.get_mpi_communicator());
+  }
+} // namespace signorini

@@ -1,0 +1,120 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Whether two builds compute the same: runs scenes with both and compares all columns of history.csv.
+
+    compare_builds.py record EXECUTABLE FOLDER [SCENE ...]    run the scenes, keep the histories in FOLDER
+    compare_builds.py against FOLDER EXECUTABLE [SCENE ...]   run them again and compare
+
+Without scenes all of parameters/*.prm. Columns agree if they differ by at most TOLERANCE times the largest value of the
+column (of all energies and works: the largest energy). Counts of iterations and steps must not grow: they are added up
+and shown. Exit status 1 if anything differs.
+"""
+
+import argparse
+import csv
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TOLERANCE = 1e-10
+#: What counts effort, not motion.
+COUNTS = ("active_set_iterations", "linear_iterations", "predictor_iterations", "impulse_iterations")
+#: Differences of round-off, and times.
+IGNORED = ("wall_time", "energy_residual", "energy_transfer")
+
+
+def run(executable, scene, folder, overrides):
+    """Run a scene; @return seconds."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    command = [executable, scene, "--quiet", "--set", f"Output directory={folder}", "--set", "Output/VTU=false"]
+    for override in overrides:
+        command += ["--set", override]
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMP_NUM_THREADS="1")
+    start = time.time()
+    result = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    if result.returncode != 0:
+        sys.exit(f"{scene}: exit status {result.returncode}\n{result.stderr}")
+    return time.time() - start
+
+
+def read(folder):
+    with open(folder / "history.csv", newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return {name: [float(row[name]) for row in rows] for name in rows[0]}
+
+
+def group(column):
+    """Columns that share a scale."""
+    for word in ("energy", "work"):
+        if word in column:
+            return "energy"
+    for word in ("angular_momentum", "momentum", "contact_force", "friction_force"):
+        if column.startswith(word):
+            return word
+    return column
+
+
+def scales(history):
+    result = {}
+    for column, values in history.items():
+        result[group(column)] = max(result.get(group(column), 0.), max(map(abs, values)))
+    return result
+
+
+def differences(before, after):
+    """(part of the scale, column, row), the largest of each column that both have."""
+    scale = scales(before)
+    for column in before:
+        if column in COUNTS + IGNORED or column not in after:
+            continue
+        size = scale[group(column)] or 1.
+        yield max((abs(a - b) / size, column, row) for row, (a, b) in enumerate(zip(before[column], after[column])))
+
+
+def compare(name, before, after, tolerance):
+    """A line about a scene. @return whether it is the same"""
+    if len(before["step"]) != len(after["step"]):
+        print(f"{name}: {len(before['step'])} rows before, {len(after['step'])} after  DIFFERENT")
+        return False
+    part, column, row = max(differences(before, after))
+    counts = ", ".join(f"{count} {sum(before[count]):.0f} -> {sum(after[count]):.0f}"
+                       for count in COUNTS if count in before and count in after and sum(before[count]))
+    same = part <= tolerance
+    print(f"{name}: largest difference {part:.1e} ({column}, row {row}); {counts}{'' if same else '  DIFFERENT'}", flush=True)
+    return same
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("record", "against"))
+    parser.add_argument("first", help="record: the executable; against: the folder")
+    parser.add_argument("second", help="record: the folder; against: the executable")
+    parser.add_argument("scenes", nargs="*")
+    parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides")
+    parser.add_argument("--tolerance", type=float, default=TOLERANCE)
+    arguments = parser.parse_args()
+    scenes = arguments.scenes or sorted((ROOT / "parameters").glob("*.prm"))
+    executable, folder = arguments.first, pathlib.Path(arguments.second)
+    if arguments.what == "against":
+        executable, folder = arguments.second, pathlib.Path(arguments.first)
+    same = True
+    for scene in map(pathlib.Path, scenes):
+        if arguments.what == "record":
+            seconds = run(executable, scene, folder.resolve() / scene.stem, arguments.overrides)
+            print(f"{scene.stem}: {seconds:.1f} s", flush=True)
+            continue
+        output = folder.resolve() / "again" / scene.stem
+        run(executable, scene, output, arguments.overrides)
+        same = compare(scene.stem, read(folder / scene.stem), read(output), arguments.tolerance) and same
+    return 0 if same else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
