@@ -1,31 +1,49 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 #
-# signorini_add_test(<name> SOURCES <file>... [RANKS <n>...] [LABELS <label>...] [TIMEOUT <seconds>])
+# Tests with GoogleTest: an executable for each folder of tests, and as many ctests of it as its suites need.
 #
-# One GoogleTest executable, run as a ctest on each number of ranks (default: 1). The test <name> runs on one process,
-# <name>.mpirun=<n> on n processes.
+# signorini_add_test_executable(<executable> <file>...)
+#   The executable test_<executable>. Its sources are compiled as one, like those of the library.
+#
+# signorini_add_test(<name> [EXECUTABLE <executable>] [SUITES <suite>...] [RANKS <n>...] [LABELS <label>...]
+#                    [TIMEOUT <seconds>])
+#   Runs an executable (default: of the same name) on each number of ranks (default: 1); with SUITES only the tests of
+#   these. The ctest <name> runs on one process, <name>.mpirun=<n> on n processes.
+function(signorini_add_test_executable name)
+  add_executable(test_${name} ${ARGN})
+  signorini_compile(test_${name})
+  target_link_libraries(test_${name} signorini_test_main)
+  target_compile_definitions(test_${name} PRIVATE
+    SIGNORINI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SIGNORINI_EXECUTABLE="$<TARGET_FILE:signorini>")
+  target_precompile_headers(test_${name} REUSE_FROM signorini_test_main)
+  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${SIGNORINI_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+endfunction()
+
 function(signorini_add_test name)
-  cmake_parse_arguments(TEST "" "TIMEOUT" "SOURCES;RANKS;LABELS" ${ARGN})
+  cmake_parse_arguments(TEST "" "TIMEOUT;EXECUTABLE" "SUITES;RANKS;LABELS" ${ARGN})
   if(NOT TEST_RANKS)
     set(TEST_RANKS 1)
   endif()
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 300)
   endif()
-  add_executable(${name} ${TEST_SOURCES})
-  signorini_compile(${name})
-  target_link_libraries(${name} signorini_test_main)
-  target_compile_definitions(${name} PRIVATE
-    SIGNORINI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SIGNORINI_EXECUTABLE="$<TARGET_FILE:signorini>")
-  target_precompile_headers(${name} REUSE_FROM signorini_test_main)
+  if(NOT TEST_EXECUTABLE)
+    set(TEST_EXECUTABLE ${name})
+  endif()
+  set(command $<TARGET_FILE:test_${TEST_EXECUTABLE}>)
+  if(TEST_SUITES)
+    list(TRANSFORM TEST_SUITES REPLACE "(.+)" "\\1.*:*/\\1.*")
+    list(JOIN TEST_SUITES ":" suites)
+    list(APPEND command "--gtest_filter=${suites}")
+  endif()
   foreach(ranks ${TEST_RANKS})
     if(ranks EQUAL 1)
       set(test ${name})
-      add_test(NAME ${test} COMMAND ${name})
+      add_test(NAME ${test} COMMAND ${command})
     else()
       set(test ${name}.mpirun=${ranks})
-      add_test(NAME ${test} COMMAND mpirun --oversubscribe -np ${ranks} $<TARGET_FILE:${name}>)
+      add_test(NAME ${test} COMMAND mpirun --oversubscribe -np ${ranks} ${command})
     endif()
     set_tests_properties(${test} PROPERTIES
       LABELS "${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${ranks}

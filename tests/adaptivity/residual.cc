@@ -18,7 +18,7 @@ namespace
   constexpr double E = 500., nu = 0.3, rho = 2.;
   const Material   material{E, nu, rho};
 
-  double sum(const dealii::Vector<double> &squares)
+  double sum_of(const dealii::Vector<double> &squares)
   {
     return dealii::Utilities::MPI::sum(squares.l1_norm(), MPI_COMM_WORLD);
   }
@@ -40,11 +40,11 @@ TEST(Residual, InteriorOfABilinearDisplacement)
       volume_by_size += std::pow(cell->measure(), 2);
   volume_by_size        = dealii::Utilities::MPI::sum(volume_by_size, MPI_COMM_WORLD);
   const double residual = std::pow(material.lambda() + material.mu(), 2) + 36.;
-  EXPECT_NEAR(sum(squares), residual * volume_by_size / material.mu(), 1e-10 * sum(squares));
+  EXPECT_NEAR(sum_of(squares), residual * volume_by_size / material.mu(), 1e-10 * sum_of(squares));
 
   dealii::Vector<double> jumps(squares.size());
   add_stress_jumps(StressVectors<2>(mesh, u), ResidualWeights{}, jumps);
-  EXPECT_LT(sum(jumps), 1e-20 * sum(squares)); // the bilinear function is smooth
+  EXPECT_LT(sum_of(jumps), 1e-20 * sum_of(squares)); // the bilinear function is smooth
 }
 
 TEST(Residual, JumpsOfAKink)
@@ -60,7 +60,7 @@ TEST(Residual, JumpsOfAKink)
   dealii::Vector<double> jumps(discretization.triangulation.n_active_cells());
   add_stress_jumps(StressVectors<3>(mesh, u), ResidualWeights{}, jumps);
   // sigma_xz jumps by mu: mu^2 h / mu over the area 1, one half of it with h = 1/4, the other with h = 1/2.
-  EXPECT_NEAR(sum(jumps), material.mu() * 0.5 * (0.25 + 0.5), 1e-10 * material.mu());
+  EXPECT_NEAR(sum_of(jumps), material.mu() * 0.5 * (0.25 + 0.5), 1e-10 * material.mu());
 }
 
 // With a step, what is larger than the way of a shear wave in half of it has the weight of the mass.
@@ -89,7 +89,7 @@ TEST(Residual, BoundaryOfABodyUnderTraction)
   const auto              estimate       = [&](const std::array<std::string, 2> &u) {
     const ForceBalance balance =
       balance_at_rest(discretization, problem.surface, field<2>(discretization, u), discretization.make_vector());
-    return sum(ResidualEstimate(discretization, problem.surface, problem.supports).squares(balance, ResidualWeights{}));
+    return sum_of(ResidualEstimate(discretization, problem.surface, problem.supports).squares(balance, ResidualWeights{}));
   };
   // Uniaxial plane stress in plane strain: sigma_xx = 7, sigma_yy = 0.
   const std::string along  = std::to_string(1e9 * 7. * (1. - nu * nu) / E) + "e-9*x",

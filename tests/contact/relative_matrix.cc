@@ -19,7 +19,7 @@ using namespace signorini::tests;
 namespace
 {
   template <int dim>
-  dealii::Point<dim> corner(const double lateral, const double height)
+  dealii::Point<dim> corner_of(const double lateral, const double height)
   {
     dealii::Point<dim> result;
     for (unsigned int c = 0; c < dim - 1; ++c)
@@ -40,8 +40,8 @@ namespace
   template <int dim>
   Scene<dim> matching(const std::string &coefficient)
   {
-    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner<dim>(0., 0.), corner<dim>(1., 1.), cells<dim>(2)),
-                                    block<dim>("master", corner<dim>(0., -1.), corner<dim>(1., 0.), cells<dim>(2)));
+    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(2)),
+                                    block<dim>("master", corner_of<dim>(0., -1.), corner_of<dim>(1., 0.), cells<dim>(2)));
     scene.pairs[0].friction = {"coulomb", coefficient, "", coefficient != "0"};
     return scene;
   }
@@ -50,8 +50,8 @@ namespace
   template <int dim>
   Scene<dim> irregular(const std::string &coefficient)
   {
-    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner<dim>(0., 0.), corner<dim>(1., 1.), cells<dim>(3)),
-                                    block<dim>("master", corner<dim>(0.4, -1.), corner<dim>(1.3, -0.1), cells<dim>(2)));
+    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(3)),
+                                    block<dim>("master", corner_of<dim>(0.4, -1.), corner_of<dim>(1.3, -0.1), cells<dim>(2)));
     scene.pairs[0].friction = {"coulomb", coefficient, "", coefficient != "0"};
     return scene;
   }

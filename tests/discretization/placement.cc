@@ -37,7 +37,7 @@ namespace
     return Meshed<dim>(body).triangulation.get_vertices();
   }
 
-  BodyDescription<3> cylinder(const unsigned int axis)
+  BodyDescription<3> lying_cylinder(const unsigned int axis)
   {
     BodyDescription<3> body;
     body.name        = "cylinder";
@@ -55,7 +55,7 @@ TEST(Placement, ZeroRotationLeavesEveryDigit)
 {
   BodyDescription<3> brick = box<3>(0.7);
   brick.lower_corner       = Point<3>(-0.1, 0.3, 1. / 3.);
-  for (BodyDescription<3> body : {brick, ball<3>(2), cylinder(1)})
+  for (BodyDescription<3> body : {brick, ball<3>(2), lying_cylinder(1)})
     {
       body.refinements                    = 2;
       const std::vector<Point<3>> without = vertices_of(body);
@@ -108,7 +108,7 @@ TEST(Placement, ARefinedCylinderIsRoundAboutItsNewAxis)
 {
   for (const unsigned int axis : {0, 1, 2})
     {
-      BodyDescription<3> body     = cylinder(axis);
+      BodyDescription<3> body     = lying_cylinder(axis);
       const double       expected = volume(Meshed<3>(body).triangulation);
       body.placement              = somewhere<3>();
       const Point<3> centre       = body.placement.place(body.centre);

@@ -21,7 +21,7 @@ namespace
     return result;
   }
 
-  Eigen::VectorXd to_eigen(const Vector &x)
+  Eigen::VectorXd eigen_of(const Vector &x)
   {
     return Eigen::Map<const Eigen::VectorXd>(x.begin(), x.size());
   }
@@ -31,7 +31,7 @@ namespace
   {
     const Eigen::Index    n            = J.rows();
     const Eigen::VectorXd b            = scale * Eigen::VectorXd::LinSpaced(n, -1., 2.);
-    const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * to_eigen(x)); };
+    const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
     const auto            precondition = [&](Vector &y, const Vector &x) {
       for (Eigen::Index i = 0; i < n; ++i)
         y(i) = held[i] ? 0. : x(i) / J(i, i);
@@ -52,8 +52,8 @@ namespace
     const auto report = gmres.solve(
       apply, precondition, x, residual, [&](double) { return 1e-13 * scale; }, 1000);
     EXPECT_TRUE(report.converged);
-    EXPECT_LT((to_eigen(x) - expected).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
-    EXPECT_LT((to_eigen(residual) - (b - J * to_eigen(x))).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
+    EXPECT_LT((eigen_of(x) - expected).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
+    EXPECT_LT((eigen_of(residual) - (b - J * eigen_of(x))).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
     return report.iterations;
   }
 
@@ -98,7 +98,7 @@ TEST(Gmres, Restarts)
 TEST(Gmres, StopsAtItsGoal)
 {
   const Eigen::MatrixXd J            = matrix(40);
-  const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * to_eigen(x)); };
+  const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
   const auto            precondition = [&](Vector &y, const Vector &x) { y = x; };
   Gmres                 gmres;
   Vector                x(40), residual = to_vector(Eigen::VectorXd::Ones(40));

@@ -45,16 +45,16 @@ namespace
     return message;
   }
 
-  struct Mistake
+  struct MeshMistake
   {
     std::string              mesh, extension;
     unsigned int             dim;
     std::vector<std::string> words;
   };
 
-  void expect_refusals(const std::vector<Mistake> &mistakes)
+  void expect_mesh_refusals(const std::vector<MeshMistake> &mistakes)
   {
-    for (const Mistake &mistake : mistakes)
+    for (const MeshMistake &mistake : mistakes)
       {
         SCOPED_TRACE(mistake.extension + " in " + std::to_string(mistake.dim) + "d:\n" + mistake.mesh.substr(0, 600));
         expect_words(message_about(mistake.mesh, mistake.extension, mistake.dim), mistake.words);
@@ -112,7 +112,7 @@ TEST(MistakesInMeshes, Files)
   expect_words(refusal(scene.name), {"Bodies/body/File = missing.msh", "no such file", "folder of the scene"});
   const TemporaryFile folder(scene_with("../", 2));
   expect_words(refusal(folder.name), {"the extension `` is not known", ".msh"});
-  expect_refusals({{ucd, ".stl", 2, {"the extension `.stl` is not known", "Valid: .msh (Gmsh)"}},
+  expect_mesh_refusals({{ucd, ".stl", 2, {"the extension `.stl` is not known", "Valid: .msh (Gmsh)"}},
                    {"", ".msh", 2, {"is empty"}},
                    {std::string("*NODE\n\0", 7), ".inp", 2, {"binary", "ASCII"}},
                    {"hello", ".msh", 2, {"not a Gmsh mesh"}},
@@ -124,7 +124,7 @@ TEST(MistakesInMeshes, Files)
 TEST(MistakesInMeshes, Dimension)
 {
   const std::vector<std::string> flat = {"it is a mesh in 2d", "`Dimension = 3`", "change the dimension"};
-  expect_refusals({{ucd, ".ucd", 3, flat},
+  expect_mesh_refusals({{ucd, ".ucd", 3, flat},
                    {vtk, ".vtk", 3, flat},
                    {msh, ".msh", 3, flat},
                    {msh_4, ".msh", 3, flat},
@@ -138,7 +138,7 @@ TEST(MistakesInMeshes, Cells)
   const std::string tetrahedron =
     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
     "$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n";
-  expect_refusals(
+  expect_mesh_refusals(
     {{tetrahedron, ".msh", 3, {"tetrahedra", "Only hexahedra"}},
      {replaced(msh, "3 3 2 1 1 2 5 6 3", "3 2 2 1 1 2 5 3"), ".msh", 2, {"triangles", "Only quadrilaterals"}},
      {replaced(msh, "3 3 2 1 1 2 5 6 3", "3 10 2 1 1 2 5 6 3 1 2 3 4 5"), ".msh", 2, {"<10>", "quadrilaterals"}},
@@ -155,7 +155,7 @@ TEST(MistakesInMeshes, InvertedCells)
 {
   const std::vector<std::string> second = {"cell 2 (counted from 1 among the quadrilaterals)",
                                            "inverted or degenerate"};
-  expect_refusals({{replaced(ucd, "2 5 6 3", "3 6 5 2"), ".ucd", 2, second},
+  expect_mesh_refusals({{replaced(ucd, "2 5 6 3", "3 6 5 2"), ".ucd", 2, second},
                    {replaced(ucd, "6 2 1 0", "6 1.4 0.4 0"), ".ucd", 2, {second[0], second[1], "(1.4 0.4)"}},
                    {replaced(ucd, "6 2 1 0", "6 1.5 0.5 0"), ".ucd", 2, {second[0], second[1], "(1.5 0.5)"}},
                    {replaced(ucd, "2 5 6 3", "2 5 6 6"), ".ucd", 2, {second[0], second[1], "(2 1)"}},
@@ -173,7 +173,7 @@ TEST(MistakesInMeshes, InvertedCells)
 
 TEST(MistakesInMeshes, References)
 {
-  expect_refusals({{replaced(ucd, "2 5 6 3", "2 5 9 3"), ".ucd", 2, {"cell 2 has the vertex 9", "does not exist"}},
+  expect_mesh_refusals({{replaced(ucd, "2 5 6 3", "2 5 9 3"), ".ucd", 2, {"cell 2 has the vertex 9", "does not exist"}},
                    {replaced(ucd, "line 1 2", "line 1 9"), ".ucd", 2, {"cell 3 has the vertex 9", "does not exist"}},
                    {replaced(vtk, "4 1 4 5 2", "4 1 4 6 2"), ".vtk", 2, {"cell 1", "the point 6", "does not exist"}},
                    {replaced(vtk, "9\n9", "9\n12"), ".vtk", 2, {"cell 1", "VTK type 12", "4 vertices"}},

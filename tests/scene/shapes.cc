@@ -29,7 +29,7 @@ namespace
     EXPECT_LT(point.distance(expected), 1e-14) << point << " instead of " << expected;
   }
 
-  Scene<3> read(const std::vector<Override> &overrides)
+  Scene<3> read_shapes(const std::vector<Override> &overrides)
   {
     const TemporaryFile file(correct_scene());
     return read_scene<3>(file.name, overrides);
@@ -82,7 +82,7 @@ TEST(Placement, RotatesAboutTheCentreAndMovesAfterwards)
 TEST(Placement, CentreIsThatOfTheShapeUnlessGiven)
 {
   const auto centre_of_box = [](const std::vector<Override> &overrides) {
-    return centre_of(read(overrides).bodies[1]);
+    return centre_of(read_shapes(overrides).bodies[1]);
   };
   const Override quarter = {"Bodies/box/Rotation", "0, 0, 90"}, up = {"Bodies/box/Translation", "0, 0, 5"};
   expect_near(centre_of_box({quarter}), Point<3>(2.5, 0.5, 1.));

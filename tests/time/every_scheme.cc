@@ -11,93 +11,98 @@
 
 using namespace signorini;
 
-namespace
+// Of its own: all tests of a folder are compiled as one.
+namespace every_scheme_tests
 {
-  constexpr double tau = 0.02, round_off = 1e-10;
-
-  class EveryScheme : public testing::TestWithParam<const char *>
+  namespace
   {
-  protected:
-    const std::unique_ptr<TimeScheme> scheme = make_time_scheme(GetParam());
+    constexpr double tau = 0.02, round_off = 1e-10;
 
-    unsigned int n_touching = 0; ///< steps with contact; the projection of contact-stabilized is no contact force
-
-    /** A step, and what has to hold afterwards. */
-    void advance(DynamicalSystem &system, State &state, const double speed)
+    class EveryScheme : public testing::TestWithParam<const char *>
     {
-      const State      before = state;
-      const StepReport report = scheme->advance(system, state, tau);
-      Vector           d = state.displacement, load = system.make_vector();
-      d -= before.displacement;
-      system.add_mean_load(load, 1., before.time, state.time);
-      ASSERT_NEAR(energy(system, state) - energy(system, before) - load * d,
-                  report.work_contact + report.work_predictor + report.work_support + report.work_scheme,
-                  round_off);
-      n_touching += report.corrector.n_active + report.predictor.n_active > 0 || state.contact_force.linfty_norm() > 0.;
-      for (const double gap : system.normal_gap(state.displacement))
-        ASSERT_GE(gap, -tau * speed);
-      for (const double force : system.relative_normal(state.contact_force))
-        ASSERT_LE(force, round_off);
-    }
-  };
-} // namespace
+    protected:
+      const std::unique_ptr<TimeScheme> scheme = make_time_scheme(GetParam());
 
-TEST_P(EveryScheme, BouncesOneMassOnASpring)
-{
-  BouncingMass system;
-  system.mass   = 2.;
-  system.spring = 30.;
-  system.wall   = 0.1;
-  State  state  = make_state(system, -0.2, 1.);
-  double back   = 0.;
-  for (unsigned int step = 0; step < 100; ++step)
-    {
-      advance(system, state, 2.5);
-      back = std::min(back, state.displacement(0));
-    }
-  EXPECT_GT(n_touching, 0u);
-  EXPECT_LT(back, 0.05) << "it never came back";
-}
+      unsigned int n_touching = 0; ///< steps with contact; the projection of contact-stabilized is no contact force
 
-TEST_P(EveryScheme, ThrowsABarToAndFro)
-{
-  const bool massless =
-    std::string(GetParam()) == "khenous-laborde-renard" || std::string(GetParam()) == "hager-hueeber-wohlmuth";
-  ElasticBar system(9);
-  if (massless)
-    system.remove_mass_of_ends();
-  Vector v     = system.make_vector();
-  v            = 1.;
-  State  state = make_state(system, system.make_vector(), v);
-  double right = 0., left = 0.; // impulses of both walls
-  for (unsigned int step = 0; step < 200; ++step)
-    {
-      advance(system, state, 8.);
-      const NormalGap force = system.relative_normal(state.contact_force);
-      left -= tau * force[0];
-      right -= tau * force[1];
-    }
-  EXPECT_GT(right, 0.5);
-  EXPECT_GT(left, 0.5);
-}
+      /** A step, and what has to hold afterwards. */
+      void advance(DynamicalSystem &system, State &state, const double speed)
+      {
+        const State      before = state;
+        const StepReport report = scheme->advance(system, state, tau);
+        Vector           d = state.displacement, load = system.make_vector();
+        d -= before.displacement;
+        system.add_mean_load(load, 1., before.time, state.time);
+        ASSERT_NEAR(energy(system, state) - energy(system, before) - load * d,
+                    report.work_contact + report.work_predictor + report.work_support + report.work_scheme,
+                    round_off);
+        n_touching +=
+          report.corrector.n_active + report.predictor.n_active > 0 || state.contact_force.linfty_norm() > 0.;
+        for (const double gap : system.normal_gap(state.displacement))
+          ASSERT_GE(gap, -tau * speed);
+        for (const double force : system.relative_normal(state.contact_force))
+          ASSERT_LE(force, round_off);
+      }
+    };
+  } // namespace
 
-INSTANTIATE_TEST_SUITE_P(All,
-                         EveryScheme,
-                         testing::Values("newmark",
-                                         "laursen-chawla",
-                                         "laursen-love",
-                                         "khenous-laborde-renard",
-                                         "hager-hueeber-wohlmuth",
-                                         "contact-implicit",
-                                         "contact-stabilized",
-                                         "contact-stabilized-projected",
-                                         "hht-alpha",
-                                         "generalized-alpha",
-                                         "nonsmooth-generalized-alpha",
-                                         "backward-euler",
-                                         "moreau-jean"),
-                         [](const auto &info) {
-                           std::string name = info.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+  TEST_P(EveryScheme, BouncesOneMassOnASpring)
+  {
+    BouncingMass system;
+    system.mass   = 2.;
+    system.spring = 30.;
+    system.wall   = 0.1;
+    State  state  = make_state(system, -0.2, 1.);
+    double back   = 0.;
+    for (unsigned int step = 0; step < 100; ++step)
+      {
+        advance(system, state, 2.5);
+        back = std::min(back, state.displacement(0));
+      }
+    EXPECT_GT(n_touching, 0u);
+    EXPECT_LT(back, 0.05) << "it never came back";
+  }
+
+  TEST_P(EveryScheme, ThrowsABarToAndFro)
+  {
+    const bool massless =
+      std::string(GetParam()) == "khenous-laborde-renard" || std::string(GetParam()) == "hager-hueeber-wohlmuth";
+    ElasticBar system(9);
+    if (massless)
+      system.remove_mass_of_ends();
+    Vector v     = system.make_vector();
+    v            = 1.;
+    State  state = make_state(system, system.make_vector(), v);
+    double right = 0., left = 0.; // impulses of both walls
+    for (unsigned int step = 0; step < 200; ++step)
+      {
+        advance(system, state, 8.);
+        const NormalGap force = system.relative_normal(state.contact_force);
+        left -= tau * force[0];
+        right -= tau * force[1];
+      }
+    EXPECT_GT(right, 0.5);
+    EXPECT_GT(left, 0.5);
+  }
+
+  INSTANTIATE_TEST_SUITE_P(All,
+                           EveryScheme,
+                           testing::Values("newmark",
+                                           "laursen-chawla",
+                                           "laursen-love",
+                                           "khenous-laborde-renard",
+                                           "hager-hueeber-wohlmuth",
+                                           "contact-implicit",
+                                           "contact-stabilized",
+                                           "contact-stabilized-projected",
+                                           "hht-alpha",
+                                           "generalized-alpha",
+                                           "nonsmooth-generalized-alpha",
+                                           "backward-euler",
+                                           "moreau-jean"),
+                           [](const auto &info) {
+                             std::string name = info.param;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                           });
+} // namespace every_scheme_tests

@@ -162,31 +162,31 @@ namespace
     return scene;
   }
 
-  const std::array<std::string, 4> schemes = {
+  const std::array<std::string, 4> colliding_schemes = {
     {"newmark", "contact-implicit", "contact-stabilized", "contact-stabilized-projected"}};
 } // namespace
 
 TEST(TwoBodyImpact, BlocksIn2d)
 {
-  for (const std::string &scheme : schemes)
+  for (const std::string &scheme : colliding_schemes)
     for (const double angle : {0., 0.7})
       expect_conservation(blocks_2d(), angle, scheme, 80);
 }
 
 TEST(TwoBodyImpact, BlocksIn3d)
 {
-  for (const std::string &scheme : schemes)
+  for (const std::string &scheme : colliding_schemes)
     expect_conservation(blocks_3d(), scheme == "newmark" ? 0. : 0.7, scheme, 40);
 }
 
 TEST(TwoBodyImpact, Discs)
 {
-  for (const std::string &scheme : schemes)
+  for (const std::string &scheme : colliding_schemes)
     expect_conservation(balls<2>(), 0., scheme, 60);
 }
 
 TEST(TwoBodyImpact, Balls)
 {
-  for (const std::string &scheme : schemes)
+  for (const std::string &scheme : colliding_schemes)
     expect_conservation(balls<3>(), 0., scheme, 40);
 }
