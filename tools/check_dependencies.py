@@ -9,22 +9,32 @@ import re
 import sys
 
 # The order of the modules: which ones a module may use besides itself. A module that is not named here is an error.
-# The three chains up to contact, variational_inequality and time do not see each other; system is where they meet.
+# What is said about a scene stops at `simulation`: the modules that compute get the values and the small structs of
+# `model`. The three chains up to contact, variational_inequality and schemes do not see each other; system is where
+# they meet.
 MAY_USE = {
     "base": set(),
     "linear_algebra": {"base"},
-    "scene": {"base"},
-    "discretization": {"base", "linear_algebra", "scene"},
     "friction": {"base"},
-    "contact": {"base", "linear_algebra", "scene", "discretization", "friction"},
-    "mass": {"base", "linear_algebra", "scene", "discretization", "friction", "contact"},
-    "variational_inequality": {"base", "linear_algebra", "friction"},
+    "model": {"base"},
+    "mesh_files": {"base", "model"},
+    "prm": {"base"},
     "time": {"base"},
+    "schemes": {"base", "time"},
+    "step_size": {"base", "time"},
+    "scene": {"base", "model", "mesh_files", "prm", "time", "schemes"},
+    "discretization": {"base", "linear_algebra", "model", "mesh_files"},
+    "variational_inequality": {"base", "linear_algebra", "friction"},
 }
-MAY_USE["system"] = set(MAY_USE)
-MAY_USE["adaptivity"] = set(MAY_USE)
-MAY_USE["diagnostics"] = {"base", "linear_algebra", "scene", "discretization", "friction", "contact", "time"}
-MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics"}
+MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
+MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction"}
+MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
+MAY_USE["preconditioners"] = MAY_USE["contact"] | {"contact"}
+MAY_USE["system"] = MAY_USE["mass"] | MAY_USE["variational_inequality"] | {
+    "mass", "variational_inequality", "preconditioners", "time"}
+MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
+MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
+MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics", "finite_elements"}
 MAY_USE["simulation"] = set(MAY_USE)
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]signorini/(\w+)/', re.MULTILINE)
