@@ -5,6 +5,7 @@
 #include <signorini/base/failure.h>
 #include <signorini/scene/output_directory.h>
 #include <signorini/scene/read_scene.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/simulation.h>
 
 #include <deal.II/base/exceptions.h>
@@ -51,6 +52,8 @@ namespace
       std::cout << version();
     else if (options.print_parameters)
       print_parameters(std::cout);
+    else if (options.print_schemes)
+      (options.as_json ? print_schemes_as_json : print_schemes)(std::cout);
     else
       std::cout << short_help();
   }
@@ -68,7 +71,7 @@ int main(int argc, char **argv)
   unsigned int dimension = 0;
   const int    status    = reporter.separately([&] {
     options = parse_command_line({argv + 1, argv + argc});
-    if (options.help || options.version || options.print_parameters)
+    if (options.help || options.version || options.print_parameters || options.print_schemes)
       options.scene.clear();
     if (!options.scene.empty())
       dimension = read_dimension(options.scene, options.overrides);

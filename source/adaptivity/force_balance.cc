@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/force_balance.h>
+#include <signorini/schemes/scheme_table.h>
 
 namespace signorini
 {
@@ -11,17 +12,17 @@ namespace signorini
                                const StepRecord          &step,
                                BodyForce<dim>            &body_force)
   {
-    const std::string &scheme = discretization.scene.time.scheme;
-    ForceBalance       balance;
+    const StepBalance kind = scheme_info(discretization.scene.time.scheme).balance;
+    ForceBalance      balance;
     balance.end_time      = step.end.time;
     balance.start_time    = step.end.time - step.step_size;
     balance.displacement  = step.end.displacement;
     balance.contact_force = step.end.contact_force;
-    if (scheme == "backward-euler")
+    if (kind == StepBalance::end)
       balance.start_time = balance.end_time;
     else
       balance.displacement.sadd(0.5, 0.5, step.start.displacement);
-    if (scheme == "newmark")
+    if (kind == StepBalance::both_ends)
       balance.contact_force.sadd(0.5, 0.5, step.start.contact_force);
     balance.specific_force = body_force.at(balance.end_time);
     if (balance.start_time != balance.end_time)

@@ -12,7 +12,7 @@ namespace signorini
   namespace
   {
     const std::vector<std::string> options =
-      {"--set", "--validate", "--print-parameters", "--quiet", "--resume", "--version", "--help"};
+      {"--set", "--validate", "--print-parameters", "--print-schemes", "--quiet", "--version", "--help"};
 
     std::pair<std::string, std::string> parse_override(const std::string &assignment)
     {
@@ -29,14 +29,17 @@ namespace signorini
         result.validate = true;
       else if (option == "--print-parameters")
         result.print_parameters = true;
+      else if (option == "--print-schemes" || option == "--print-schemes=json")
+        {
+          result.print_schemes = true;
+          result.as_json       = option == "--print-schemes=json";
+        }
       else if (option == "--quiet")
         result.quiet = true;
       else if (option == "--version")
         result.version = true;
       else if (option == "--help" || option == "-h")
         result.help = true;
-      else if (option == "--resume")
-        throw UserError("--resume: not available in this version. Start the scene from the beginning.");
       else
         throw UserError("unknown option " + option + ". " + suggestion(option, options));
     }
@@ -61,7 +64,8 @@ namespace signorini
         else
           result.scene = argument;
       }
-    const bool only_information = result.help || result.version || result.print_parameters;
+    const bool only_information =
+      result.help || result.version || result.print_parameters || result.print_schemes;
     if (result.scene.empty() && !arguments.empty() && !only_information)
       throw UserError("no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");
     return result;
@@ -69,7 +73,7 @@ namespace signorini
 
   std::string short_help()
   {
-    return "signorini: elastic bodies that hit rigid obstacles.\n\n"
+    return "signorini: elastic bodies that hit rigid obstacles or each other.\n\n"
            "  signorini scene.prm               run a scene; start with parameters/quick_start.prm\n"
            "  mpirun -np 4 signorini scene.prm  the same on four processes\n"
            "  signorini --help                  all options\n";
@@ -82,8 +86,8 @@ namespace signorini
            "the file)\n"
            "  --validate                 check scene and physics, say what would run, and stop\n"
            "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
+           "  --print-schemes[=json]     print what is known about each time scheme, as a table or for programs\n"
            "  --quiet                    no progress line\n"
-           "  --resume                   continue from a checkpoint (not available in this version)\n"
            "  --version                  print the version\n"
            "  --help                     print this text\n\n"
            "A first scene is parameters/quick_start.prm.\n"

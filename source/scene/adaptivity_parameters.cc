@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/scene/sections.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -95,7 +96,7 @@ namespace signorini
     /** Contact nodes without mass cannot be carried from mesh to mesh. */
     void check_mass(const SectionReader &in, const AdaptivityParameters &adaptivity, const TimeParameters &time)
     {
-      if (adaptivity.any() && time.has_massless_contact_nodes())
+      if (adaptivity.any() && (time.has_massless_contact_nodes() || !scheme_info(time.scheme).changing_mesh))
         in.fail(
           "Indicator",
           "does not fit Scheme = " + time.scheme + " with Mass = " + time.mass

@@ -4,10 +4,10 @@
 #include <signorini/base/spelling.h>
 #include <signorini/prm/check_expressions.h>
 #include <signorini/scene/sections.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -17,14 +17,10 @@ namespace signorini
   {
     const std::string coefficient_key = "Friction coefficient", bound_key = "Friction bound";
 
-    const std::vector<std::string> schemes_with_friction = {"contact-stabilized",
-                                                            "contact-stabilized-projected",
-                                                            "contact-implicit",
-                                                            "laursen-chawla",
-                                                            "hager-hueeber-wohlmuth",
-                                                            "laursen-love",
-                                                            "newmark",
-                                                            "backward-euler"};
+    std::string names_of_schemes_with_friction()
+    {
+      return join(schemes_where([](const SchemeInfo &info) { return info.friction; }));
+    }
 
     /** Refuse an expression that is wrong, or a negative constant. @return whether it is the constant 0 */
     template <int dim>
@@ -99,7 +95,7 @@ namespace signorini
                       Anything(),
                       "coulomb: coefficient of friction (no unit), an expression in x, y, z of the undeformed body. "
                       "Friction is known to the schemes "
-                        + join(schemes_with_friction) + ".");
+                        + names_of_schemes_with_friction() + ".");
     prm.declare_entry("Friction bound",
                       "",
                       Anything(),
@@ -113,13 +109,12 @@ namespace signorini
   {
     const bool                tresca   = in.text("Friction law") == "tresca";
     const FrictionDescription friction = tresca ? parse_tresca<dim>(in, points) : parse_coulomb<dim>(in, points);
-    if (friction.any
-        && std::find(schemes_with_friction.begin(), schemes_with_friction.end(), scheme) == schemes_with_friction.end())
+    if (friction.any && !scheme_info(scheme).friction)
       {
         const std::string &key = tresca ? bound_key : coefficient_key;
         in.fail(key,
                 "the scheme " + scheme + " knows no friction. Set `" + key + " = 0`, or set `Time/Scheme` to one of "
-                  + join(schemes_with_friction) + ".");
+                  + names_of_schemes_with_friction() + ".");
       }
     return friction;
   }

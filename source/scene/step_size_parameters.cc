@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/scene/sections.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -62,10 +63,10 @@ namespace signorini
         check_unused("Maximum step size", sizes.maximum, defaults.maximum);
         return sizes;
       }
-    if (time.scheme == "reference")
+    if (!scheme_info(time.scheme).variable_step())
       in.fail("Step size control",
-              "does not fit Scheme = reference, which controls its error itself within each step. Remove this key, or "
-              "take another scheme.");
+              "does not fit Scheme = " + time.scheme
+                + ", which controls its error itself within each step. Remove this key, or take another scheme.");
     if (!(sizes.tolerance >= 1e-8 && sizes.tolerance <= 1.))
       in.fail("Step tolerance", "must lie between 1e-8 and 1: it is relative to the norm of the motion.");
     for (const auto &[key, value] :

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/spelling.h>
 #include <signorini/scene/sections.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -12,7 +14,26 @@ namespace signorini
   namespace
   {
     constexpr double max_steps = 1e8;
-  }
+
+    /** Of all schemes, for the description of the key. */
+    std::string summaries()
+    {
+      std::string text;
+      for (const SchemeInfo &info : scheme_table())
+        text += (text.empty() ? "" : " ") + info.name + ": " + info.summary + ".";
+      return text;
+    }
+
+    std::string names_of_massless_schemes()
+    {
+      return join(schemes_where([](const SchemeInfo &info) { return info.massless == MasslessNodesAre::needed; }));
+    }
+
+    std::string names_of_schemes_with_predictor()
+    {
+      return join(schemes_where([](const SchemeInfo &info) { return info.predictor; }), " and ");
+    }
+  } // namespace
 
   unsigned int TimeParameters::n_steps() const
   {
@@ -30,20 +51,8 @@ namespace signorini
     prm.declare_entry(
       "Scheme",
       "contact-stabilized",
-      Selection("newmark|laursen-chawla|laursen-love|khenous-laborde-renard|hager-hueeber-wohlmuth|contact-implicit|"
-                "contact-stabilized|contact-stabilized-projected|hht-alpha|generalized-alpha|"
-                "nonsmooth-generalized-alpha|backward-euler|moreau-jean|reference"),
-      "Time discretisation. contact-stabilized: Newmark with a predictor that respects the contact "
-      "condition; dissipative, smooth contact forces. contact-stabilized-projected: the same, and the "
-      "projection acts on the velocity, too; nodes that stay in contact have no normal velocity. contact-implicit: "
-      "without a predictor; dissipative, contact forces oscillate. laursen-chawla: conserves energy, "
-      "allows penetration. laursen-love: conserves energy by impulses, without penetration. "
-      "khenous-laborde-renard: contact nodes have no mass; smooth contact forces. hager-hueeber-wohlmuth: "
-      "laursen-chawla with contact nodes without mass. newmark: the "
-      "classical scheme with contact; gains energy at impact. hht-alpha, generalized-alpha, "
-      "nonsmooth-generalized-alpha, backward-euler, moreau-jean: widely used, for comparison. reference: the "
-      "mass-redistributed problem integrated with error control; "
-      "slow, to measure the error of others in time.");
+      Selection(join(scheme_names(), "|")),
+      "Time discretisation. " + summaries());
     prm.declare_entry(
       "HHT alpha", "-0.1", Double(), "Damping of hht-alpha, between -1/3 (most) and 0 (none; no unit).");
     prm.declare_entry("Spectral radius",
@@ -62,8 +71,8 @@ namespace signorini
       "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
       "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
       "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
-      "and it is lost). khenous-laborde-renard, hager-hueeber-wohlmuth and reference take the redistributed mass "
-      "instead of the consistent one.");
+      "and it is lost). The schemes "
+        + names_of_massless_schemes() + " take the redistributed mass instead of the consistent one.");
     prm.declare_entry(
       "Mass redistribution",
       "automatic",
@@ -126,38 +135,45 @@ namespace signorini
     /** Refuse combinations of scheme and mass that make no sense, and settle what is automatic. */
     void check_mass(const SectionReader &in, TimeParameters &time)
     {
-      const bool made_for_massless = time.scheme == "khenous-laborde-renard" || time.scheme == "hager-hueeber-wohlmuth"
-                                     || time.scheme == "reference";
-      if (made_for_massless && time.mass == "lumped")
+      const SchemeInfo &scheme = scheme_info(time.scheme);
+      const bool        needed = scheme.massless == MasslessNodesAre::needed;
+      if (needed && time.mass == "lumped")
         in.fail("Mass",
                 "does not fit Scheme = " + time.scheme
                   + ", which needs contact nodes without mass. Remove this key, or set `Mass = redistributed`.");
-      if (made_for_massless && time.mass == "consistent")
+      if (needed && time.mass == "consistent")
         time.mass = "redistributed";
       if (time.redistribution != "automatic" && time.mass != "redistributed")
         in.fail("Mass redistribution",
                 "says how the redistributed mass is built, but Mass = " + time.mass
                   + ". Remove this key or set `Mass = redistributed`.");
       if (time.redistribution == "automatic")
-        time.redistribution = time.scheme == "hager-hueeber-wohlmuth" ? "macro-elements" : "extrapolation";
-      if (!time.has_massless_contact_nodes())
-        return;
-      const std::string remedy = " Take contact-implicit, khenous-laborde-renard or hager-hueeber-wohlmuth, or "
-                                 "`Mass = consistent`.";
-      if (time.scheme == "contact-stabilized" || time.scheme == "contact-stabilized-projected")
+        time.redistribution = scheme.macro_elements ? "macro-elements" : "extrapolation";
+      if (time.has_massless_contact_nodes() && scheme.massless == MasslessNodesAre::refused)
         in.fail("Mass",
-                "makes no sense with Scheme = " + time.scheme
-                  + ": its predictor stops the mass of contact nodes, and they have none." + remedy);
-      if (time.scheme == "laursen-love")
-        in.fail("Mass",
-                "makes no sense with Scheme = laursen-love: impulses on contact nodes without mass have no effect "
-                "that is finite."
-                  + remedy);
-      if (time.scheme == "hht-alpha" || time.scheme == "generalized-alpha"
-          || time.scheme == "nonsmooth-generalized-alpha" || time.scheme == "moreau-jean")
-        in.fail("Mass",
-                "makes no sense with Scheme = " + time.scheme
-                  + ", which needs accelerations or velocities of contact nodes that follow from forces." + remedy);
+                "makes no sense with Scheme = " + time.scheme + scheme.why_refused + ". Take "
+                  + join(schemes_where([](const SchemeInfo &info) { return info.massless != MasslessNodesAre::refused; }))
+                  + ", or `Mass = consistent`.");
+    }
+
+
+    /** Refuse keys that only other schemes look at. */
+    void check_keys_of_schemes(const SectionReader &in, const TimeParameters &time)
+    {
+      const SchemeInfo &scheme         = scheme_info(time.scheme);
+      const std::string with_predictor = names_of_schemes_with_predictor();
+      if (time.predictor != "consistent" && !scheme.predictor)
+        in.fail("Predictor mass",
+                "only " + with_predictor + " have a predictor with a mass of its own, but Scheme = " + time.scheme
+                  + ". Remove this key or take one of these schemes.");
+      if (!time.stop_sticking_nodes && !scheme.predictor)
+        in.fail("Stop sticking nodes",
+                "only " + with_predictor + " stop nodes that stick, but Scheme = " + time.scheme
+                  + ". Remove this key or take one of these schemes.");
+      if (time.impulses != "common" && !scheme.impulses)
+        in.fail("Impulses",
+                "only " + join(schemes_where([](const SchemeInfo &info) { return info.impulses; }))
+                  + " gives impulses, but Scheme = " + time.scheme + ". Remove this key or take that scheme.");
     }
 
 
@@ -209,21 +225,7 @@ namespace signorini
       in.fail("Step size",
               "needs more than a hundred million steps until the end time " + in.text("End time")
                 + ". Increase the step size or reduce `End time`.");
-    if (time.predictor != "consistent" && time.scheme != "contact-stabilized"
-        && time.scheme != "contact-stabilized-projected")
-      in.fail("Predictor mass",
-              "only contact-stabilized and contact-stabilized-projected have a predictor with a mass of its own, but "
-              "Scheme = "
-                + time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
-    if (!time.stop_sticking_nodes && time.scheme != "contact-stabilized"
-        && time.scheme != "contact-stabilized-projected")
-      in.fail("Stop sticking nodes",
-              "only contact-stabilized and contact-stabilized-projected stop nodes that stick, but Scheme = "
-                + time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
-    if (time.impulses != "common" && time.scheme != "laursen-love")
-      in.fail("Impulses",
-              "only the scheme laursen-love gives impulses, but Scheme = " + time.scheme
-                + ". Remove this key or set `Scheme = laursen-love`.");
+    check_keys_of_schemes(in, time);
     return time;
   }
 } // namespace signorini

@@ -90,7 +90,7 @@ namespace signorini
     forces += before.internal_force;
     forces *= 0.5;
     Vector mean_load = system.make_vector();
-    system.add_mean_load(mean_load, 1., before.time, after.time);
+    add_mean_load(system, mean_load, 1., before.time, after.time);
     forces -= mean_load;
     Vector mismatch = before.velocity;
     mismatch.add(1., after.velocity);

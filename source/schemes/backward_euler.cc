@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/backward_euler.h>
-#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
@@ -30,15 +30,18 @@ namespace signorini
     velocity_change.sadd(1. / tau, -1., state.velocity);
     Vector load_excess = system.make_vector(); // over the mean of both ends
     system.add_load(load_excess, 1., end_time);
-    system.add_mean_load(load_excess, -1., state.time, end_time);
+    add_mean_load(system, load_excess, -1., state.time, end_time);
     Vector products = system.make_vector();
     system.apply_mass(products, velocity_change);
     report.work_scheme = load_excess * d - 0.5 * (products * velocity_change);
     system.apply_stiffness(products, d);
     report.work_scheme -= 0.5 * (products * d);
 
-    report.work_friction = record_friction(state, solution, 1. / (tau * tau), r);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / (tau * tau), r);
+    report.work_friction    = friction.work;
+    State end =
+      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    swap(state, end);
     return report;
   }
 } // namespace signorini

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/contact_stabilized_newmark.h>
-#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/stop_held_nodes.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
@@ -34,7 +34,7 @@ namespace signorini
     // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Supports that accelerate react to the projection, too; their part of
     // the second term is work from outside, and only the rest has a sign.
     const double projection_work = -2. / (tau * tau) * (mass_c * velocity_change);
-    const double support_work    = -2. / (tau * tau) * (system.support_part(mass_c) * velocity_change);
+    const double support_work    = -2. / (tau * tau) * (support_part(system, mass_c) * velocity_change);
 
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
@@ -42,13 +42,16 @@ namespace signorini
     report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
 
     velocity_change *= 2. / tau;
-    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
-    if (stop_sticking_nodes && state.friction.any())
+    FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
+    report.work_friction    = friction.work;
+    if (stop_sticking_nodes && friction.state.any())
       {
         const ActiveSet sticking = staying_nodes(system, gap, solution, false, true);
         report.work_friction += stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
       }
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    State end =
+      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    swap(state, end);
     return report;
   }
 } // namespace signorini

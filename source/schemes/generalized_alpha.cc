@@ -13,7 +13,7 @@ namespace signorini
     const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
     const NormalGap   gap    = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({rule.stiffness_factor(tau), b, gap, state, tau}, solution);
+    system.solve({rule.stiffness_factor(tau), b, gap, state, tau, 1. / rule.reaction_weight(tau)}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r *= rule.reaction_weight(tau);
@@ -28,10 +28,10 @@ namespace signorini
     report.corrector    = solution.effort;
     report.work_contact = r * d;
     report.work_support = rule.reaction_weight(tau) * (solution.support_reaction * d);
-    const State before  = state;
-    state.acceleration  = std::move(a_new);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
-    report.work_scheme = AlphaRule::work(system, before, state, d, report);
+    State end           = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    end.acceleration.swap(a_new);
+    report.work_scheme = AlphaRule::work(system, state, end, d, report);
+    swap(state, end);
     return report;
   }
 } // namespace signorini

@@ -16,7 +16,7 @@ namespace signorini
 
   StepReport KhenousLabordeRenard::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    const std::vector<unsigned int> massless = system.massless_entries();
+    const std::vector<unsigned int> massless = massless_entries(system);
     Vector                          load     = system.make_vector();
     system.add_load(load, 1., state.time);
     const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
@@ -32,7 +32,7 @@ namespace signorini
 
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({scale, b, gap, state, tau}, solution);
+    system.solve({scale, b, gap, state, tau, scale}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r /= scale;
@@ -52,7 +52,7 @@ namespace signorini
     Vector unbalanced = mass_a;
     unbalanced.add(1., state.internal_force, -1., load);
     unbalanced -= state.contact_force;
-    Vector support = system.support_part(unbalanced);
+    const Vector support = support_part(system, unbalanced);
     unbalanced -= support;
 
     StepReport report;
@@ -60,18 +60,19 @@ namespace signorini
     report.work_contact = (1. - gamma) * (state.contact_force * d) + gamma * (r * d);
     report.work_support = (1. - gamma) * (support * d) + gamma / scale * (solution.support_reaction * d);
 
-    Vector momentum_change = state.momentum, stiffness_change = state.internal_force, mean_velocity = state.velocity;
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
-    state.acceleration = std::move(a_new);
+    State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    end.acceleration.swap(a_new);
 
     // What the rule does to the energy: the mean velocity is not d/tau, and forces are not means of both ends.
-    momentum_change.sadd(-1., 1., state.momentum);
-    stiffness_change.sadd(-1., 1., state.internal_force);
+    Vector momentum_change = end.momentum, stiffness_change = end.internal_force, mean_velocity = end.velocity;
+    momentum_change -= state.momentum;
+    stiffness_change -= state.internal_force;
     mean_velocity += state.velocity;
     mean_velocity.sadd(0.5, -1. / tau, d);
     new_load -= load;
     report.work_scheme = mean_velocity * momentum_change + (1. - gamma) * (unbalanced * d)
                          - (gamma - 0.5) * (stiffness_change * d - new_load * d);
+    swap(state, end);
     return report;
   }
 } // namespace signorini

@@ -3,7 +3,7 @@
 
 #include <signorini/schemes/laursen_love.h>
 #include <signorini/schemes/node_impulses.h>
-#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
 #include <cmath>
@@ -31,7 +31,7 @@ namespace signorini
         return r;
       for (double &impulse : nodes.impulses)
         impulse *= -1.;
-      return system.normal_forces(nodes.impulses);
+      return system.capabilities().impulses->normal_forces(nodes.impulses);
     }
   } // namespace
 
@@ -71,14 +71,17 @@ namespace signorini
         // Supports react to the impulses; with a velocity of their own that is work from outside.
         Vector reaction = response;
         system.apply_mass(reaction, response);
-        report.work_support += alpha * (system.support_part(reaction) * velocity);
+        report.work_support += alpha * (support_part(system, reaction) * velocity);
 
         velocity_change.add(alpha, response);
         report.work_contact += alpha * (alpha * kappa / 2. - omega);
         r.add(alpha / tau, impulses);
       }
-    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
+    report.work_friction    = friction.work;
+    State end =
+      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    swap(state, end);
     return report;
   }
 } // namespace signorini

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/newmark.h>
-#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
@@ -30,13 +30,16 @@ namespace signorini
         report.work_friction = 0.5 * (state.friction.force * d);
         report.work_contact -= report.work_friction;
       }
-    report.work_friction += 0.5 * record_friction(state, solution, 4. / (tau * tau), r);
+    FrictionOfStep friction = friction_of_step(state.friction, solution, 4. / (tau * tau), r);
+    report.work_friction += 0.5 * friction.work;
     report.work_support = trapezoidal_rule::support_work(solution, tau);
 
     // v_new - v = 2/tau (d - tau v)
     Vector velocity_change = d;
     velocity_change.sadd(2. / tau, -2., state.velocity);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    State end =
+      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    swap(state, end);
     return report;
   }
 } // namespace signorini

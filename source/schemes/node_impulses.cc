@@ -50,7 +50,7 @@ namespace signorini
       /** G I at all contact nodes. */
       NormalGap response(const std::vector<double> &impulses) const
       {
-        return system.relative_normal(system.solve_mass(system.normal_forces(impulses)));
+        return system.relative_normal(system.solve_mass(system.capabilities().impulses->normal_forces(impulses)));
       }
 
       void estimate_diagonal();

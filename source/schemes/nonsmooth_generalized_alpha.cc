@@ -49,7 +49,7 @@ namespace signorini
           if (!touching[k])
             bounds[k] = std::numeric_limits<double>::infinity();
 
-        system.solve({rule.stiffness_factor(tau), right_hand_side, bounds, state, tau}, solution);
+        system.solve({rule.stiffness_factor(tau), right_hand_side, bounds, state, tau, tau * tau / 2.}, solution);
         effort.active_set_iterations += solution.effort.active_set_iterations;
         effort.linear_iterations += solution.effort.linear_iterations;
         effort.fallback    = effort.fallback || solution.effort.fallback;
@@ -110,7 +110,7 @@ namespace signorini
     // Supports react to the jump, too, by an impulse of their own.
     Vector impulse = jump;
     system.apply_mass(impulse, jump);
-    impulse                           = system.support_part(impulse);
+    impulse                           = support_part(system, impulse);
     const double support_impulse_work = impulse * d;
     const double weight               = rule.reaction_weight(tau);
 
@@ -119,10 +119,10 @@ namespace signorini
     report.work_contact = r * d;
     report.work_support =
       weight * (solution.support_reaction * d) + (1. / tau - weight * tau / 2.) * support_impulse_work;
-    const State before = state;
-    state.acceleration = std::move(a_new);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
-    report.work_scheme = AlphaRule::work(system, before, state, d, report);
+    State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    end.acceleration.swap(a_new);
+    report.work_scheme = AlphaRule::work(system, state, end, d, report);
+    swap(state, end);
     return report;
   }
 } // namespace signorini

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/projected_contact_stabilized.h>
-#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/stop_held_nodes.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
@@ -26,9 +26,9 @@ namespace signorini
     const Vector           &d        = solution.increment;
 
     // Supports react to the projection, too; what they do is work from outside.
-    const Vector support_part    = system.support_part(mass_c);
+    const Vector support_force   = support_part(system, mass_c);
     const double projection_work = (mass_c * p - 0.5 * (mass_c * c)) / (tau * tau);
-    const double support_work    = support_part * p / (tau * tau);
+    const double support_work    = support_force * p / (tau * tau);
 
     Vector r = solution.contact_reaction;
     r *= 2. / (tau * tau);
@@ -37,7 +37,7 @@ namespace signorini
     report.work_predictor = projection_work - support_work;
     report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
 
-    r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), support_part);
+    r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), support_force);
 
     // v_new - v = c/tau + 2/tau (d - p)
     Vector velocity_change = d;
@@ -48,8 +48,11 @@ namespace signorini
     const ActiveSet held = staying_nodes(system, gap, solution, true, stop_sticking_nodes);
     report.work_predictor += stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
 
-    report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
-    trapezoidal_rule::finish(system, state, tau, d, velocity_change, std::move(r));
+    FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
+    report.work_friction    = friction.work;
+    State end =
+      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    swap(state, end);
     return report;
   }
 } // namespace signorini

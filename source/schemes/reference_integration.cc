@@ -25,7 +25,8 @@ namespace signorini
     public:
       Equation(DynamicalSystem &system, const State &start, const double unit_of_time)
         : system(system)
-        , massless(system.massless_entries())
+        , massless_nodes(*system.capabilities().massless_nodes)
+        , massless(massless_nodes.massless_entries())
         , guess(start.displacement)
         , unit_of_time(unit_of_time)
       {
@@ -35,7 +36,7 @@ namespace signorini
       {
         Vector load = system.make_vector(), contact_force;
         system.add_load(load, 1., time);
-        effort       = system.equilibrate_massless(complete(motion.block(0)), load, contact_force);
+        effort       = massless_nodes.equilibrate_massless(complete(motion.block(0)), load, contact_force);
         Vector force = system.make_vector();
         system.apply_stiffness(force, guess);
         force.sadd(-1., 1., load);
@@ -49,7 +50,7 @@ namespace signorini
       {
         Vector load = system.make_vector();
         system.add_load(load, 1., time);
-        effort = system.equilibrate_massless(complete(displacement), load, contact_force);
+        effort = massless_nodes.equilibrate_massless(complete(displacement), load, contact_force);
         return guess;
       }
 
@@ -57,6 +58,7 @@ namespace signorini
 
     private:
       DynamicalSystem                &system;
+      MasslessNodes                  &massless_nodes;
       const std::vector<unsigned int> massless;
       Vector                          guess; ///< the last equilibrium: massless nodes begin with it
       const double                    unit_of_time;
@@ -85,19 +87,21 @@ namespace signorini
   StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
   {
     using Integrator = dealii::SUNDIALS::ARKode<Motion>;
-    if (system.supports_move(state.time, state.time + tau))
+    const MovingSupports *supports = system.capabilities().moving_supports;
+    if (supports != nullptr && supports->supports_move(state.time, state.time + tau))
       throw UserError(
         "Time/Scheme = reference does not follow supports that move, and a Dirichlet condition changes in time. Take "
         "khenous-laborde-renard with `Newmark beta = 0.25` and a small step size instead.");
     Equation     equation(system, state, tau);
-    const auto   massless = system.massless_entries();
+    const auto   massless = massless_entries(system);
     const Vector start    = state.displacement;
 
     Motion motion(2);
     motion.block(0) = state.displacement;
     motion.block(1).reinit(state.velocity);
     motion.block(1).equ(tau, state.velocity);
-    system.stop_at_supports(motion.block(1));
+    if (supports != nullptr)
+      supports->stop_at_supports(motion.block(1));
     for (const unsigned int i : massless) // no part of the equation
       motion.block(1).local_element(i) = 0.;
     motion.collect_sizes();
@@ -150,7 +154,9 @@ namespace signorini
 
     StepReport report;
     report.corrector = equation.effort;
-    trapezoidal_rule::finish(system, state, tau, increment, velocity_change, std::move(contact_force));
+    State end =
+      trapezoidal_rule::end_of_step(system, state, tau, increment, velocity_change, std::move(contact_force));
+    swap(state, end);
     return report;
   }
 } // namespace signorini

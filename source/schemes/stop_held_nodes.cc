@@ -36,10 +36,11 @@ namespace signorini
   {
     Vector new_velocity = velocity, correction, impulses;
     new_velocity += velocity_change;
-    const SolveEffort effort = system.stop_relative_motion(new_velocity, held, correction, impulses);
+    const SolveEffort effort =
+      system.capabilities().projections->stop_relative_motion(new_velocity, held, correction, impulses);
     if (effort.n_active == 0)
       return 0.;
-    const Vector supports     = system.support_part(impulses);
+    const Vector supports     = support_part(system, impulses);
     const double work_support = supports * new_velocity;
     const double work         = impulses * new_velocity + 0.5 * (impulses * correction) - work_support;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/schemes/record_friction.h>
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
@@ -12,7 +12,7 @@ namespace signorini
     {
       Vector result = state.momentum;
       result.sadd(step_size, -step_size * step_size / 2., state.internal_force);
-      system.add_mean_load(result, step_size * step_size / 2., state.time, state.time + step_size);
+      add_mean_load(system, result, step_size * step_size / 2., state.time, state.time + step_size);
       return result;
     }
 
@@ -23,7 +23,8 @@ namespace signorini
       ProjectedPredictor result;
       result.increment = state.velocity;
       result.increment *= step_size;
-      result.effort = system.project(result.increment, gap, step_size, result.correction, result.mass_correction);
+      result.effort = system.capabilities().projections->project(
+        result.increment, gap, step_size, result.correction, result.mass_correction);
       result.increment += result.correction;
       return result;
     }
@@ -50,7 +51,7 @@ namespace signorini
 
 
     StepReport
-    finish_implicit(const DynamicalSystem &system, State &state, const double tau, const IncrementSolution &solution)
+    finish_implicit(DynamicalSystem &system, State &state, const double tau, const IncrementSolution &solution)
     {
       const Vector &d = solution.increment;
       Vector        r = solution.contact_reaction;
@@ -61,29 +62,39 @@ namespace signorini
       report.work_contact = r * d;
       report.work_support = support_work(solution, tau);
 
-      report.work_friction = record_friction(state, solution, 2. / (tau * tau), r);
+      FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
+      report.work_friction    = friction.work;
 
       Vector velocity_change = d;
       velocity_change.sadd(2. / tau, -2., state.velocity);
-      finish(system, state, tau, d, velocity_change, std::move(r));
+      State end = end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+      swap(state, end);
       return report;
     }
 
 
-    void finish(const DynamicalSystem &system,
-                State                 &state,
-                const double           step_size,
-                const Vector          &increment,
-                const Vector          &velocity_change,
-                Vector               &&contact_force)
+    State end_of_step(const DynamicalSystem &system,
+                      const State           &start,
+                      const double           step_size,
+                      const Vector          &increment,
+                      const Vector          &velocity_change,
+                      Vector               &&contact_force,
+                      FrictionState        &&friction)
     {
-      state.displacement += increment;
-      state.velocity += velocity_change;
-      state.contact_force = std::move(contact_force);
-      state.time += step_size;
-      ++state.step;
-      system.apply_mass(state.momentum, state.velocity);
-      system.apply_stiffness(state.internal_force, state.displacement);
+      State end;
+      end.step         = start.step + 1;
+      end.time         = start.time + step_size;
+      end.displacement = start.displacement;
+      end.displacement += increment;
+      end.velocity = start.velocity;
+      end.velocity += velocity_change;
+      end.contact_force.swap(contact_force);
+      end.momentum.reinit(start.momentum, true);
+      end.internal_force.reinit(start.internal_force, true);
+      system.apply_mass(end.momentum, end.velocity);
+      system.apply_stiffness(end.internal_force, end.displacement);
+      std::swap(end.friction, friction);
+      return end;
     }
   } // namespace trapezoidal_rule
 } // namespace signorini

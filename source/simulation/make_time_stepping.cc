@@ -11,7 +11,10 @@
 namespace signorini
 {
   std::unique_ptr<TimeStepping>
-  make_time_stepping(const TimeParameters &time, const StepSizeParameters &sizes, TimeScheme &scheme)
+  make_time_stepping(const TimeParameters          &time,
+                     const StepSizeParameters      &sizes,
+                     TimeScheme                    &scheme,
+                     const std::function<double()> &shortest_wave_time)
   {
     if (!sizes.is_variable())
       return std::make_unique<FixedSteps>(scheme, time.step_size, time.n_steps());
@@ -26,6 +29,7 @@ namespace signorini
     const double maximum   = sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
     return std::make_unique<AdaptiveSteps>(
       std::move(estimate),
-      AdaptiveSteps::Parameters{sizes.tolerance, time.step_size, sizes.minimum, maximum, time.end_time, wave_part});
+      AdaptiveSteps::Parameters{
+        sizes.tolerance, time.step_size, sizes.minimum, maximum, time.end_time, wave_part, shortest_wave_time});
   }
 } // namespace signorini

@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/model/has_friction.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/observation.h>
 
 #include <cmath>
@@ -208,13 +209,14 @@ namespace signorini
            << " of these steps the equations of the single nodes were not solved; the common factor of\n"
            << "           `Time/Impulses = common` was taken instead. The energy is right, the share of each node is "
               "not.\n";
+    const std::string &own_tolerance = scheme_info(discretization.scene.time.scheme).own_tolerance;
     if (largest_residual > 1e-6 * largest_energy)
       text << "  warning: a step changed the energy by " << largest_residual / largest_energy
            << " of it without an explanation. "
-           << (discretization.scene.time.scheme == "reference"
-                 ? "Reduce `Reference tolerance` or the step size.\n"
-                 : "The solver was not accurate enough, or the\n           scheme is at fault: do not trust this run, "
-                   "and report it.\n");
+           << (own_tolerance.empty()
+                 ? "The solver was not accurate enough, or the\n           scheme is at fault: do not trust this run, "
+                   "and report it.\n"
+                 : "Reduce `" + own_tolerance + "` or the step size.\n");
     if (deepest > 1e-2 * discretization.body_size())
       text << "  warning: by the true geometry a contact node was " << deepest
            << " deep in an obstacle. Contact is linearised about the\n"

@@ -6,6 +6,7 @@
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/system/static_equilibrium.h>
 
 #include <algorithm>
@@ -43,14 +44,15 @@ namespace signorini
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
-    const auto       scheme = make_time_scheme(scene.time.scheme,
+    const auto scheme = make_time_scheme(scene.time.scheme,
                                          {scene.time.hht_alpha,
-                                                scene.time.spectral_radius,
-                                                scene.time.newmark_beta,
-                                                scene.time.newmark_gamma,
-                                                scene.time.reference_tolerance,
-                                                scene.time.impulses == "per node",
-                                                scene.time.stop_sticking_nodes});
+                                          scene.time.spectral_radius,
+                                          scene.time.newmark_beta,
+                                          scene.time.newmark_gamma,
+                                          scene.time.reference_tolerance,
+                                          scene.time.impulses == "per node",
+                                          scene.time.stop_sticking_nodes});
+    check_capabilities(*scheme, meshed->system);
     FieldOutput<dim> fields(discretization, scene.output_directory);
     Observation<dim> observation(discretization, *meshed);
     observation.start(state);
@@ -58,7 +60,8 @@ namespace signorini
     if (writes_fields(0, false))
       fields.write(state, meshed->surface, mesh_control.indicators());
 
-    const auto stepping = make_time_stepping(scene.time, scene.step_sizes, *scheme);
+    const auto stepping = make_time_stepping(
+      scene.time, scene.step_sizes, *scheme, [this] { return 1. / discretization.courant_number(1.); });
     while (!stepping->finished(state))
       {
         const AcceptedStep step = advance(*stepping, observation);

@@ -51,11 +51,12 @@ namespace signorini
   }
 
 
-  double AdaptiveSteps::minimum(const DynamicalSystem &system) const
+  double AdaptiveSteps::minimum() const
   {
     if (parameters.minimum > 0.)
       return parameters.minimum;
-    const double resolved = parameters.wave_part * system.shortest_wave_time();
+    const double wave_time = parameters.shortest_wave_time ? parameters.shortest_wave_time() : 0.;
+    const double resolved  = parameters.wave_part * wave_time;
     return std::min(parameters.first, std::max(resolved, rules.smallest_part * parameters.first));
   }
 
@@ -92,7 +93,7 @@ namespace signorini
   StepTrial AdaptiveSteps::find_trial(DynamicalSystem &system, const State &state)
   {
     if (new_mesh)
-      lowest = std::min(0, -level_below(parameters.first, minimum(system)));
+      lowest = std::min(0, -level_below(parameters.first, minimum()));
     new_mesh = false;
     approach(system, state);
     level = std::max(level, lowest);

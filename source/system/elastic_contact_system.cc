@@ -69,16 +69,10 @@ namespace signorini
 
 
   template <int dim>
-  bool ElasticContactSystem<dim>::add_mean_load(Vector      &destination,
-                                                const double factor,
-                                                const double start_time,
-                                                const double end_time)
+  void ElasticContactSystem<dim>::add_load(Vector &destination, const double factor, const double time)
   {
-    if (!loads.any())
-      return false;
-    destination.add(0.5 * factor, loads.at(start_time));
-    destination.add(0.5 * factor, loads.at(end_time));
-    return true;
+    if (loads.any())
+      destination.add(factor, loads.at(time));
   }
 
 

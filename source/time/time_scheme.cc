@@ -2,63 +2,20 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/schemes/backward_euler.h>
-#include <signorini/schemes/contact_implicit_newmark.h>
-#include <signorini/schemes/contact_stabilized_newmark.h>
-#include <signorini/schemes/generalized_alpha.h>
-#include <signorini/schemes/hager_hueeber_wohlmuth.h>
-#include <signorini/schemes/khenous_laborde_renard.h>
-#include <signorini/schemes/laursen_chawla.h>
-#include <signorini/schemes/laursen_love.h>
-#include <signorini/schemes/moreau_jean.h>
-#include <signorini/schemes/newmark.h>
-#include <signorini/schemes/nonsmooth_generalized_alpha.h>
-#include <signorini/schemes/projected_contact_stabilized.h>
-#include <signorini/schemes/reference_integration.h>
+#include <signorini/time/time_scheme.h>
 
 namespace signorini
 {
-  SolveEffort DynamicalSystem::equilibrate_massless(Vector &, const Vector &, Vector &contact_force)
+  void check_capabilities(const TimeScheme &scheme, DynamicalSystem &system)
   {
-    contact_force = make_vector(); // nothing is massless
-    return SolveEffort();
-  }
-
-
-  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters)
-  {
-    if (name == "newmark")
-      return std::make_unique<Newmark>();
-    if (name == "laursen-chawla")
-      return std::make_unique<LaursenChawla>();
-    if (name == "laursen-love")
-      return std::make_unique<LaursenLove>(parameters.impulses_per_node);
-    if (name == "khenous-laborde-renard")
-      return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta, parameters.newmark_gamma);
-    if (name == "hager-hueeber-wohlmuth")
-      return std::make_unique<HagerHueeberWohlmuth>();
-    if (name == "contact-implicit")
-      return std::make_unique<ContactImplicitNewmark>();
-    if (name == "contact-stabilized")
-      return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes);
-    if (name == "contact-stabilized-projected")
-      return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes);
-    if (name == "hht-alpha")
-      return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
-    if (name == "generalized-alpha")
-      return std::make_unique<GeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
-    if (name == "nonsmooth-generalized-alpha")
-      return std::make_unique<NonsmoothGeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
-    if (name == "backward-euler")
-      return std::make_unique<BackwardEuler>();
-    if (name == "moreau-jean")
-      return std::make_unique<MoreauJean>();
-    if (name == "reference")
-      return std::make_unique<ReferenceIntegration>(parameters.reference_tolerance);
-    throw UserError(
-      "Time/Scheme = " + name
-      + " is not known. Choose newmark, laursen-chawla, laursen-love, khenous-laborde-renard, hager-hueeber-wohlmuth, "
-        "contact-implicit, contact-stabilized, contact-stabilized-projected, hht-alpha, generalized-alpha, "
-        "nonsmooth-generalized-alpha, backward-euler, moreau-jean or reference.");
+    const Needs        needs   = scheme.needs();
+    const Capabilities offered = system.capabilities();
+    const auto         check   = [](const bool needed, const void *offer, const std::string &what) {
+      if (needed && offer == nullptr)
+        throw UserError("Time/Scheme needs " + what + ", which the bodies of this scene do not offer. Take another scheme.");
+    };
+    check(needs.projections, offered.projections, "projections in the norm of the mass");
+    check(needs.impulses, offered.impulses, "impulses at single contact nodes");
+    check(needs.massless_nodes, offered.massless_nodes, "contact nodes without mass");
   }
 } // namespace signorini

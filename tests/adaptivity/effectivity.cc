@@ -13,7 +13,7 @@
 #include <signorini/adaptivity/residual_estimate.h>
 #include <signorini/system/elastic_contact_system.h>
 #include <signorini/system/static_equilibrium.h>
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/energy_ledger.h>
 #include <signorini/diagnostics/momentum.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/initial_state.h>
 

@@ -55,7 +55,7 @@ class CommandLine(unittest.TestCase):
         self.expect_mistake(["--validate"], "no scene", "quick_start.prm")
         self.expect_mistake(["--set"], "--set", "Section/Subsection/Key=value")
         self.expect_mistake([QUICK_START, "--set", "Time/Step size"], "Time/Step size", "value")
-        self.expect_mistake([QUICK_START, "--resume"], "--resume", "not available")
+        self.expect_mistake([QUICK_START, "--resume"], "unknown option --resume")
         self.expect_mistake([QUICK_START, QUICK_START], "two scenes")
         self.expect_mistake(["missing.prm"], "missing.prm", "no such file")
         self.expect_mistake([str(self.folder)], "directory")

@@ -6,7 +6,7 @@
 
 // One mass, perhaps on a spring, and a wall: every inequality has a closed solution.
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <functional>
 #include <limits>
@@ -15,40 +15,23 @@ namespace signorini
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  class BouncingMass : public DynamicalSystem
+  /** A mass on a spring in front of a wall, under a load: all that a system has to be able to do. */
+  class MassOnSpring : public DynamicalSystem
   {
   public:
     double                        mass   = 1.;
     double                        spring = 0.;
     double                        wall   = infinity; ///< largest displacement
-    std::function<double(double)> load;              ///< empty: none
+    std::function<double(double)> load   = [](double) { return 0.; };
 
     Vector make_vector() const override { return Vector(1); }
-
-    void apply_mass(Vector &destination, const Vector &source) const override { destination.equ(mass, source); }
-
-    void apply_stiffness(Vector &destination, const Vector &source) const override { destination.equ(spring, source); }
-
-    bool add_mean_load(Vector &destination, const double factor, const double start, const double end) override
-    {
-      if (!load)
-        return false;
-      destination(0) += factor * (load(start) + load(end)) / 2.;
-      return true;
-    }
+    void   apply_mass(Vector &destination, const Vector &source) const override { destination.equ(mass, source); }
+    void   apply_stiffness(Vector &destination, const Vector &source) const override { destination.equ(spring, source); }
+    void   add_load(Vector &destination, double factor, double time) override { destination(0) += factor * load(time); }
+    double length() const override { return 1.; }
 
     NormalGap normal_gap(const Vector &displacement) const override { return {wall - displacement(0)}; }
-
     NormalGap relative_normal(const Vector &motion) const override { return {motion(0)}; }
-
-    Vector normal_forces(const std::vector<double> &forces) const override
-    {
-      Vector result = make_vector();
-      result(0)     = forces[0];
-      return result;
-    }
-
-    double length() const override { return 1.; }
 
     Vector solve_mass(const Vector &force) override
     {
@@ -66,6 +49,22 @@ namespace signorini
       solution.contact_reaction(0)                                               = K * (solution.increment(0) - free);
       solution.normal_reaction                                                   = {solution.contact_reaction(0)};
       solution.effort.n_active                                                   = free > problem.bounds[0];
+    }
+  };
+
+
+  /** The same with what schemes with a predictor or with impulses need. */
+  class BouncingMass : public MassOnSpring, protected MassProjections, protected NodalImpulses
+  {
+  public:
+    Capabilities capabilities() override { return {this, this, nullptr, nullptr}; }
+
+  protected:
+    Vector normal_forces(const std::vector<double> &forces) const override
+    {
+      Vector result = make_vector();
+      result(0)     = forces[0];
+      return result;
     }
 
     SolveEffort project(const Vector    &free_increment,
@@ -108,7 +107,7 @@ namespace signorini
     return state;
   }
 
-  inline State make_state(const BouncingMass &system, const double displacement, const double velocity)
+  inline State make_state(const MassOnSpring &system, const double displacement, const double velocity)
   {
     Vector u(1), v(1);
     u = displacement;

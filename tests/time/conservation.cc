@@ -34,7 +34,7 @@ namespace conservation_tests
         Vector d           = state.displacement;
         d -= before.displacement;
         Vector load = system.make_vector();
-        system.add_mean_load(load, 1., before.time, state.time);
+        add_mean_load(system, load, 1., before.time, state.time);
         return energy(system, state) - energy(system, before) - load * d - report.work_support;
       }
     };

@@ -6,7 +6,8 @@
 
 // A bar of linear finite elements between two walls. Its inequalities are solved by trying all active sets.
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/base/user_error.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <Eigen/Dense>
 
@@ -15,7 +16,11 @@
 
 namespace signorini
 {
-  class ElasticBar : public DynamicalSystem
+  class ElasticBar : public DynamicalSystem,
+                     private MassProjections,
+                     protected NodalImpulses,
+                     private MasslessNodes,
+                     private MovingSupports
   {
   public:
     /** Consistent mass and stiffness of n nodes; the ends are the contact nodes, with normals -1 and +1. */
@@ -63,28 +68,19 @@ namespace signorini
       view(destination) = stiffness * view(source);
     }
 
-    bool add_mean_load(Vector &destination, const double factor, const double start, const double end) override
+    void add_load(Vector &destination, const double factor, const double time) override
     {
       if (load)
-        destination.add(factor * (load(start) + load(end)) / 2.);
-      return static_cast<bool>(load);
+        destination.add(factor * load(time));
     }
+
+    Capabilities capabilities() override { return {this, this, this, this}; }
 
     NormalGap normal_gap(const Vector &u) const override { return {distance[0] + u(0), distance[1] - u(u.size() - 1)}; }
 
     NormalGap relative_normal(const Vector &motion) const override { return {-motion(0), motion(motion.size() - 1)}; }
 
-    Vector normal_forces(const std::vector<double> &forces) const override
-    {
-      Vector result  = make_vector();
-      result(0)      = -forces[0];
-      result(last()) = forces[1];
-      return result;
-    }
-
     double length() const override { return 1.; }
-
-    std::vector<unsigned int> massless_entries() const override { return massless; }
 
     Vector solve_mass(const Vector &force) override
     {
@@ -126,6 +122,29 @@ namespace signorini
       solution.normal_reaction = relative_normal(solution.contact_reaction);
       if (motion)
         solution.support_reaction(middle) = reaction[middle];
+    }
+
+  protected:
+    Vector normal_forces(const std::vector<double> &forces) const override
+    {
+      Vector result  = make_vector();
+      result(0)      = -forces[0];
+      result(last()) = forces[1];
+      return result;
+    }
+
+  private:
+    std::vector<unsigned int> massless_entries() const override { return massless; }
+
+    /** No test integrates this system with the reference. */
+    SolveEffort equilibrate_massless(Vector &, const Vector &, Vector &) override { throw RunError("not there"); }
+
+    bool supports_move(double, double) const override { return static_cast<bool>(motion); }
+
+    void stop_at_supports(Vector &velocity) const override
+    {
+      if (motion)
+        velocity(mass.rows() / 2) = 0.;
     }
 
     SolveEffort project(const Vector    &free_increment,
@@ -177,7 +196,6 @@ namespace signorini
       return part;
     }
 
-  private:
     unsigned int last() const { return mass.rows() - 1; }
 
     static Eigen::Map<Eigen::VectorXd> view(Vector &x) { return {x.begin(), static_cast<Eigen::Index>(x.size())}; }

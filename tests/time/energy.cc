@@ -39,7 +39,7 @@ namespace energy_tests
       double work_of_load(const State &before, const Vector &increment) const
       {
         Vector load = system.make_vector();
-        system.add_mean_load(load, 1., before.time, before.time + tau);
+        add_mean_load(system, load, 1., before.time, before.time + tau);
         return load * increment;
       }
 
@@ -48,11 +48,11 @@ namespace energy_tests
       {
         Vector p = before.velocity, c, Mc;
         p *= tau;
-        system.project(p, system.normal_gap(before.displacement), tau, c, Mc);
+        system.capabilities().projections->project(p, system.normal_gap(before.displacement), tau, c, Mc);
         p += c;
         Vector rest = increment;
         rest -= p;
-        Mc -= system.support_part(Mc);
+        Mc -= support_part(system, Mc);
         return -2. / (tau * tau) * (Mc * rest);
       }
     };

@@ -32,7 +32,7 @@ namespace every_scheme_tests
         const StepReport report = scheme->advance(system, state, tau);
         Vector           d = state.displacement, load = system.make_vector();
         d -= before.displacement;
-        system.add_mean_load(load, 1., before.time, state.time);
+        add_mean_load(system, load, 1., before.time, state.time);
         ASSERT_NEAR(energy(system, state) - energy(system, before) - load * d,
                     report.work_contact + report.work_predictor + report.work_support + report.work_scheme,
                     round_off);

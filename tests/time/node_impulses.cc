@@ -76,7 +76,7 @@ TEST(NodeImpulses, SolveTheEquations)
           }
         const NodeImpulses result = solve_node_impulses(system, {force, gap, approach});
         ASSERT_TRUE(result.converged) << n << " nodes, trial " << trial;
-        const NormalGap change = system.relative_normal(system.solve_mass(system.normal_forces(result.impulses)));
+        const NormalGap change = system.relative_normal(system.solve_mass(system.capabilities().impulses->normal_forces(result.impulses)));
         for (unsigned int p = 0; p < n; ++p)
           {
             const double impulse = result.impulses[p], velocity = change[p] / 2. - approach[p];

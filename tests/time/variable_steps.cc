@@ -40,7 +40,7 @@ TEST_P(VariableSteps, EnergyIdentity)
       const StepReport report = scheme->advance(system, state, tau);
       Vector           d = state.displacement, load = system.make_vector();
       d -= before.displacement;
-      system.add_mean_load(load, 1., before.time, state.time);
+      add_mean_load(system, load, 1., before.time, state.time);
       const double explained =
         report.work_contact + report.work_predictor + report.work_support + report.work_scheme + load * d;
       const double energy_before = energy(system, before), energy_now = energy(system, state);

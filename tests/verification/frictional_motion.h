@@ -10,6 +10,7 @@
 #include <signorini/diagnostics/energy_ledger.h>
 #include <signorini/diagnostics/momentum.h>
 #include <signorini/mass/redistribute_mass.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/system/elastic_contact_system.h>
 
 namespace signorini::tests

@@ -8,7 +8,7 @@
 #include "../contact/stacked_blocks.h"
 
 #include <signorini/system/elastic_contact_system.h>
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <gtest/gtest.h>
 

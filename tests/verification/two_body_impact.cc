@@ -11,7 +11,7 @@
 #include <signorini/diagnostics/energy_ledger.h>
 #include <signorini/diagnostics/momentum.h>
 #include <signorini/system/elastic_contact_system.h>
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <gtest/gtest.h>
 

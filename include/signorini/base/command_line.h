@@ -17,6 +17,8 @@ namespace signorini
     std::vector<std::pair<std::string, std::string>> overrides; ///< --set: path of the key, value
     bool                                             validate         = false;
     bool                                             print_parameters = false;
+    bool                                             print_schemes    = false;
+    bool                                             as_json          = false; ///< print for programs
     bool                                             quiet            = false;
     bool                                             version          = false;
     bool                                             help             = false;

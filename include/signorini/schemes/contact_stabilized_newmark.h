@@ -39,6 +39,8 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
+    Needs needs() const override { return {true, false, false}; }
+
   private:
     const bool stop_sticking_nodes;
   };

@@ -35,6 +35,8 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
+    Needs needs() const override { return {false, separate_nodes, false}; }
+
   private:
     const bool separate_nodes;
   };

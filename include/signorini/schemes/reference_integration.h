@@ -27,6 +27,8 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
+    Needs needs() const override { return {false, false, true}; }
+
   private:
     const double tolerance;
   };

@@ -41,17 +41,21 @@ namespace signorini
     /** 2/tau^2 times the reaction of supports on the increment. */
     double support_work(const IncrementSolution &solution, double step_size);
 
-    /** The end of the step of a scheme without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction. */
+    /** A step without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction. */
     StepReport
-    finish_implicit(const DynamicalSystem &system, State &state, double step_size, const IncrementSolution &solution);
+    finish_implicit(DynamicalSystem &system, State &state, double step_size, const IncrementSolution &solution);
 
-    /** The state at the end of the step: u + d, v + 2/tau (d - p), the new contact force, and the products M v and A u. */
-    void finish(const DynamicalSystem &system,
-                State                 &state,
-                double                 step_size,
-                const Vector          &increment,
-                const Vector          &velocity_change,
-                Vector               &&contact_force);
+    /**
+     * The complete state at the end of a step, u + d and v + velocity_change with the products M v and A u. The state at
+     * its start is not touched: schemes swap both when nothing can fail any more.
+     */
+    State end_of_step(const DynamicalSystem &system,
+                      const State           &start,
+                      double                 step_size,
+                      const Vector          &increment,
+                      const Vector          &velocity_change,
+                      Vector               &&contact_force,
+                      FrictionState        &&friction = {});
   } // namespace trapezoidal_rule
 } // namespace signorini
 

@@ -8,13 +8,20 @@
 #include <signorini/scene/time_parameters.h>
 #include <signorini/step_size/time_stepping.h>
 
+#include <functional>
 #include <memory>
 
 namespace signorini
 {
-  /** The steps that a scene asks for. The system tells the sizes below which nothing is gained. The scheme must outlive the result. */
+  /**
+   * The steps that a scene asks for. The scheme must outlive the result.
+   * @param shortest_wave_time through the smallest cell of the present mesh: much shorter steps gain nothing
+   */
   std::unique_ptr<TimeStepping>
-  make_time_stepping(const TimeParameters &time, const StepSizeParameters &sizes, TimeScheme &scheme);
+  make_time_stepping(const TimeParameters          &time,
+                     const StepSizeParameters      &sizes,
+                     TimeScheme                    &scheme,
+                     const std::function<double()> &shortest_wave_time);
 } // namespace signorini
 
 #endif

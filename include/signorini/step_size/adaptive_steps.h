@@ -6,6 +6,7 @@
 
 #include <signorini/step_size/time_stepping.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -38,6 +39,8 @@ namespace signorini
       double maximum;
       double end_time;
       double wave_part = 0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
+      /** The time that a wave takes through the smallest cell of the present mesh. Empty: there are no cells. */
+      std::function<double()> shortest_wave_time = {};
     };
 
     AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
@@ -64,7 +67,7 @@ namespace signorini
     unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
     double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
 
-    double       minimum(const DynamicalSystem &system) const;
+    double       minimum() const;
     void         approach(const DynamicalSystem &system, const State &state);
     void         try_longer(const StepTrial &trial, double factor);
     StepTrial    find_trial(DynamicalSystem &system, const State &state);

@@ -20,7 +20,11 @@ namespace signorini
    * inequalities and time meet.
    */
   template <int dim>
-  class ElasticContactSystem : public DynamicalSystem
+  class ElasticContactSystem : public DynamicalSystem,
+                               private MassProjections,
+                               private NodalImpulses,
+                               private MasslessNodes,
+                               private MovingSupports
   {
   public:
     ElasticContactSystem(const Discretization<dim>     &discretization,
@@ -32,37 +36,13 @@ namespace signorini
     Vector      make_vector() const override { return discretization.make_vector(); }
     void        apply_mass(Vector &destination, const Vector &source) const override;
     void        apply_stiffness(Vector &destination, const Vector &source) const override;
-    bool        add_mean_load(Vector &destination, double factor, double start_time, double end_time) override;
+    void        add_load(Vector &destination, double factor, double time) override;
     NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
     NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
-    Vector      normal_forces(const std::vector<double> &forces) const override;
     double      length() const override { return discretization.body_size(); }
-    double      shortest_wave_time() const override { return 1. / discretization.courant_number(1.); }
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     Vector      solve_mass(const Vector &force) override { return mass_problems.solve(force); }
-    SolveEffort project(const Vector    &free_increment,
-                        const NormalGap &bounds,
-                        double           step_size,
-                        Vector          &correction,
-                        Vector          &mass_correction) override
-    {
-      return mass_problems.project(free_increment, bounds, step_size, energy_scale, correction, mass_correction);
-    }
-    SolveEffort stop_relative_motion(const Vector    &velocity,
-                                     const ActiveSet &held,
-                                     Vector          &correction,
-                                     Vector          &mass_correction) override
-    {
-      return mass_problems.stop_relative_motion(velocity, held, energy_scale, correction, mass_correction);
-    }
-
-    std::vector<unsigned int> massless_entries() const override;
-
-    SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
-
-    bool   supports_move(double start_time, double end_time) const override;
-    void   stop_at_supports(Vector &velocity) const override;
-    Vector support_part(const Vector &forces) const override;
+    Capabilities capabilities() override { return {this, this, this, this}; }
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
@@ -87,6 +67,31 @@ namespace signorini
     const StepFriction<dim>                   friction;
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
+
+    Vector normal_forces(const std::vector<double> &forces) const override;
+    SolveEffort project(const Vector    &free_increment,
+                        const NormalGap &bounds,
+                        double           step_size,
+                        Vector          &correction,
+                        Vector          &mass_correction) override
+    {
+      return mass_problems.project(free_increment, bounds, step_size, energy_scale, correction, mass_correction);
+    }
+    SolveEffort stop_relative_motion(const Vector    &velocity,
+                                     const ActiveSet &held,
+                                     Vector          &correction,
+                                     Vector          &mass_correction) override
+    {
+      return mass_problems.stop_relative_motion(velocity, held, energy_scale, correction, mass_correction);
+    }
+
+    std::vector<unsigned int> massless_entries() const override;
+
+    SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
+
+    bool   supports_move(double start_time, double end_time) const override;
+    void   stop_at_supports(Vector &velocity) const override;
+    Vector support_part(const Vector &forces) const override;
 
     /** The velocity goes on, and contact is where it was: where no increments are known, on a new mesh or with a new size of steps. */
     void guess_from_start(const IncrementProblem &problem, Vector &increment);

@@ -35,8 +35,8 @@ namespace signorini
     const NormalGap &bounds;
     const State     &start; ///< the motion before the step: what supports are measured from, and a first guess
     double           step_size;
-    double           force_factor = 0.; ///< nodal forces times this are reactions: tau^2/2 for the trapezoidal rule
-    /** Reactions of contact besides those of this problem in the step, to which friction is entitled, too; null: none. */
+    double           force_factor; ///< > 0: nodal forces times this are reactions, tau^2/2 for the trapezoidal rule
+    /** Reactions of contact besides those of this problem in the step, to which friction is entitled, too; or null. */
     const Vector *further_reaction = nullptr;
   };
 
@@ -56,48 +56,11 @@ namespace signorini
     SolveEffort effort;
   };
 
-  /**
-   * All that a time scheme sees of the bodies. It knows no mesh, no obstacle and no solver; a bouncing mass is a realisation
-   * of twenty lines (tests/time).
-   */
-  class DynamicalSystem
+  /** Projections in the norm of the mass: predictors, and velocities of nodes that are held. */
+  class MassProjections
   {
   public:
-    virtual ~DynamicalSystem() = default;
-
-    virtual Vector make_vector() const = 0;
-
-    /** destination = M source. */
-    virtual void apply_mass(Vector &destination, const Vector &source) const = 0;
-
-    /** destination = A source. */
-    virtual void apply_stiffness(Vector &destination, const Vector &source) const = 0;
-
-    /** Add factor times the mean of the loads at both ends of a step; @return false if there are none. */
-    virtual bool add_mean_load(Vector &destination, double factor, double start_time, double end_time) = 0;
-
-    /** Add factor times the loads at a time; @return false if there are none. */
-    virtual bool add_load(Vector &destination, const double factor, const double time)
-    {
-      return add_mean_load(destination, factor, time, time);
-    }
-
-    virtual NormalGap normal_gap(const Vector &displacement) const = 0;
-
-    /** [w].nu per contact node, of displacements or velocities. */
-    virtual NormalGap relative_normal(const Vector &motion) const = 0;
-
-    /** The nodal forces f of forces along the normals of the contact nodes: f.w = sum of force times [w].nu. */
-    virtual Vector normal_forces(const std::vector<double> &forces) const = 0;
-
-    /** The unit of length for tolerances: the size of the bodies. */
-    virtual double length() const = 0;
-
-    /** M^-1 force, zero in the directions of supports and in entries without mass. */
-    virtual Vector solve_mass(const Vector &force) = 0;
-
-    /** Solve the inequality of a step. `solution` is overwritten; the system keeps its own history for first guesses. */
-    virtual void solve(const IncrementProblem &problem, IncrementSolution &solution) = 0;
+    virtual ~MassProjections() = default;
 
     /**
      * L2 projection of a free increment onto the admissible ones: the correction c with minimal 1/2 c'Mc and
@@ -112,9 +75,10 @@ namespace signorini
                                 Vector          &mass_correction) = 0;
 
     /**
-     * L2 projection of a velocity onto those without relative velocity at some contact nodes: the correction c with minimal 1/2 c'Mc
-     * and [velocity + c] = 0 there, zero at supports.
-     * @param held            per contact node of this process: closed ones lose their normal velocity, sticking ones the tangential one
+     * L2 projection of a velocity onto those without relative velocity at some contact nodes: the correction c with
+     * minimal 1/2 c'Mc and [velocity + c] = 0 there, zero at supports.
+     * @param held            per contact node of this process: closed ones lose their normal velocity, sticking ones
+     *                        the tangential one
      * @param mass_correction M c, the impulses of these nodes and of supports
      * @return effort; no active node means that no process holds any, and c = 0
      */
@@ -122,35 +86,133 @@ namespace signorini
                                              const ActiveSet &held,
                                              Vector          &correction,
                                              Vector          &mass_correction) = 0;
+  };
+
+
+  /** Impulses at the contact nodes, given one by one. */
+  class NodalImpulses
+  {
+  public:
+    virtual ~NodalImpulses() = default;
+
+    /** The nodal forces f of forces along the normals of the contact nodes: f.w = sum of force times [w].nu. */
+    virtual Vector normal_forces(const std::vector<double> &forces) const = 0;
+  };
+
+
+  /** Nodes without mass, whose motion is no differential equation: they follow the others. */
+  class MasslessNodes
+  {
+  public:
+    virtual ~MasslessNodes() = default;
 
     /** Entries of vectors (owned, local) that have no mass, whatever acts on them. */
-    virtual std::vector<unsigned int> massless_entries() const { return {}; }
+    virtual std::vector<unsigned int> massless_entries() const = 0;
 
     /**
-     * Static contact equilibrium of the massless entries between the others, which stand still: least 1/2 u'Au - f'u with u.nu <= g.
+     * Static contact equilibrium of these entries between the others, which stand still: least 1/2 u'Au - f'u with
+     * u.nu <= g.
      * @param displacement  u, changed in the massless entries only; there it is a first guess on entry
      * @param load          f
      * @param contact_force r
      */
-    virtual SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force);
+    virtual SolveEffort
+    equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) = 0;
+  };
+
+
+  /** Supports whose prescribed displacements may change in time. */
+  class MovingSupports
+  {
+  public:
+    virtual ~MovingSupports() = default;
 
     /** Whether prescribed displacements change in a span of time. Collective. */
-    virtual bool supports_move(double /*start_time*/, double /*end_time*/) const { return false; }
+    virtual bool supports_move(double start_time, double end_time) const = 0;
 
     /** Zero in the directions of supports: the velocity beside supports that stand still. */
-    virtual void stop_at_supports(Vector & /*velocity*/) const {}
+    virtual void stop_at_supports(Vector &velocity) const = 0;
 
-    /** The part of nodal forces that acts in the directions of supports. Zero for systems without supports. */
-    virtual Vector support_part(const Vector &forces) const
-    {
-      Vector none = forces;
-      none        = 0.;
-      return none;
-    }
-
-    /** The time that a wave takes through the smallest cell: much shorter steps resolve nothing. Zero: there are no cells. Collective. */
-    virtual double shortest_wave_time() const { return 0.; }
+    /** The part of nodal forces that acts in the directions of supports. */
+    virtual Vector support_part(const Vector &forces) const = 0;
   };
+
+
+  /** What a system can do beyond DynamicalSystem; null: it cannot, or has nothing of the kind. */
+  struct Capabilities
+  {
+    MassProjections      *projections     = nullptr;
+    const NodalImpulses  *impulses        = nullptr;
+    MasslessNodes        *massless_nodes  = nullptr;
+    const MovingSupports *moving_supports = nullptr;
+  };
+
+
+  /**
+   * All that every time scheme sees of the bodies. It knows no mesh, no obstacle and no solver; a mass on a spring is a
+   * realisation of twenty lines (tests/time/bouncing_mass.h). What only some schemes need is in interfaces of its own:
+   * a scheme asks for them, and a system offers them, or the scene is refused before it runs (see
+   * check_capabilities()).
+   */
+  class DynamicalSystem
+  {
+  public:
+    virtual ~DynamicalSystem() = default;
+
+    virtual Vector make_vector() const = 0;
+
+    /** destination = M source. */
+    virtual void apply_mass(Vector &destination, const Vector &source) const = 0;
+
+    /** destination = A source. */
+    virtual void apply_stiffness(Vector &destination, const Vector &source) const = 0;
+
+    /** Add factor times the loads at a time. */
+    virtual void add_load(Vector &destination, double factor, double time) = 0;
+
+    /** M^-1 force, zero in the directions of supports and in entries without mass. */
+    virtual Vector solve_mass(const Vector &force) = 0;
+
+    virtual NormalGap normal_gap(const Vector &displacement) const = 0;
+
+    /** [w].nu per contact node, of displacements or velocities. */
+    virtual NormalGap relative_normal(const Vector &motion) const = 0;
+
+    /** The unit of length for tolerances: the size of the bodies. */
+    virtual double length() const = 0;
+
+    /** Solve the inequality of a step. `solution` is overwritten; the system keeps its own history for first guesses. */
+    virtual void solve(const IncrementProblem &problem, IncrementSolution &solution) = 0;
+
+    /** None, unless a system says otherwise. */
+    virtual Capabilities capabilities() { return {}; }
+  };
+
+
+  /** Add factor times the mean of the loads at both ends of a step. */
+  inline void add_mean_load(DynamicalSystem &system,
+                            Vector          &destination,
+                            const double     factor,
+                            const double     start_time,
+                            const double     end_time)
+  {
+    system.add_load(destination, 0.5 * factor, start_time);
+    system.add_load(destination, 0.5 * factor, end_time);
+  }
+
+  /** The entries without mass; none in a system that offers no such nodes. */
+  inline std::vector<unsigned int> massless_entries(DynamicalSystem &system)
+  {
+    const MasslessNodes *nodes = system.capabilities().massless_nodes;
+    return nodes != nullptr ? nodes->massless_entries() : std::vector<unsigned int>();
+  }
+
+  /** The part of nodal forces that supports bear; zero in a system that has none. */
+  inline Vector support_part(DynamicalSystem &system, const Vector &forces)
+  {
+    const MovingSupports *supports = system.capabilities().moving_supports;
+    return supports != nullptr ? supports->support_part(forces) : system.make_vector();
+  }
 } // namespace signorini
 
 #endif

@@ -7,6 +7,8 @@
 #include <signorini/base/contact_status.h>
 #include <signorini/base/types.h>
 
+#include <utility>
+
 namespace signorini
 {
   /** Friction at the end of a step and what it has done so far. Empty without friction. */
@@ -49,6 +51,27 @@ namespace signorini
     FrictionState friction;
     LastStep      last_step;
   };
+
+  /** Exchange two states without a copy of any vector. */
+  inline void swap(State &a, State &b)
+  {
+    std::swap(a.step, b.step);
+    std::swap(a.time, b.time);
+    for (const auto member : {&State::displacement,
+                              &State::velocity,
+                              &State::contact_force,
+                              &State::momentum,
+                              &State::internal_force,
+                              &State::acceleration})
+      (a.*member).swap(b.*member);
+    for (const auto member : {&FrictionState::force, &FrictionState::slip, &FrictionState::accumulated_slip})
+      (a.friction.*member).swap(b.friction.*member);
+    a.friction.slip_path.swap(b.friction.slip_path);
+    a.friction.status.swap(b.friction.status);
+    std::swap(a.last_step.size, b.last_step.size);
+    a.last_step.velocity_change.swap(b.last_step.velocity_change);
+    a.last_step.momentum_change.swap(b.last_step.momentum_change);
+  }
 } // namespace signorini
 
 #endif

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/spelling.h>
+#include <signorini/base/user_error.h>
+#include <signorini/schemes/backward_euler.h>
+#include <signorini/schemes/contact_implicit_newmark.h>
+#include <signorini/schemes/contact_stabilized_newmark.h>
+#include <signorini/schemes/generalized_alpha.h>
+#include <signorini/schemes/hager_hueeber_wohlmuth.h>
+#include <signorini/schemes/khenous_laborde_renard.h>
+#include <signorini/schemes/laursen_chawla.h>
+#include <signorini/schemes/laursen_love.h>
+#include <signorini/schemes/moreau_jean.h>
+#include <signorini/schemes/newmark.h>
+#include <signorini/schemes/nonsmooth_generalized_alpha.h>
+#include <signorini/schemes/projected_contact_stabilized.h>
+#include <signorini/schemes/reference_integration.h>
+#include <signorini/schemes/scheme_table.h>
+
+#include <algorithm>
+
+namespace signorini
+{
+  namespace
+  {
+    using Made = std::unique_ptr<TimeScheme>;
+
+    /** Most schemes: trapezoidal rule, one contact force against the elastic forces of the middle, no friction. */
+    SchemeInfo common(const std::string &name, const EnergyLaw energy, const std::string &summary)
+    {
+      SchemeInfo info{};
+      info.name             = name;
+      info.summary          = summary;
+      info.energy           = energy;
+      info.massless         = MasslessNodesAre::possible;
+      info.balance          = StepBalance::middle;
+      info.force_before_end = "0.5";
+      info.changing_mesh    = true;
+      return info;
+    }
+
+    template <typename Scheme>
+    Made make(const SchemeParameters &)
+    {
+      return std::make_unique<Scheme>();
+    }
+
+    void refuse_massless_nodes(SchemeInfo &info, const std::string &why)
+    {
+      info.massless    = MasslessNodesAre::refused;
+      info.why_refused = why;
+    }
+
+    /** Contact nodes without mass have no acceleration that could be carried to another mesh. */
+    void need_massless_nodes(SchemeInfo &info)
+    {
+      info.massless      = MasslessNodesAre::needed;
+      info.changing_mesh = false;
+    }
+
+    constexpr const char *needs_accelerations =
+      ", which needs accelerations or velocities of contact nodes that follow from forces";
+
+
+    SchemeInfo contact_stabilized()
+    {
+      SchemeInfo info = common("contact-stabilized",
+                               EnergyLaw::dissipates,
+                               "Newmark with a predictor that respects the contact condition; smooth contact forces");
+      info.friction = info.predictor = true;
+      refuse_massless_nodes(info, ": its predictor stops the mass of contact nodes, and they have none");
+      info.make = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes);
+      };
+      return info;
+    }
+
+
+    SchemeInfo contact_stabilized_projected()
+    {
+      SchemeInfo info = contact_stabilized();
+      info.name       = "contact-stabilized-projected";
+      info.summary    = "contact-stabilized whose projection acts on the velocity, too: nodes that stay in contact "
+                        "have no normal velocity";
+      info.make       = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes);
+      };
+      return info;
+    }
+
+
+    SchemeInfo contact_implicit()
+    {
+      SchemeInfo info =
+        common("contact-implicit", EnergyLaw::dissipates, "Newmark without a predictor; contact forces oscillate");
+      info.friction = true;
+      info.make     = make<ContactImplicitNewmark>;
+      return info;
+    }
+
+
+    SchemeInfo laursen_chawla()
+    {
+      SchemeInfo info = common(
+        "laursen-chawla", EnergyLaw::conserves, "contact as a condition of persistency; allows penetration");
+      info.friction = true;
+      info.make     = make<LaursenChawla>;
+      return info;
+    }
+
+
+    SchemeInfo laursen_love()
+    {
+      SchemeInfo info = common(
+        "laursen-love", EnergyLaw::conserves, "gives lost energy back by impulses; no penetration");
+      info.friction = info.impulses = true;
+      refuse_massless_nodes(info, ": impulses on contact nodes without mass have no effect that is finite");
+      info.make = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<LaursenLove>(parameters.impulses_per_node);
+      };
+      return info;
+    }
+
+
+    SchemeInfo khenous_laborde_renard()
+    {
+      SchemeInfo info = common(
+        "khenous-laborde-renard", EnergyLaw::none, "contact nodes have no mass; smooth contact forces");
+      need_massless_nodes(info);
+      info.balance          = StepBalance::end;
+      info.force_before_end = "0"; // in equilibrium at the end
+      info.mean_velocity    = true;
+      info.make             = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta, parameters.newmark_gamma);
+      };
+      return info;
+    }
+
+
+    SchemeInfo hager_hueeber_wohlmuth()
+    {
+      SchemeInfo info = common(
+        "hager-hueeber-wohlmuth", EnergyLaw::conserves, "laursen-chawla with contact nodes without mass");
+      need_massless_nodes(info);
+      info.friction = info.macro_elements = true;
+      info.make                           = make<HagerHueeberWohlmuth>;
+      return info;
+    }
+
+
+    SchemeInfo newmark()
+    {
+      SchemeInfo info =
+        common("newmark", EnergyLaw::none, "the classical scheme with contact; gains energy at impact");
+      info.friction         = true;
+      info.balance          = StepBalance::both_ends;
+      info.force_before_end = "0"; // forces of both ends act, each with its own elastic forces
+      info.make             = make<Newmark>;
+      return info;
+    }
+
+
+    SchemeInfo hht_alpha()
+    {
+      SchemeInfo info = common("hht-alpha", EnergyLaw::none, "numerical damping by `HHT alpha`; for comparison");
+      refuse_massless_nodes(info, needs_accelerations);
+      info.force_before_end = "-p"; // alpha_f
+      info.parameter        = "HHT alpha";
+      info.make             = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
+      };
+      return info;
+    }
+
+
+    SchemeInfo generalized_alpha()
+    {
+      SchemeInfo info =
+        common("generalized-alpha", EnergyLaw::none, "numerical damping by `Spectral radius`; for comparison");
+      refuse_massless_nodes(info, needs_accelerations);
+      info.force_before_end = "p/(1+p)"; // alpha_f
+      info.parameter        = "Spectral radius";
+      info.make             = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<GeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
+      };
+      return info;
+    }
+
+
+    SchemeInfo nonsmooth_generalized_alpha()
+    {
+      SchemeInfo info = common("nonsmooth-generalized-alpha",
+                               EnergyLaw::none,
+                               "generalized-alpha with contact as jumps of the velocity; for comparison");
+      refuse_massless_nodes(info, needs_accelerations);
+      info.make = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<NonsmoothGeneralizedAlpha>(
+          AlphaRule::with_spectral_radius(parameters.spectral_radius));
+      };
+      return info;
+    }
+
+
+    SchemeInfo backward_euler()
+    {
+      SchemeInfo info = common("backward-euler", EnergyLaw::dissipates, "damps all that moves; for comparison");
+      info.friction         = true;
+      info.balance          = StepBalance::end;
+      info.force_before_end = "0";
+      info.make             = make<BackwardEuler>;
+      return info;
+    }
+
+
+    SchemeInfo moreau_jean()
+    {
+      SchemeInfo info = common(
+        "moreau-jean", EnergyLaw::none, "contact as a condition of velocities; penetrates; for comparison");
+      refuse_massless_nodes(info, needs_accelerations);
+      info.make = make<MoreauJean>;
+      return info;
+    }
+
+
+    SchemeInfo reference()
+    {
+      SchemeInfo info = common("reference",
+                               EnergyLaw::none,
+                               "the mass-redistributed problem integrated with error control; slow, measures the "
+                               "error of others in time");
+      need_massless_nodes(info);
+      info.balance          = StepBalance::end;
+      info.force_before_end = "0";
+      info.mean_velocity    = true;
+      info.own_tolerance    = "Reference tolerance";
+      info.make             = [](const SchemeParameters &parameters) -> Made {
+        return std::make_unique<ReferenceIntegration>(parameters.reference_tolerance);
+      };
+      return info;
+    }
+  } // namespace
+
+
+  const std::vector<SchemeInfo> &scheme_table()
+  {
+    static const std::vector<SchemeInfo> table = {contact_stabilized(),
+                                                  contact_stabilized_projected(),
+                                                  contact_implicit(),
+                                                  laursen_chawla(),
+                                                  laursen_love(),
+                                                  khenous_laborde_renard(),
+                                                  hager_hueeber_wohlmuth(),
+                                                  newmark(),
+                                                  hht_alpha(),
+                                                  generalized_alpha(),
+                                                  nonsmooth_generalized_alpha(),
+                                                  backward_euler(),
+                                                  moreau_jean(),
+                                                  reference()};
+    return table;
+  }
+
+
+  const SchemeInfo &scheme_info(const std::string &name)
+  {
+    for (const SchemeInfo &info : scheme_table())
+      if (info.name == name)
+        return info;
+    throw UserError("Time/Scheme = " + name + " is not known. " + suggestion(name, scheme_names()));
+  }
+
+
+  std::vector<std::string> scheme_names()
+  {
+    return schemes_where([](const SchemeInfo &) { return true; });
+  }
+
+
+  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters)
+  {
+    return scheme_info(name).make(parameters);
+  }
+} // namespace signorini
