@@ -14,7 +14,7 @@ FOLDER/table.csv and FOLDER/table.md. With [together] the table shows, behind ea
 to compare with, for example `Time/Scheme = reference`: all runs that differ only in scheme and step size share one, with the smallest of their step sizes
 if it does not give its own, of which theirs must be whole multiples. It gives force_distance, displacement_distance and velocity_distance, the latter
 two of all probes; a reference step size a few times smaller than the runs' keeps differences of its displacements out of them. All are relative, L2 in
-time, and each force is compared at the instant to which it belongs (tools/studies/instants.py).
+time, and each force is compared at the instant to which it belongs (signorini --print-schemes).
 
 A section [quantities] derives numbers from the columns of history.csv, by names that `observe` and later quantities can use: `name = expression` with first(COLUMN),
 last(COLUMN), largest(COLUMN) and integral(COLUMN), its sum over the steps times the step size. `curve = FILE` in [study], two columns separated by commas below
@@ -29,7 +29,7 @@ import argparse
 import pathlib
 import sys
 
-from studies import references, runs, tables
+from studies import instants, references, runs, tables
 from studies.definition import Mistake, Study
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -80,6 +80,7 @@ def study_of_a_file(arguments):
 def main():
     arguments = parse()
     try:
+        instants.use(arguments.executable)
         if arguments.study == "krause-walloth":
             from studies import comparison  # needs matplotlib, a study of a file does not
             good = comparison.krause_walloth(arguments, ROOT)

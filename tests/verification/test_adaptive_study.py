@@ -18,7 +18,11 @@ import check_history
 import numpy
 
 sys.path.insert(0, str(check_history.SOURCE / "tools"))
-from studies import adaptive, adaptive_measures as measures  # noqa: E402
+from studies import adaptive, adaptive_measures as measures, instants  # noqa: E402
+
+
+def setUpModule():
+    instants.use(check_history.settings["executable"])
 
 
 class Run(types.SimpleNamespace):

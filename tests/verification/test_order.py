@@ -36,6 +36,10 @@ STEPS = (0.025, 0.00625)
 BAR = check_history.PARAMETERS / "manufactured_bar.prm"
 
 
+def setUpModule():
+    instants.use(check_history.settings["executable"])
+
+
 def exact_force(time):
     """The pressure of the manufactured solution times the width."""
     return 0.025 * max(-math.sin(2 * math.pi * (time + 0.05)), 0.)**3

@@ -1,63 +1,52 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""To which instant of a step the contact force and the velocity that a scheme reports belong: the one place where that is said.
+"""To which instant of a step the contact force and the velocity that a scheme reports belong.
 
-The contact force of a step acts against all others, and it belongs to the instant at which those are taken. For elastic forces with equal weights at both
-ends, that is the middle of the step; for equilibrium at the end, the end. Measured on parameters/manufactured_bar.prm, where the force is known: at its
-own instant the error of the force has order 1.3 to 1.8 (the kinks at closing and opening limit it), elsewhere order 1.
+The contact force of a step acts against all others, and it belongs to the instant at which those are taken. For elastic
+forces with equal weights at both ends, that is the middle of the step; for equilibrium at the end, the end. Measured on
+parameters/manufactured_bar.prm, where the force is known: at its own instant the error of the force has order 1.3 to 1.8
+(the kinks at closing and opening limit it), elsewhere order 1. What holds for which scheme is in the program's own table,
+`signorini --print-schemes=json`.
 """
 
+import json
+import os
+import subprocess
+
+from .expressions import Expression
 from .mistake import Mistake
 
 MIDDLE, END = 0.5, 0.
 
-
-def middle(_):
-    """The force is a mean over the step."""
-    return MIDDLE
+schemes = {}
 
 
-def end(_):
-    """The force is in equilibrium with the others at the end of the step."""
-    return END
+def use(executable):
+    """Read the table of schemes of a program."""
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    try:
+        result = subprocess.run([str(executable), "--print-schemes=json"], capture_output=True, text=True,
+                                env=environment, check=True)
+        schemes.update((scheme["name"], scheme) for scheme in json.loads(result.stdout))
+    except (OSError, ValueError, subprocess.CalledProcessError) as error:
+        raise Mistake(f"{executable}: its table of schemes cannot be read: {error}. Build the program with ./dev build.") from None
 
 
-#: How far before the end of the step the force belongs, as a part of the step; a function of the keys of the section Time.
-FORCE = {
-    # One force r against the elastic forces A (u + d/2) of the middle.
-    "laursen-chawla": middle,
-    "laursen-love": middle,
-    "contact-implicit": middle,
-    "contact-stabilized": middle,
-    "contact-stabilized-projected": middle,
-    "hager-hueeber-wohlmuth": middle,
-    # An impulse over the step, divided by the step.
-    "moreau-jean": middle,
-    "nonsmooth-generalized-alpha": middle,
-    # Forces of both ends act, each with its own elastic forces. (It cannot be measured: the force does not converge.)
-    "newmark": end,
-    # Equilibrium at the end of the step.
-    "khenous-laborde-renard": end,
-    "reference": end,
-    "backward-euler": end,
-    # The new force acts against elastic forces at t_n - alpha_f tau, and there its error is least: generalized-alpha with spectral radius 0.8
-    # (alpha_f = 0.44) has order 1.6 there, 1.1 at the end. For HHT with alpha = -0.1 the two hardly differ.
-    "hht-alpha": lambda keys: -float(keys["HHT alpha"]),
-    "generalized-alpha": lambda keys: float(keys["Spectral radius"]) / (1 + float(keys["Spectral radius"])),
-}
-#: Schemes whose contact nodes have no mass and report d/tau, the mean velocity over the step. All others report the velocity at its end.
-MEAN_VELOCITY = ("khenous-laborde-renard", "reference")
+def scheme_of(keys):
+    """What the table says about the scheme of a run."""
+    if keys["Scheme"] not in schemes:
+        raise Mistake(f"the program does not know the scheme of these results, Time/Scheme = {keys['Scheme']}. Run the study again.")
+    return schemes[keys["Scheme"]]
 
 
 def before_end(keys):
     """How far before the end of the step the contact force belongs, as a part of the step. keys: of the section Time."""
-    if keys["Scheme"] not in FORCE:
-        raise Mistake(f"the instant to which the contact force of Time/Scheme = {keys['Scheme']} belongs is not known, and errors of the force need it. "
-                      "Add the scheme to FORCE in tools/studies/instants.py.")
-    return FORCE[keys["Scheme"]](keys)
+    scheme = scheme_of(keys)
+    value = float(keys[scheme["parameter"]]) if scheme["parameter"] else 0.
+    return Expression(scheme["force_before_end"], f"{scheme['name']}: force_before_end", ("p",))(value)
 
 
 def velocity_is_mean(keys):
     """Whether velocities of contact nodes are means over the step."""
-    return keys["Scheme"] in MEAN_VELOCITY
+    return scheme_of(keys)["mean_velocity"]
