@@ -7,6 +7,7 @@
 Usage: test_command_line.py EXECUTABLE
 """
 
+import json
 import os
 import pathlib
 import subprocess
@@ -49,6 +50,17 @@ class CommandLine(unittest.TestCase):
             result = self.call(*arguments)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn(word, result.stdout)
+
+    def test_table_of_schemes(self):
+        """As a table it is the one in doc/schemes.md, for programs it is JSON, and a scene can name each scheme."""
+        page = (pathlib.Path(QUICK_START).parents[1] / "doc" / "schemes.md").read_text(encoding="utf-8")
+        self.assertIn(self.call("--print-schemes").stdout.strip(), page, "put the new table into doc/schemes.md")
+        schemes = json.loads(self.call("--print-schemes=json").stdout)
+        self.assertGreater(len(schemes), 10)
+        for scheme in schemes:
+            result = self.call(QUICK_START, "--validate", "--set", f"Time/Scheme={scheme['name']}")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn(scheme["name"], result.stdout)
 
     def test_mistakes_of_the_command_line(self):
         self.expect_mistake(["--validat"], "--validat", "Did you mean `--validate`?")

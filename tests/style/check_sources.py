@@ -62,7 +62,20 @@ def licence(root):
                 yield f"{name}: the first lines must say '{LICENCE}' and 'Copyright (C) <year> {COPYRIGHT}'"
 
 
-CHECKS = {"length": length, "guard": guard, "licence": licence}
+def schemes(root):
+    """Names of schemes stand in the table of schemes and in tests only: nothing compares with them."""
+    table = root / "source" / "schemes" / "scheme_table.cc"
+    names = re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8")) if table.exists() else []
+    literal = re.compile(rf'["=] ?({"|".join(names + ["newmark(?=[^a-z])"])})\b') if names else None
+    for name in sources(root):
+        if literal and name.parts[0] in ("source", "include", "tools") and root / name != table:
+            for number, line in enumerate(read(root, name).splitlines(), 1):
+                code = line.partition("//")[0] if name.suffix in (".h", ".cc") else line
+                if not code.lstrip().startswith("*") and literal.search(code):
+                    yield f"{name}:{number}: names a scheme; ask the table of schemes (SchemeInfo) for a property"
+
+
+CHECKS = {"schemes": schemes, "length": length, "guard": guard, "licence": licence}
 
 
 def main():
