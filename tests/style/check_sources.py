@@ -66,7 +66,7 @@ def schemes(root):
     """Names of schemes stand in the table of schemes and in tests only: nothing compares with them."""
     table = root / "source" / "schemes" / "scheme_table.cc"
     names = re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8")) if table.exists() else []
-    literal = re.compile(rf'["=] ?({"|".join(names + ["newmark(?=[^a-z])"])})\b') if names else None
+    literal = re.compile(rf'"[^"]*\b({"|".join(names)})\b[^"]*"|"newmark"') if names else None
     for name in sources(root):
         if literal and name.parts[0] in ("source", "include", "tools") and root / name != table:
             for number, line in enumerate(read(root, name).splitlines(), 1):
