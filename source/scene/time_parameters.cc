@@ -19,11 +19,6 @@ namespace signorini
     return static_cast<unsigned int>(std::max(1., std::round(end_time / step_size)));
   }
 
-  bool TimeParameters::has_massless_contact_nodes() const
-  {
-    return mass == "redistributed" || mass == "zero on contact boundary";
-  }
-
   void declare_time(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -57,20 +52,25 @@ namespace signorini
                       "Of reference: accepted relative error per step of the integrator, between 1e-12 and 1e-2.");
     prm.declare_entry(
       "Mass",
-      "consistent",
-      Selection("consistent|lumped|redistributed|zero on contact boundary"),
+      name_of(MassKind::consistent),
+      choices_of<MassKind>(),
       "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
-      "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
-      "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
-      "and it is lost). khenous-laborde-renard, hager-hueeber-wohlmuth and reference take the redistributed mass "
+      "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and "
+      "total "
+      "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have "
+      "none, "
+      "and it is lost). khenous-laborde-renard, hager-hueeber-wohlmuth and reference take the "
+      "redistributed mass "
       "instead of the consistent one.");
     prm.declare_entry(
       "Mass redistribution",
-      "automatic",
-      Selection("automatic|extrapolation|minimisation|macro-elements"),
-      "How the redistributed mass is built. extrapolation: contact nodes follow the nodes behind them; "
+      name_of(MassRedistribution::automatic),
+      choices_of<MassRedistribution>(),
+      "How the redistributed mass is built. extrapolation: contact nodes follow the nodes behind "
+      "them; "
       "positive definite on every mesh. minimisation: smallest relative change of all entries. "
-      "macro-elements: quadrature with points away from the contact boundary. automatic: macro-elements "
+      "macro-elements: quadrature with points away from the contact boundary. automatic: "
+      "macro-elements "
       "for hager-hueeber-wohlmuth, else extrapolation.");
     prm.declare_entry(
       "Newmark beta",
@@ -82,21 +82,23 @@ namespace signorini
                       "0.5",
                       Double(),
                       "Of khenous-laborde-renard, between 1/2 (second order) and 2 Newmark beta (no unit).");
-    prm.declare_entry(
-      "Predictor mass",
-      "consistent",
-      Selection("consistent|lumped"),
-      "Mass matrix of the projection in the predictor of contact-stabilized and contact-stabilized-projected. lumped "
-      "is cheaper "
-      "(node by node); with the consistent mass the scheme then loses more energy and is no longer sure "
-      "never to gain any. No other scheme uses it.");
-    prm.declare_entry(
-      "Impulses",
-      "common",
-      Selection("common|per node"),
-      "How laursen-love shares the impulses that give lost energy back. common: along the contact forces, "
-      "from one equation. per node: each contact node gets back what it has lost, from coupled equations; "
-      "takes more time. No other scheme uses it.");
+    prm.declare_entry("Predictor mass",
+                      name_of(PredictorMass::consistent),
+                      choices_of<PredictorMass>(),
+                      "Mass matrix of the projection in the predictor of contact-stabilized and "
+                      "contact-stabilized-projected. lumped "
+                      "is cheaper "
+                      "(node by node); with the consistent mass the scheme then loses more energy "
+                      "and is no longer sure "
+                      "never to gain any. No other scheme uses it.");
+    prm.declare_entry("Impulses",
+                      name_of(ImpulseKind::common),
+                      choices_of<ImpulseKind>(),
+                      "How laursen-love shares the impulses that give lost energy back. common: "
+                      "along the contact forces, "
+                      "from one equation. per node: each contact node gets back what it has lost, "
+                      "from coupled equations; "
+                      "takes more time. No other scheme uses it.");
     prm.declare_entry(
       "Stop sticking nodes",
       "true",
@@ -104,13 +106,14 @@ namespace signorini
       "With friction, contact-stabilized and contact-stabilized-projected: whether nodes that stick and "
       "stay in contact lose their tangential velocity at the end of a step. Without that it alternates "
       "in sign from step to step. No other scheme uses it.");
-    prm.declare_entry(
-      "Start",
-      "given",
-      Selection("given|equilibrium"),
-      "How the run begins. given: with the initial displacement of the bodies. equilibrium: with the static "
-      "equilibrium under the loads and the contact of time 0; rigid motions that nothing holds stay "
-      "free. The initial velocity counts in both.");
+    prm.declare_entry("Start",
+                      name_of(StartKind::given),
+                      choices_of<StartKind>(),
+                      "How the run begins. given: with the initial displacement of the bodies. "
+                      "equilibrium: with the static "
+                      "equilibrium under the loads and the contact of time 0; rigid motions that "
+                      "nothing holds stay "
+                      "free. The initial velocity counts in both.");
     prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
     prm.declare_entry(
       "End time",
@@ -126,21 +129,25 @@ namespace signorini
     /** Refuse combinations of scheme and mass that make no sense, and settle what is automatic. */
     void check_mass(const SectionReader &in, TimeParameters &time)
     {
+      MassParameters &mass = time.mass;
       const bool made_for_massless = time.scheme == "khenous-laborde-renard" || time.scheme == "hager-hueeber-wohlmuth"
                                      || time.scheme == "reference";
-      if (made_for_massless && time.mass == "lumped")
+      if (made_for_massless && mass.kind == MassKind::lumped)
         in.fail("Mass",
                 "does not fit Scheme = " + time.scheme
                   + ", which needs contact nodes without mass. Remove this key, or set `Mass = redistributed`.");
-      if (made_for_massless && time.mass == "consistent")
-        time.mass = "redistributed";
-      if (time.redistribution != "automatic" && time.mass != "redistributed")
+      if (made_for_massless && mass.kind == MassKind::consistent)
+        mass.kind = MassKind::redistributed;
+      if (mass.redistribution != MassRedistribution::automatic
+          && mass.kind != MassKind::redistributed)
         in.fail("Mass redistribution",
-                "says how the redistributed mass is built, but Mass = " + time.mass
+                "says how the redistributed mass is built, but Mass = " + name_of(mass.kind)
                   + ". Remove this key or set `Mass = redistributed`.");
-      if (time.redistribution == "automatic")
-        time.redistribution = time.scheme == "hager-hueeber-wohlmuth" ? "macro-elements" : "extrapolation";
-      if (!time.has_massless_contact_nodes())
+      if (mass.redistribution == MassRedistribution::automatic)
+        mass.redistribution = time.scheme == "hager-hueeber-wohlmuth"
+                                ? MassRedistribution::macro_elements
+                                : MassRedistribution::extrapolation;
+      if (!mass.has_massless_contact_nodes())
         return;
       const std::string remedy = " Take contact-implicit, khenous-laborde-renard or hager-hueeber-wohlmuth, or "
                                  "`Mass = consistent`.";
@@ -177,9 +184,9 @@ namespace signorini
   {
     TimeParameters time;
     time.scheme              = in.text("Scheme");
-    time.mass                = in.text("Mass");
-    time.redistribution      = in.text("Mass redistribution");
-    time.predictor           = in.text("Predictor mass");
+    time.mass.kind           = in.choice<MassKind>("Mass");
+    time.mass.redistribution = in.choice<MassRedistribution>("Mass redistribution");
+    time.mass.predictor      = in.choice<PredictorMass>("Predictor mass");
     time.reference_tolerance = in.number("Reference tolerance");
     if (!(time.reference_tolerance >= 1e-12 && time.reference_tolerance <= 1e-2))
       in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
@@ -187,8 +194,8 @@ namespace signorini
     time.newmark_gamma       = in.number("Newmark gamma");
     time.hht_alpha           = in.number("HHT alpha");
     time.spectral_radius     = in.number("Spectral radius");
-    time.impulses            = in.text("Impulses");
-    time.start               = in.text("Start");
+    time.impulses            = in.choice<ImpulseKind>("Impulses");
+    time.start               = in.choice<StartKind>("Start");
     time.stop_sticking_nodes = in.flag("Stop sticking nodes");
     if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
       in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
@@ -209,7 +216,7 @@ namespace signorini
       in.fail("Step size",
               "needs more than a hundred million steps until the end time " + in.text("End time")
                 + ". Increase the step size or reduce `End time`.");
-    if (time.predictor != "consistent" && time.scheme != "contact-stabilized"
+    if (time.mass.predictor != PredictorMass::consistent && time.scheme != "contact-stabilized"
         && time.scheme != "contact-stabilized-projected")
       in.fail("Predictor mass",
               "only contact-stabilized and contact-stabilized-projected have a predictor with a mass of its own, but "
@@ -220,7 +227,7 @@ namespace signorini
       in.fail("Stop sticking nodes",
               "only contact-stabilized and contact-stabilized-projected stop nodes that stick, but Scheme = "
                 + time.scheme + ". Remove this key or set `Scheme = contact-stabilized`.");
-    if (time.impulses != "common" && time.scheme != "laursen-love")
+    if (time.impulses != ImpulseKind::common && time.scheme != "laursen-love")
       in.fail("Impulses",
               "only the scheme laursen-love gives impulses, but Scheme = " + time.scheme
                 + ". Remove this key or set `Scheme = laursen-love`.");

@@ -5,6 +5,8 @@
 #define signorini_adaptivity_error_indicator_h
 
 #include <signorini/contact/contact_surface.h>
+#include <signorini/model/adaptivity_parameters.h>
+#include <signorini/model/time_integration.h>
 #include <signorini/time/state.h>
 
 namespace signorini
@@ -31,11 +33,14 @@ namespace signorini
     virtual dealii::Vector<double> evaluate(const StepRecord &step) const = 0;
   };
 
-  /** The indicator that the scene asks for; null for none. The arguments must outlive it. */
+  /** The indicator that is asked for; null for none. What is of a mesh must outlive it. */
   template <int dim>
-  std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(const Discretization<dim> &discretization,
-                                                            const ContactSurface<dim> &surface,
-                                                            const Supports<dim>       &supports);
+  std::unique_ptr<ErrorIndicator<dim>>
+  make_error_indicator(const AdaptivityParameters &parameters,
+                       const TimeIntegration      &time,
+                       const Discretization<dim>  &discretization,
+                       const ContactSurface<dim>  &surface,
+                       const Supports<dim>        &supports);
 
   /** Put indicators to zero if all of them together are round-off compared with the energy of the motion. Collective. */
   void remove_round_off(const State &state, dealii::Vector<double> &indicator);

@@ -15,6 +15,14 @@
 
 namespace signorini
 {
+  /** What a system is told besides mesh, contact and loads. */
+  struct SystemParameters
+  {
+    SolverParameters solver;
+    MassParameters   mass;
+    unsigned int     mesh_life_time = 1; ///< see PreconditionerChoice
+  };
+
   /**
    * Elastic bodies, their contact and the solver, as a time scheme sees them. The only place where discretisation, contact,
    * inequalities and time meet.
@@ -27,6 +35,7 @@ namespace signorini
                          const ContactSurface<dim>     &surface,
                          const ContactCoordinates<dim> &coordinates,
                          Loads<dim>                    &loads,
+                         const SystemParameters        &parameters,
                          dealii::TimerOutput           &timer);
 
     Vector      make_vector() const override { return discretization.make_vector(); }
@@ -36,8 +45,11 @@ namespace signorini
     NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
     NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
     Vector      normal_forces(const std::vector<double> &forces) const override;
-    double      length() const override { return discretization.body_size(); }
-    double      shortest_wave_time() const override { return 1. / discretization.courant_number(1.); }
+    double      length() const override { return discretization.mesh().body_size(); }
+    double      shortest_wave_time() const override
+    {
+      return 1. / discretization.mesh().courant_number(1.);
+    }
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     Vector      solve_mass(const Vector &force) override { return mass_problems.solve(force); }
     SolveEffort project(const Vector    &free_increment,
@@ -78,6 +90,7 @@ namespace signorini
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
     Loads<dim>                    &loads;
+    const SystemParameters         parameters;
     dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
     double                                    energy_scale = 0.;
