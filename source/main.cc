@@ -3,6 +3,7 @@
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
+#include <signorini/base/user_error.h>
 #include <signorini/scene/output_directory.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
@@ -32,15 +33,17 @@ namespace
       return status;
 
     return reporter.together([&] {
-      Simulation<dim> simulation(scene, comm, options.quiet);
-      if (options.validate)
-        {
-          const std::string text = simulation.validate();
-          if (first)
-            std::cout << text << std::flush;
-        }
-      else
-        simulation.run();
+      naming_file<UserError>(scene.file_name, [&] {
+        Simulation<dim> simulation(scene, comm, options.quiet);
+        if (options.validate)
+          {
+            const std::string text = simulation.validate();
+            if (first)
+              std::cout << text << std::flush;
+          }
+        else
+          simulation.run();
+      });
     });
   }
 

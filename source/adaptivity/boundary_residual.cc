@@ -74,7 +74,7 @@ namespace signorini
           result[q][c] = vector[c][q];
       if (condition != nullptr && condition->traction)
         {
-          const auto &mapping = stress.mesh.discretization.mapping;
+          const auto &mapping = stress.mesh.discretization.mesh().mapping();
           const auto  support = support_points(mapping, stress.mesh.cells[outer.cell].cell);
           const auto  points =
             GaussTables<dim>::of_degree(mapping.get_degree()).faces[outer.face].values(numbers(support));
@@ -152,7 +152,7 @@ namespace signorini
       {
         const OuterFace<dim> &outer    = mesh.outer_faces[i];
         const LocalCell<dim> &cell     = mesh.cells[outer.cell];
-        const Material       &material = mesh.discretization.scene.bodies[cell.body].material;
+        const Material       &material = mesh.discretization.mesh().bodies()[cell.body].material;
         squares(cell.index) +=
           weights.face(material, outer.size) * squared_residual(stress, outer, roles[i], balance, fields);
         if (roles[i].is_slave)

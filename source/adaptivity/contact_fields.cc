@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/contact_fields.h>
+#include <signorini/base/contact_status.h>
 
 #include <algorithm>
 
@@ -11,9 +12,6 @@ namespace signorini
 
   namespace
   {
-    // Compression and tension below this part of the largest one are round-off.
-    constexpr double round_off = 1e-9;
-
     template <int dim>
     Tensor<1, dim> node_value(const Vector &vector, const unsigned int node)
     {
@@ -102,7 +100,7 @@ namespace signorini
     largest = Utilities::MPI::max(largest, contact_force.get_mpi_communicator());
     std::vector<bool> closed;
     for (const double force : forces)
-      closed.push_back(force > round_off * largest);
+      closed.push_back(force > negligible_force * largest);
     return closed;
   }
 
@@ -140,7 +138,8 @@ namespace signorini
       }
     largest = Utilities::MPI::max(largest, mesh.discretization.communicator());
 
-    const Vector at_open_faces = nodes_at_open_faces(stress, roles, surface, supports, closed, round_off * largest);
+    const Vector at_open_faces =
+      nodes_at_open_faces(stress, roles, surface, supports, closed, negligible_force * largest);
     for (unsigned int node = 0; node < n_owned; ++node)
       if (at_open_faces.local_element(dim * node) > 0.)
         fields.open.local_element(dim * node) = 1.;

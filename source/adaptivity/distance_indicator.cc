@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/distance_indicator.h>
+#include <signorini/base/contact_status.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,17 @@ namespace signorini
                      const ContactSurface<dim> &surface,
                      const std::vector<double> &gap)
     {
-      const auto &partitioner = *discretization.matrices.pattern.partitioner;
-      IndexSet    ghosts(discretization.dof_handler.n_dofs());
+      const auto &partitioner = *discretization.matrices().pattern.partitioner;
+      IndexSet    ghosts(discretization.dof_handler().n_dofs());
       for (const ContactNode<dim> &node : surface.nodes())
         for (const auto &[partner, weight] : node.partners)
           ghosts.add_range(dim * partner, dim * (partner + 1));
-      Vector       result(discretization.locally_owned, ghosts, discretization.communicator());
-      const double touching = 1e-12 * discretization.body_size();
+      Vector       result(discretization.locally_owned(), ghosts, discretization.communicator());
+      const double smallest = gap_round_off(discretization.mesh().body_size());
       for (std::size_t k = 0; k < gap.size(); ++k)
         {
           const ContactNode<dim> &node  = surface.nodes()[k];
-          const double            value = 1. / std::max(gap[k], touching);
+          const double            value = 1. / std::max(gap[k], smallest);
           const auto raise = [&](const types::global_dof_index dof) { result(dof) = std::max(result(dof), value); };
           raise(partitioner.local_to_global(dim * node.node));
           for (const auto &[partner, weight] : node.partners)
@@ -43,10 +44,14 @@ namespace signorini
 
 
   template <int dim>
-  DistanceIndicator<dim>::DistanceIndicator(const Discretization<dim> &discretization,
-                                            const ContactSurface<dim> &surface)
+  DistanceIndicator<dim>::DistanceIndicator(const Discretization<dim>  &discretization,
+                                            const ContactSurface<dim>  &surface,
+                                            const AdaptivityParameters &parameters,
+                                            const double                first_step_size)
     : discretization(discretization)
     , surface(surface)
+    , parameters(parameters)
+    , first_step_size(first_step_size)
   {
   }
 
@@ -54,10 +59,9 @@ namespace signorini
   template <int dim>
   dealii::Vector<double> DistanceIndicator<dim>::evaluate(const StepRecord &step) const
   {
-    const Scene<dim> &scene = discretization.scene;
     // The mesh made now serves the steps until the next change, and one to be sure.
-    const double step_size = step.step_size > 0. ? step.step_size : scene.time.step_size;
-    const double ahead     = (scene.adaptivity.steps_between + 1.) * step_size;
+    const double step_size = step.step_size > 0. ? step.step_size : first_step_size;
+    const double ahead     = (parameters.steps_between + 1.) * step_size;
     Vector       soon      = step.end.displacement;
     soon.add(ahead, step.end.velocity);
     std::vector<double>       gap      = surface.distance(step.end.displacement);
@@ -66,15 +70,16 @@ namespace signorini
       gap[k] = std::min(gap[k], gap_soon[k]);
 
     const Vector           close = discretization.interpolate_hanging_nodes(closeness(discretization, surface, gap));
-    dealii::Vector<double> result(discretization.triangulation.n_active_cells());
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    dealii::Vector<double> result(discretization.mesh().triangulation().n_active_cells());
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           double largest = 0.;
           for (const unsigned int v : cell->vertex_indices())
             largest = std::max(largest, close(cell->vertex_dof_index(v, 0)));
-          const double distance =
-            scene.adaptivity.distance > 0. ? scene.adaptivity.distance : 3. * cell->diameter() / std::sqrt(double(dim));
+          const double distance             = parameters.distance > 0.
+                                                ? parameters.distance
+                                                : 3. * cell->diameter() / std::sqrt(double(dim));
           result(cell->active_cell_index()) = std::min(largest_indicator, distance * largest);
         }
     return result;

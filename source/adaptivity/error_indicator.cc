@@ -10,17 +10,21 @@
 namespace signorini
 {
   template <int dim>
-  std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(const Discretization<dim> &discretization,
-                                                            const ContactSurface<dim> &surface,
-                                                            const Supports<dim>       &supports)
+  std::unique_ptr<ErrorIndicator<dim>>
+  make_error_indicator(const AdaptivityParameters &parameters,
+                       const TimeIntegration      &time,
+                       const Discretization<dim>  &discretization,
+                       const ContactSurface<dim>  &surface,
+                       const Supports<dim>        &supports)
   {
-    const std::string &name = discretization.scene.adaptivity.indicator;
-    if (name == "residual")
-      return std::make_unique<ResidualIndicator<dim>>(discretization, surface, supports);
-    if (name == "kelly")
+    if (parameters.indicator == IndicatorKind::residual)
+      return std::make_unique<ResidualIndicator<dim>>(
+        discretization, surface, supports, time.balance);
+    if (parameters.indicator == IndicatorKind::kelly)
       return std::make_unique<KellyIndicator<dim>>(discretization);
-    if (name == "distance")
-      return std::make_unique<DistanceIndicator<dim>>(discretization, surface);
+    if (parameters.indicator == IndicatorKind::distance)
+      return std::make_unique<DistanceIndicator<dim>>(
+        discretization, surface, parameters, time.step_size);
     return nullptr;
   }
 
@@ -36,8 +40,13 @@ namespace signorini
   }
 
 
-  template std::unique_ptr<ErrorIndicator<2>>
-  make_error_indicator(const Discretization<2> &, const ContactSurface<2> &, const Supports<2> &);
-  template std::unique_ptr<ErrorIndicator<3>>
-  make_error_indicator(const Discretization<3> &, const ContactSurface<3> &, const Supports<3> &);
+#define INSTANTIATE(dim)                                                                           \
+  template std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(const AdaptivityParameters &, \
+                                                                     const TimeIntegration &,      \
+                                                                     const Discretization<dim> &,  \
+                                                                     const ContactSurface<dim> &,  \
+                                                                     const Supports<dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace signorini

@@ -54,14 +54,17 @@ namespace signorini
 
 
   template <int dim>
-  FieldTransfer<dim>::FieldTransfer(Discretization<dim> &discretization, const std::vector<Source> &old_fields)
-    : discretization(discretization)
+  FieldTransfer<dim>::FieldTransfer(Mesh<dim>                 &mesh,
+                                    const Discretization<dim> &before,
+                                    const std::vector<Source> &old_fields)
+    : mesh(mesh)
+    , discretization(&before)
   {
     for (const Source &source : old_fields) // not by assignment, which would keep the ghosts of the old vector
-      sources.push_back({discretization.interpolate_hanging_nodes(source.field), source.moments});
+      sources.push_back({discretization->interpolate_hanging_nodes(source.field), source.moments});
     for (const Source &source : sources)
       source.field.update_ghost_values(); // copies have none
-    handle = discretization.triangulation.register_data_attach(
+    handle = mesh.triangulation().register_data_attach(
       [this](const Cell &cell, const CellStatus status) { return pack(cell, status); }, true);
   }
 
@@ -69,8 +72,10 @@ namespace signorini
   template <int dim>
   VertexValues FieldTransfer<dim>::vertex_values(const Cell &active_cell, const Vector &field) const
   {
-    const typename DoFHandler<dim>::cell_iterator cell(
-      &discretization.triangulation, active_cell->level(), active_cell->index(), &discretization.dof_handler);
+    const typename DoFHandler<dim>::cell_iterator cell(&mesh.triangulation(),
+                                                       active_cell->level(),
+                                                       active_cell->index(),
+                                                       &discretization->dof_handler());
     VertexValues values;
     values.reserve(n_values);
     for (const unsigned int v : cell->vertex_indices())
@@ -114,9 +119,10 @@ namespace signorini
     VertexValues sum(n_values, 0.);
     for (unsigned int child = 0; child < parent->n_children(); ++child)
       {
-        const FullMatrix<double> &weights = discretization.fe.base_element(0).get_prolongation_matrix(child);
-        const VertexValues        of_child =
-          source.moments(discretization, parent->child(child), vertex_values(parent->child(child), source.field));
+        const FullMatrix<double> &weights =
+          discretization->fe().base_element(0).get_prolongation_matrix(child);
+        const VertexValues of_child = source.moments(
+          *discretization, parent->child(child), vertex_values(parent->child(child), source.field));
         for (unsigned int a = 0; a < weights.m(); ++a)
           for (unsigned int b = 0; b < weights.n(); ++b)
             for (unsigned int c = 0; c < dim; ++c)
@@ -129,8 +135,8 @@ namespace signorini
   template <int dim>
   std::vector<typename FieldTransfer<dim>::CellFields> FieldTransfer<dim>::receive()
   {
-    std::vector<CellFields> cells(discretization.triangulation.n_active_cells());
-    discretization.triangulation.notify_ready_to_unpack(
+    std::vector<CellFields> cells(mesh.triangulation().n_active_cells());
+    mesh.triangulation().notify_ready_to_unpack(
       handle,
       [&](const Cell                                                     &cell,
           const CellStatus                                                status,
@@ -150,7 +156,8 @@ namespace signorini
   typename FieldTransfer<dim>::CellFields FieldTransfer<dim>::prolongate(const CellFields  &parent,
                                                                          const unsigned int child) const
   {
-    const FullMatrix<double> &weights = discretization.fe.base_element(0).get_prolongation_matrix(child);
+    const FullMatrix<double> &weights =
+      discretization->fe().base_element(0).get_prolongation_matrix(child);
     CellFields                fields(parent.size(), 0.);
     for (unsigned int begin = 0; begin < parent.size(); begin += n_values)
       for (unsigned int a = 0; a < weights.m(); ++a)
@@ -167,10 +174,10 @@ namespace signorini
   {
     std::vector<Result> results(sources.size());
     for (Result &result : results)
-      result.field = discretization.make_vector();
-    const auto       &partitioner = *discretization.matrices.pattern.partitioner;
-    std::vector<char> is_done(discretization.matrices.pattern.n_owned);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      result.field = discretization->make_vector();
+    const auto       &partitioner = *discretization->matrices().pattern.partitioner;
+    std::vector<char> is_done(discretization->matrices().pattern.n_owned);
+    for (const auto &cell : discretization->dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           {
@@ -181,7 +188,7 @@ namespace signorini
             if (is_done[first / dim])
               continue;
             is_done[first / dim] = 1;
-            if (discretization.hanging_node_constraints.is_constrained(dof))
+            if (discretization->hanging_node_constraints().is_constrained(dof))
               continue;
             const double *value = &cells[cell->active_cell_index()][dim * v];
             for (Result &result : results)
@@ -199,11 +206,11 @@ namespace signorini
   Vector
   FieldTransfer<dim>::lost_moments(const std::vector<CellFields> &cells, const unsigned int source, const Vector &field)
   {
-    const Vector                         filled = discretization.interpolate_hanging_nodes(field);
-    Vector                               result = discretization.make_vector();
+    const Vector                         filled = discretization->interpolate_hanging_nodes(field);
+    Vector                               result = discretization->make_vector();
     std::vector<types::global_dof_index> dofs(n_values);
     dealii::Vector<double>               local(n_values);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization->dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           const CellFields &old        = cells[cell->active_cell_index()];
@@ -217,11 +224,12 @@ namespace signorini
             }
           if (!any) // neither this cell nor a neighbour was coarsened
             continue;
-          const VertexValues sum = sources[source].moments(discretization, cell, difference);
+          const VertexValues sum = sources[source].moments(*discretization, cell, difference);
           for (unsigned int i = 0; i < n_values; ++i)
             local[i] = sum[i] + (coarsened ? old[n_values * (sources.size() + source) + i] : 0.);
           cell->get_dof_indices(dofs);
-          discretization.hanging_node_constraints.distribute_local_to_global(local, dofs, result);
+          discretization->hanging_node_constraints().distribute_local_to_global(
+            local, dofs, result);
         }
     result.compress(VectorOperation::add);
     return result;
@@ -229,12 +237,15 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<typename FieldTransfer<dim>::Result> FieldTransfer<dim>::unpack()
+  std::vector<typename FieldTransfer<dim>::Result>
+  FieldTransfer<dim>::unpack(const Discretization<dim> &after)
   {
+    discretization                      = &after;
     const std::vector<CellFields> cells = receive();
     const bool                    here =
       std::any_of(cells.begin(), cells.end(), [&](const CellFields &cell) { return is_coarsened(cell); });
-    const bool coarsened = Utilities::MPI::max(static_cast<unsigned int>(here), discretization.communicator()) > 0;
+    const bool coarsened =
+      Utilities::MPI::max(static_cast<unsigned int>(here), discretization->communicator()) > 0;
 
     std::vector<Result> results = values_at_nodes(cells);
     for (unsigned int s = 0; s < sources.size(); ++s)

@@ -2,18 +2,16 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/force_balance.h>
-#include <signorini/schemes/scheme_table.h>
 
 namespace signorini
 {
   template <int dim>
-  ForceBalance balance_of_step(const Discretization<dim> &discretization,
-                               const ContactSurface<dim> &surface,
+  ForceBalance balance_of_step(const ContactSurface<dim> &surface,
                                const StepRecord          &step,
+                               const StepBalance          kind,
                                BodyForce<dim>            &body_force)
   {
-    const StepBalance kind = scheme_info(discretization.scene.time.scheme).balance;
-    ForceBalance      balance;
+    ForceBalance balance;
     balance.end_time      = step.end.time;
     balance.start_time    = step.end.time - step.step_size;
     balance.displacement  = step.end.displacement;
@@ -34,11 +32,13 @@ namespace signorini
 
 
   template <int dim>
-  ForceBalance
-  balance_of_step(const Discretization<dim> &discretization, const ContactSurface<dim> &surface, const StepRecord &step)
+  ForceBalance balance_of_step(const Discretization<dim> &discretization,
+                               const ContactSurface<dim> &surface,
+                               const StepRecord          &step,
+                               const StepBalance          kind)
   {
     BodyForce<dim> body_force(discretization);
-    return balance_of_step(discretization, surface, step, body_force);
+    return balance_of_step(surface, step, kind, body_force);
   }
 
 
@@ -54,14 +54,19 @@ namespace signorini
   }
 
 
-  template ForceBalance
-  balance_of_step(const Discretization<2> &, const ContactSurface<2> &, const StepRecord &, BodyForce<2> &);
-  template ForceBalance
-  balance_of_step(const Discretization<3> &, const ContactSurface<3> &, const StepRecord &, BodyForce<3> &);
-  template ForceBalance balance_of_step(const Discretization<2> &, const ContactSurface<2> &, const StepRecord &);
-  template ForceBalance balance_of_step(const Discretization<3> &, const ContactSurface<3> &, const StepRecord &);
-  template ForceBalance
-  balance_at_rest(const Discretization<2> &, const ContactSurface<2> &, const Vector &, const Vector &, double);
-  template ForceBalance
-  balance_at_rest(const Discretization<3> &, const ContactSurface<3> &, const Vector &, const Vector &, double);
+#define INSTANTIATE(dim)                                                                           \
+  template ForceBalance balance_of_step(                                                           \
+    const ContactSurface<dim> &, const StepRecord &, StepBalance, BodyForce<dim> &);       \
+  template ForceBalance balance_of_step(const Discretization<dim> &,                               \
+                                        const ContactSurface<dim> &,                               \
+                                        const StepRecord &,                                        \
+                                        StepBalance);                                      \
+  template ForceBalance balance_at_rest(const Discretization<dim> &,                               \
+                                        const ContactSurface<dim> &,                               \
+                                        const Vector &,                                            \
+                                        const Vector &,                                            \
+                                        double);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace signorini

@@ -61,7 +61,7 @@ namespace signorini
                              const ResidualWeights    &weights,
                              dealii::Vector<double>   &squares)
   {
-    const auto                         &mapping = mesh.discretization.mapping;
+    const auto                         &mapping = mesh.discretization.mesh().mapping();
     const auto                         &tables  = GaussTables<dim>::of_degree(1).interior;
     const auto                         &of_map  = GaussTables<dim>::of_degree(mapping.get_degree()).interior;
     std::array<double, dim *(1 << dim)> values, forces;
@@ -71,7 +71,7 @@ namespace signorini
           mesh.gather(cell, displacement, values.data());
           mesh.gather(cell, specific_force, forces.data());
           const auto      points   = support_points(mapping, cell.cell);
-          const Material &material = mesh.discretization.scene.bodies[cell.body].material;
+          const Material &material = mesh.discretization.mesh().bodies()[cell.body].material;
           FourNumbers     square{};
           for (std::size_t t = 0; t < tables.size(); ++t)
             {

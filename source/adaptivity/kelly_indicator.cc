@@ -18,7 +18,7 @@ namespace signorini
   template <int dim>
   dealii::Vector<double> KellyIndicator<dim>::evaluate(const StepRecord &step) const
   {
-    dealii::Vector<double> result(mesh.discretization.triangulation.n_active_cells());
+    dealii::Vector<double> result(mesh.discretization.mesh().triangulation().n_active_cells());
     const Vector           u = mesh.interpolate_hanging_nodes(step.end.displacement);
     add_stress_jumps(StressVectors<dim>(mesh, u), ResidualWeights(), result);
     for (double &value : result)

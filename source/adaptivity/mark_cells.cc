@@ -4,6 +4,7 @@
 #include <signorini/adaptivity/contact_fields.h>
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/marking.h>
+#include <signorini/base/contact_status.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -96,15 +97,16 @@ namespace signorini
 
 
   template <int dim>
-  MeshChange mark_cells(parallel::distributed::Triangulation<dim> &triangulation,
-                        const Scene<dim>                          &scene,
-                        const dealii::Vector<double>              &indicator,
-                        const std::vector<bool>                   &not_to_coarsen,
-                        const std::vector<bool>                   &to_refine)
+  MeshChange mark_cells(Mesh<dim>                    &mesh,
+                        const AdaptivityParameters   &parameters,
+                        const dealii::Vector<double> &indicator,
+                        const std::vector<bool>      &not_to_coarsen,
+                        const std::vector<bool>      &to_refine)
   {
-    const AdaptivityParameters &parameters = scene.adaptivity;
-    dealii::Vector<double>      squares    = indicator;
-    std::vector<bool>           refinable(squares.size()), coarsenable(squares.size()), wanted(squares.size());
+    auto                  &triangulation = mesh.triangulation();
+    dealii::Vector<double> squares       = indicator;
+    std::vector<bool>      refinable(squares.size()), coarsenable(squares.size()),
+      wanted(squares.size());
     for (double &value : squares)
       value *= value;
     for (const auto &cell : triangulation.active_cell_iterators())
@@ -112,7 +114,8 @@ namespace signorini
         {
           const unsigned int index = cell->active_cell_index(), level = cell->level();
           refinable[index]   = level < parameters.maximum_level;
-          coarsenable[index] = level > std::max(parameters.minimum_level, scene.bodies[cell->material_id()].refinements)
+          coarsenable[index] = level > std::max(parameters.minimum_level,
+                                                mesh.bodies()[cell->material_id()].refinements)
                                && (not_to_coarsen.empty() || !not_to_coarsen[index]);
           wanted[index] = refinable[index] && !to_refine.empty() && to_refine[index];
         }
@@ -172,15 +175,15 @@ namespace signorini
     Vector                  force   = discretization.make_vector();
     const std::vector<bool> closed  = closed_nodes(surface, contact_force);
     double                  largest = contact_force.linfty_norm();
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       for (unsigned int c = 0; c < dim; ++c)
-        if (std::abs(contact_force.local_element(dim * node + c)) > 1e-9 * largest)
+        if (std::abs(contact_force.local_element(dim * node + c)) > negligible_force * largest)
           force.local_element(dim * node) = 1.;
     for (std::size_t k = 0; k < closed.size(); ++k)
       force.local_element(dim * surface.nodes()[k].node) = closed[k];
     force = discretization.interpolate_hanging_nodes(force);
-    std::vector<bool> result(discretization.triangulation.n_active_cells());
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    std::vector<bool> result(discretization.mesh().triangulation().n_active_cells());
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           if (force(cell->vertex_dof_index(v, 0)) > 0.)
@@ -189,16 +192,15 @@ namespace signorini
   }
 
 
-  template MeshChange        mark_cells(parallel::distributed::Triangulation<2> &,
-                                        const Scene<2> &,
-                                        const dealii::Vector<double> &,
-                                        const std::vector<bool> &,
-                                        const std::vector<bool> &);
-  template MeshChange        mark_cells(parallel::distributed::Triangulation<3> &,
-                                        const Scene<3> &,
-                                        const dealii::Vector<double> &,
-                                        const std::vector<bool> &,
-                                        const std::vector<bool> &);
-  template std::vector<bool> cells_in_contact(const Discretization<2> &, const ContactSurface<2> &, const Vector &);
-  template std::vector<bool> cells_in_contact(const Discretization<3> &, const ContactSurface<3> &, const Vector &);
+#define INSTANTIATE(dim)                                                                           \
+  template MeshChange        mark_cells(Mesh<dim> &,                                               \
+                                        const AdaptivityParameters &,                              \
+                                        const dealii::Vector<double> &,                            \
+                                        const std::vector<bool> &,                                 \
+                                        const std::vector<bool> &);                                \
+  template std::vector<bool> cells_in_contact(                                                     \
+    const Discretization<dim> &, const ContactSurface<dim> &, const Vector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace signorini

@@ -91,9 +91,9 @@ namespace signorini
   template <int dim>
   std::unique_ptr<Marking> make_marking(const AdaptivityParameters &parameters)
   {
-    if (parameters.indicator == "distance")
+    if (parameters.indicator == IndicatorKind::distance)
       return std::make_unique<FixedThresholds<dim>>();
-    if (parameters.marking == "tolerance")
+    if (parameters.marking == MarkingKind::tolerance)
       return std::make_unique<EqualShare<dim>>(parameters);
     return std::make_unique<FixedFraction<dim>>(parameters);
   }

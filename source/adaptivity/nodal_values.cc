@@ -9,22 +9,26 @@
 namespace signorini
 {
   template <int dim>
-  Vector stress_at_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, Vector forces)
+  Vector stress_at_nodes(const ContactSurface<dim>     &surface,
+                         const ContactCoordinates<dim> &coordinates,
+                         Vector                         forces)
   {
     coordinates.force_to_contact(forces);
     Vector stress;
     stress.reinit(forces);
     for (const ContactNode<dim> &node : surface.nodes())
       for (unsigned int row = 0; row < dim; ++row)
-        stress.local_element(dim * node.node + row) = forces.local_element(dim * node.node + row) / node.weight;
+        stress.local_element(dim * node.node + row) =
+          forces.local_element(dim * node.node + row) / node.weight;
     coordinates.rotate_from_frames(stress);
     return stress;
   }
 
 
   template <int dim>
-  Vector
-  forces_of_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, const Vector &stress)
+  Vector forces_of_nodes(const ContactSurface<dim>     &surface,
+                         const ContactCoordinates<dim> &coordinates,
+                         const Vector                  &stress)
   {
     Vector local = stress;
     coordinates.rotate_to_frames(local);
@@ -69,7 +73,9 @@ namespace signorini
 
 
   template <int dim>
-  void set_path_and_status(const ContactSurface<dim> &surface, const Vector &values, FrictionState &friction)
+  void set_path_and_status(const ContactSurface<dim> &surface,
+                           const Vector              &values,
+                           FrictionState             &friction)
   {
     for (const ContactNode<dim> &node : surface.nodes())
       {
@@ -82,10 +88,12 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                                               \
-  template Vector stress_at_nodes(const ContactSurface<dim> &, const ContactCoordinates<dim> &, Vector);               \
-  template Vector forces_of_nodes(const ContactSurface<dim> &, const ContactCoordinates<dim> &, const Vector &);       \
-  template Vector path_and_status(const ContactSurface<dim> &, const FrictionState &);                                 \
+#define INSTANTIATE(dim)                                                                           \
+  template Vector stress_at_nodes(                                                                 \
+    const ContactSurface<dim> &, const ContactCoordinates<dim> &, Vector);                         \
+  template Vector forces_of_nodes(                                                                 \
+    const ContactSurface<dim> &, const ContactCoordinates<dim> &, const Vector &);                 \
+  template Vector path_and_status(const ContactSurface<dim> &, const FrictionState &);             \
   template void   set_path_and_status(const ContactSurface<dim> &, const Vector &, FrictionState &);
   INSTANTIATE(2)
   INSTANTIATE(3)

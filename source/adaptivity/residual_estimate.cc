@@ -21,7 +21,7 @@ namespace signorini
   dealii::Vector<double> ResidualEstimate<dim>::squares(const ForceBalance    &balance,
                                                         const ResidualWeights &weights) const
   {
-    dealii::Vector<double>   result(mesh.discretization.triangulation.n_active_cells());
+    dealii::Vector<double>   result(mesh.discretization.mesh().triangulation().n_active_cells());
     const Vector             u = mesh.interpolate_hanging_nodes(balance.displacement);
     const StressVectors<dim> stress(mesh, u);
     add_interior_residual(mesh, u, mesh.interpolate_hanging_nodes(balance.specific_force), weights, result);

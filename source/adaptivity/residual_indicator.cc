@@ -10,9 +10,11 @@ namespace signorini
   template <int dim>
   ResidualIndicator<dim>::ResidualIndicator(const Discretization<dim> &discretization,
                                             const ContactSurface<dim> &surface,
-                                            const Supports<dim>       &supports)
+                                            const Supports<dim>       &supports,
+                                            const StepBalance          balance)
     : discretization(discretization)
     , surface(surface)
+    , balance(balance)
     , estimate(discretization, surface, supports)
     , body_force(discretization)
   {
@@ -23,9 +25,9 @@ namespace signorini
   dealii::Vector<double> ResidualIndicator<dim>::evaluate(const StepRecord &step) const
   {
     if (step.step_size == 0.)
-      return dealii::Vector<double>(discretization.triangulation.n_active_cells());
-    dealii::Vector<double> result =
-      estimate.squares(balance_of_step(discretization, surface, step, body_force), ResidualWeights{step.step_size});
+      return dealii::Vector<double>(discretization.mesh().triangulation().n_active_cells());
+    dealii::Vector<double> result = estimate.squares(
+      balance_of_step(surface, step, balance, body_force), ResidualWeights{step.step_size});
     for (double &value : result)
       value = std::sqrt(value);
     remove_round_off(step.end, result);

@@ -49,27 +49,29 @@ namespace signorini
 
 
   template <int dim>
-  StateTransfer<dim>::StateTransfer(Discretization<dim>           &discretization,
+  StateTransfer<dim>::StateTransfer(Mesh<dim>                     &mesh,
+                                    const Discretization<dim>     &discretization,
                                     const ContactSurface<dim>     &surface,
                                     const ContactCoordinates<dim> &coordinates,
                                     const State                   &state)
-    : discretization(discretization)
-    , clock(clock_of(state))
+    : clock(clock_of(state))
     , has_acceleration(state.acceleration.size() > 0)
     , has_friction(state.friction.any())
     , has_last_step(state.last_step.any())
     , elastic_size(std::sqrt(std::max(0., dot(state.internal_force, state.displacement))))
-    , fields(discretization, sources(surface, coordinates, state))
+    , fields(mesh, discretization, sources(surface, coordinates, state))
   {
   }
 
 
   template <int dim>
-  State StateTransfer<dim>::finish(ContactSurface<dim>           &surface,
+  State StateTransfer<dim>::finish(const Discretization<dim>     &discretization,
+                                   ContactSurface<dim>           &surface,
                                    const ContactCoordinates<dim> &coordinates,
-                                   DynamicalSystem               &system)
+                                   DynamicalSystem               &system,
+                                   const SolverParameters        &limits)
   {
-    auto       results = fields.unpack();
+    auto       results = fields.unpack(discretization);
     auto       next    = results.begin();
     State      state   = clock;
     const auto in_mass = [&](typename FieldTransfer<dim>::Result &result) {
@@ -82,8 +84,12 @@ namespace signorini
     surface.admit(displacement.field);
     state.displacement = displacement.field;
     if (displacement.lost_moments.size() > 0)
-      state.displacement += project_in_energy(
-        discretization, coordinates, displacement.lost_moments, surface.normal_gap(state.displacement), elastic_size);
+      state.displacement += project_in_energy(discretization,
+                                              coordinates,
+                                              displacement.lost_moments,
+                                              surface.normal_gap(state.displacement),
+                                              elastic_size,
+                                              limits);
     state.velocity      = in_mass(*next++);
     state.contact_force = forces_of_nodes(surface, coordinates, (next++)->field);
     if (has_acceleration)

@@ -24,7 +24,8 @@ namespace signorini
               const double jump = mine.vector[c][q] + theirs.vector[c][face.points[q]];
               square += jump * jump * mine.area[q];
             }
-        const Material &material = stress.mesh.discretization.scene.bodies[cells[face.cells[0]].body].material;
+        const Material &material =
+          stress.mesh.discretization.mesh().bodies()[cells[face.cells[0]].body].material;
         const double    half     = 0.5 * weights.face(material, face.size) * square;
         for (const unsigned int cell : face.cells)
           if (cells[cell].owned)

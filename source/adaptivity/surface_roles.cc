@@ -28,11 +28,11 @@ namespace signorini
 
     /** Whether a face of an owned cell is part of the master surface of any pair. */
     template <int dim>
-    bool is_master_face(const Scene<dim>                                     &scene,
+    bool is_master_face(const std::vector<PairDescription>                   &pairs,
                         const typename DoFHandler<dim>::active_cell_iterator &cell,
                         const unsigned int                                    face)
     {
-      return std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairDescription &pair) {
+      return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) {
         return pair.of_two_bodies() && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
       });
     }
@@ -42,8 +42,7 @@ namespace signorini
   template <int dim>
   SurfaceRoles<dim>::SurfaceRoles(const CellNeighbors<dim> &mesh, const ContactSurface<dim> &surface)
   {
-    const Scene<dim> &scene = mesh.discretization.scene;
-    for (const auto &body : scene.bodies)
+    for (const auto &body : mesh.discretization.mesh().bodies())
       conditions.push_back(conditions_of(body));
     for (const OuterFace<dim> &outer : mesh.outer_faces)
       {
@@ -51,7 +50,7 @@ namespace signorini
         const auto           &of_body = conditions[local.body];
         const auto            found   = of_body.find(local.cell->face(outer.face)->boundary_id());
         roles.push_back({surface.contains(local.cell, outer.face),
-                         is_master_face(scene, local.cell, outer.face),
+                         is_master_face<dim>(surface.pairs(), local.cell, outer.face),
                          found == of_body.end() ? nullptr : &found->second});
       }
   }

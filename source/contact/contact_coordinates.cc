@@ -33,7 +33,7 @@ namespace signorini
           if (components[c] != Supports<dim>::none && row[c] < dim)
             {
               supported.push_back(dim * node + row[c]);
-              support_sources.emplace_back(components[c], discretization.node_positions[node], c);
+              support_sources.emplace_back(components[c], discretization.node_positions()[node], c);
             }
       }
     const std::set<unsigned int> held(supported.begin(), supported.end());

@@ -119,8 +119,8 @@ namespace signorini
   FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization, const PairDescription &pair)
   {
     FacingSurfaces<dim>    result;
-    const SearchBoxes<dim> search_box(discretization.bounding_box(pair.slave),
-                                      discretization.bounding_box(pair.master));
+    const SearchBoxes<dim> search_box(discretization.mesh().bounding_box(pair.slave),
+                                      discretization.mesh().bounding_box(pair.master));
     result.slaves = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
 
     Boxes<dim> search_boxes;

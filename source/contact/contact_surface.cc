@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/complaints.h>
+#include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/mortar_coupling.h>
@@ -26,20 +27,25 @@ namespace signorini
 
 
   template <int dim>
-  ContactSurface<dim>::ContactSurface(const Discretization<dim> &discretization, const Supports<dim> &supports)
+  ContactSurface<dim>::ContactSurface(const Discretization<dim>                   &discretization,
+                                      const Supports<dim>                         &supports,
+                                      const std::vector<ObstacleDescription<dim>> &obstacles,
+                                      const std::vector<PairDescription>          &pairs)
     : discretization(discretization)
-    , obstacle_contact(discretization, supports)
+    , descriptions(pairs)
+    , obstacle_contact(discretization, supports, obstacles, pairs)
     , contact_nodes(obstacle_contact.nodes())
     , n_left_to_supports(obstacle_contact.n_supported())
   {
-    for (unsigned int p = 0; p < discretization.scene.pairs.size(); ++p)
-      if (discretization.scene.pairs[p].of_two_bodies())
+    for (unsigned int p = 0; p < pairs.size(); ++p)
+      if (pairs[p].of_two_bodies())
         add_pair_of_bodies(p, supports);
     std::stable_sort(contact_nodes.begin(),
                      contact_nodes.end(),
                      [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
-    assign_friction(discretization, supports, contact_nodes);
-    node_coupling = std::make_unique<NodeCoupling<dim>>(contact_nodes, discretization.matrices.pattern.partitioner);
+    assign_friction(discretization, supports, pairs, contact_nodes);
+    node_coupling = std::make_unique<NodeCoupling<dim>>(
+      contact_nodes, discretization.matrices().pattern.partitioner);
     check_that_pairs_are_disjoint();
     n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
   }
@@ -48,19 +54,19 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::add_pair_of_bodies(const unsigned int pair, const Supports<dim> &supports)
   {
-    const auto            &scene       = discretization.scene;
-    const PairDescription &description = scene.pairs[pair];
-    const std::string      head        = scene.file_name + ": Contact/Pairs = " + description.name + ": ";
+    const auto            &bodies      = discretization.mesh().bodies();
+    const PairDescription &description = descriptions[pair];
+    const std::string      head        = "Contact/Pairs = " + description.name + ": ";
     if (const auto place = find_deep_overlap(discretization, description.slave, description.master))
       {
         std::ostringstream message;
-        message << head << "the bodies '" << scene.bodies[description.slave].name << "' and '"
-                << scene.bodies[description.master].name << "' overlap at the start, at (" << *place
+        message << head << "the bodies '" << bodies[description.slave].name << "' and '"
+                << bodies[description.master].name << "' overlap at the start, at (" << *place
                 << "). Move one of them.";
         throw UserError(message.str());
       }
 
-    const MortarCoupling<dim> mortar(discretization, supports, pair);
+    const MortarCoupling<dim> mortar(discretization, supports, descriptions, pair);
     if (!mortar.faces_look_at_each_other())
       throw UserError(head
                       + "no face of the slave looks at a face of the master along its normal, so that they can never "
@@ -98,15 +104,17 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::settle_gaps(const unsigned int pair, std::vector<ContactNode<dim>> &nodes)
   {
-    const double size    = discretization.body_size();
-    double       deepest = 0.;
+    const double round_off = gap_round_off(discretization.mesh().body_size());
+    double       deepest   = 0.;
     for (ContactNode<dim> &node : nodes)
       {
         const double face_size = std::pow(node.weight, 1. / (dim - 1));
         const double depth     = -node.clearance;
-        if (std::abs(node.gap) < 1e-12 * size)
+        if (std::abs(node.gap) < round_off)
           node.gap = 0.;
-        if (depth < 1e-12 * size) // apart: dual functions are partly negative, and so may be their mean of a curved gap
+        if (
+          depth
+          < round_off) // apart: dual functions are partly negative, and so may be their mean of a curved gap
           node.gap = node.gap < 0. ? std::max(0., node.clearance) * node.transmission : node.gap;
         else if (depth < facet_overlap * face_size)
           {
@@ -120,8 +128,10 @@ namespace signorini
     if (deepest > 0.)
       {
         std::ostringstream note;
-        note << std::setprecision(3) << discretization.scene.pairs[pair].name << ": the surfaces overlap by up to "
-             << deepest << ", a small part of a face, as facets of curved surfaces may; taken to touch without stress";
+        note << std::setprecision(3) << descriptions[pair].name
+             << ": the surfaces overlap by up to " << deepest
+             << ", a small part of a face, as facets of curved surfaces may; taken to touch "
+                "without stress";
         assumptions.push_back(note.str());
       }
   }
@@ -130,24 +140,27 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::check_that_pairs_are_disjoint() const
   {
-    const auto            &scene = discretization.scene;
     std::vector<Complaint> complaints;
     const auto             complain = [&](const ContactNode<dim> &node, const std::string &other) {
       std::ostringstream message;
-      message << scene.file_name << ": Contact/Pairs: `" << scene.pairs[node.pair].name << "` and " << other
+      message << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
               << " share the node at (" << node.position
-              << "). A node can have one partner only, and neighbouring faces of a body share the nodes of their edge. "
-                             "Choose "
-                             "surfaces that do not meet, or make the other body the slave of one of the pairs.";
+              << "). A node can have one partner only, and neighbouring faces of a body share the "
+                 "nodes of their edge. "
+                 "Choose "
+                 "surfaces that do not meet, or make the other body the slave of one of the pairs.";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
       if (contact_nodes[k].node == contact_nodes[k - 1].node)
-        complain(contact_nodes[k], "`" + scene.pairs[contact_nodes[k - 1].pair].name + "`");
+        complain(contact_nodes[k], "`" + descriptions[contact_nodes[k - 1].pair].name + "`");
     const std::vector<unsigned int> partners = node_coupling->owned_partners();
     for (const ContactNode<dim> &node : contact_nodes)
       if (complaints.empty() && std::binary_search(partners.begin(), partners.end(), node.node))
-        complain(node, "a pair with `" + scene.bodies[scene.pairs[node.pair].slave].name + "` as master");
+        complain(node,
+                 "a pair with `"
+                   + discretization.mesh().bodies()[descriptions[node.pair].slave].name
+                   + "` as master");
     throw_worst(complaints, discretization.communicator());
   }
 
@@ -156,8 +169,7 @@ namespace signorini
   bool ContactSurface<dim>::contains(const typename DoFHandler<dim>::active_cell_iterator &cell,
                                      const unsigned int                                    face) const
   {
-    const auto &pairs = discretization.scene.pairs;
-    return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) {
+    return std::any_of(descriptions.begin(), descriptions.end(), [&](const PairDescription &pair) {
       return is_surface_face<dim>(cell, face, pair.slave, pair.slave_boundary_ids);
     });
   }
@@ -237,7 +249,7 @@ namespace signorini
         double                  force = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           force += node.frame[c] * contact_force.local_element(dim * node.node + c);
-        if (!node.partners.empty() && force < 0.)
+        if (!node.partners.empty() && is_pressed(force))
           largest = std::max(largest, sliding[k].norm() / std::pow(node.weight, 1. / (dim - 1)));
       }
     return Utilities::MPI::max(largest, discretization.communicator());
@@ -248,15 +260,16 @@ namespace signorini
   void ContactSurface<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
     obstacle_contact.check_initial_gap(initial_displacement);
-    const auto               &scene = discretization.scene;
-    const std::vector<double> gap   = distance(initial_displacement);
+    const std::vector<double> gap      = distance(initial_displacement);
+    const double              touching = touching_distance(discretization.mesh().body_size());
     std::vector<Complaint>    complaints;
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      if (scene.pairs[contact_nodes[k].pair].of_two_bodies() && gap[k] < -1e-10 * discretization.body_size())
+      if (descriptions[contact_nodes[k].pair].of_two_bodies() && gap[k] < -touching)
         {
           std::ostringstream message;
-          message << scene.file_name << ": Contact/Pairs = " << scene.pairs[contact_nodes[k].pair].name
-                  << ": the bodies overlap at the start, by " << -gap[k] << " at (" << contact_nodes[k].position
+          message << "Contact/Pairs = " << descriptions[contact_nodes[k].pair].name
+                  << ": the bodies overlap at the start, by " << -gap[k] << " at ("
+                  << contact_nodes[k].position
                   << "). Move one of them, or change the initial displacement.";
           if (complaints.empty() || -gap[k] > complaints[0].first)
             complaints = {{-gap[k], message.str()}};

@@ -67,13 +67,15 @@ namespace signorini
 
 
   template <int dim>
-  MortarCoupling<dim>::MortarCoupling(const Discretization<dim> &discretization,
-                                      const Supports<dim>       &supports,
-                                      const unsigned int         pair)
+  MortarCoupling<dim>::MortarCoupling(const Discretization<dim>          &discretization,
+                                      const Supports<dim>                &supports,
+                                      const std::vector<PairDescription> &pairs,
+                                      const unsigned int                  pair)
     : discretization(discretization)
     , pair(pair)
+    , pair_name(pairs[pair].name)
   {
-    const auto surfaces = find_facing_surfaces(discretization, discretization.scene.pairs[pair]);
+    const auto surfaces = find_facing_surfaces(discretization, pairs[pair]);
     const auto faces    = integrate(surfaces);
     const auto carries  = choose_multipliers(faces, supports);
     assemble_rows(faces, carries);
@@ -166,7 +168,7 @@ namespace signorini
   {
     Vector covered = discretization.make_vector(), full = covered, normals = covered, carries = covered,
            clearance = covered;
-    for (unsigned int i = 0; i < dim * discretization.matrices.pattern.n_local; ++i)
+    for (unsigned int i = 0; i < dim * discretization.matrices().pattern.n_local; ++i)
       clearance.local_element(i) = std::numeric_limits<double>::max();
     for (const CoveredFace &face : faces)
       {
@@ -185,7 +187,7 @@ namespace signorini
     clearance.compress(VectorOperation::min);
 
     std::string oblique_support;
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
         const double weight = covered.local_element(dim * node);
         if (!(weight > smallest_covered_node * full.local_element(dim * node)))
@@ -197,7 +199,7 @@ namespace signorini
           continue;
         normal /= normal.norm();
         ContactNode<dim> contact_node{
-          node, pair, discretization.node_positions[node], 0., weight, contact_frame(normal), {}};
+          node, pair, discretization.node_positions()[node], 0., weight, contact_frame(normal), {}};
         if (const auto support = supports.nodes().find(node); support != supports.nodes().end())
           {
             const double free_part = fit_frame_to_supports<dim>(support->second, contact_node);
@@ -209,11 +211,11 @@ namespace signorini
             if (free_part < free_normal)
               {
                 std::ostringstream message;
-                message << discretization.scene.file_name
-                        << ": Contact/Pairs = " << discretization.scene.pairs[pair].name << ": at ("
-                        << contact_node.position << ") a support holds a direction that is neither normal nor "
+                message << "Contact/Pairs = " << pair_name << ": at (" << contact_node.position
+                        << ") a support holds a direction that is neither normal nor "
                         << "tangential to the contact surface (normal " << normal
-                        << "). Hold all components there or none, or turn the scene so that the surface is parallel to "
+                        << "). Hold all components there or none, or turn the scene so that the "
+                           "surface is parallel to "
                            "an axis.";
                 oblique_support = std::min(oblique_support.empty() ? message.str() : oblique_support, message.str());
               }
@@ -269,7 +271,9 @@ namespace signorini
 
     for (ContactNode<dim> &contact_node : contact_nodes)
       {
-        const auto node = discretization.matrices.pattern.partitioner->local_to_global(dim * contact_node.node) / dim;
+        const auto node =
+          discretization.matrices().pattern.partitioner->local_to_global(dim * contact_node.node)
+          / dim;
         for (const auto &[partner, value] : rows[node])
           if (std::abs(value) > 1e-14 * contact_node.weight)
             contact_node.partners.emplace_back(partner, value / contact_node.weight);
@@ -284,7 +288,7 @@ namespace signorini
   template <int dim>
   typename MortarCoupling<dim>::Rows MortarCoupling<dim>::send_to_owners(const Rows &rows) const
   {
-    const IndexSet &owned = discretization.locally_owned;
+    const IndexSet &owned = discretization.locally_owned();
     IndexSet        strangers(owned.size());
     for (const auto &[node, row] : rows)
       if (!owned.is_element(dim * node))

@@ -50,19 +50,19 @@ namespace signorini
 
 
     template <int dim>
-    void assign_law_of_pair(const Discretization<dim>     &discretization,
+    void assign_law_of_pair(const MPI_Comm                 communicator,
+                            const PairDescription         &description,
                             const unsigned int             pair,
                             std::vector<ContactNode<dim>> &nodes)
     {
-      const PairDescription     &description = discretization.scene.pairs[pair];
-      const FrictionDescription &friction    = description.friction;
-      const std::string          head        = discretization.scene.file_name + ": Contact/" + description.name + "/";
+      const FrictionDescription &friction = description.friction;
+      const std::string          head     = "Contact/" + description.name + "/";
       LawExpression<dim>         coefficient(head + "Friction coefficient", friction.coefficient),
         bound(head + "Friction bound", friction.bound);
       for (ContactNode<dim> &node : nodes)
         if (node.pair == pair)
           {
-            if (friction.law == "tresca")
+            if (friction.law == FrictionKind::tresca)
               node.friction.constant = bound.at(node.position) * node.weight;
             else
               {
@@ -71,8 +71,8 @@ namespace signorini
                   node.friction.cap = bound.at(node.position) * node.weight;
               }
           }
-      coefficient.check(discretization.communicator());
-      bound.check(discretization.communicator());
+      coefficient.check(communicator);
+      bound.check(communicator);
     }
 
 
@@ -99,19 +99,25 @@ namespace signorini
 
 
   template <int dim>
-  void assign_friction(const Discretization<dim>     &discretization,
-                       const Supports<dim>           &supports,
-                       std::vector<ContactNode<dim>> &nodes)
+  void assign_friction(const Discretization<dim>          &discretization,
+                       const Supports<dim>                &supports,
+                       const std::vector<PairDescription> &pairs,
+                       std::vector<ContactNode<dim>>      &nodes)
   {
-    const auto &pairs = discretization.scene.pairs;
     for (unsigned int pair = 0; pair < pairs.size(); ++pair)
       if (pairs[pair].friction.any)
-        assign_law_of_pair(discretization, pair, nodes);
+        assign_law_of_pair(discretization.communicator(), pairs[pair], pair, nodes);
     for (ContactNode<dim> &node : nodes)
       node.relative = relative_directions(node, supports);
   }
 
 
-  template void assign_friction(const Discretization<2> &, const Supports<2> &, std::vector<ContactNode<2>> &);
-  template void assign_friction(const Discretization<3> &, const Supports<3> &, std::vector<ContactNode<3>> &);
+  template void assign_friction(const Discretization<2> &,
+                                const Supports<2> &,
+                                const std::vector<PairDescription> &,
+                                std::vector<ContactNode<2>> &);
+  template void assign_friction(const Discretization<3> &,
+                                const Supports<3> &,
+                                const std::vector<PairDescription> &,
+                                std::vector<ContactNode<3>> &);
 } // namespace signorini

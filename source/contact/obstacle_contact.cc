@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/obstacle_contact.h>
@@ -19,16 +20,23 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  ObstacleContact<dim>::ObstacleContact(const Discretization<dim> &discretization, const Supports<dim> &supports)
+  ObstacleContact<dim>::ObstacleContact(
+    const Discretization<dim>                   &discretization,
+    const Supports<dim>                         &supports,
+    const std::vector<ObstacleDescription<dim>> &obstacle_descriptions,
+    const std::vector<PairDescription>          &pair_descriptions)
     : discretization(discretization)
+    , pairs(pair_descriptions)
   {
-    const auto &scene = discretization.scene;
-    for (const auto &description : scene.obstacles)
-      obstacles.push_back(make_obstacle(description));
+    for (const auto &description : obstacle_descriptions)
+      {
+        obstacle_names.push_back(description.name);
+        obstacles.push_back(make_obstacle(description));
+      }
 
     std::map<unsigned int, ContactNode<dim>> closest;
-    for (unsigned int p = 0; p < scene.pairs.size(); ++p)
-      if (!scene.pairs[p].of_two_bodies())
+    for (unsigned int p = 0; p < pairs.size(); ++p)
+      if (!pairs[p].of_two_bodies())
         add_closest(p, closest);
 
     for (auto &[node, contact_node] : closest)
@@ -54,15 +62,15 @@ namespace signorini
   void ObstacleContact<dim>::add_closest(const unsigned int                        pair,
                                          std::map<unsigned int, ContactNode<dim>> &closest) const
   {
-    const PairDescription &description = discretization.scene.pairs[pair];
+    const PairDescription &description = pairs[pair];
     Vector                 area = discretization.make_vector(), outward = area;
     integrate(description, area, outward);
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
         const double weight = area.local_element(dim * node);
         if (!(weight > 0.))
           continue;
-        const Point<dim> &position   = discretization.node_positions[node];
+        const Point<dim> &position   = discretization.node_positions()[node];
         const auto        projection = obstacles[description.obstacle]->project(position);
         double            facing     = 0.;
         for (unsigned int c = 0; c < dim; ++c)
@@ -80,13 +88,13 @@ namespace signorini
   void ObstacleContact<dim>::integrate(const PairDescription &pair, Vector &area, Vector &outward) const
   {
     const FE_Q<dim>                      scalar_fe(1);
-    FEFaceValues<dim>                    fe_values(discretization.mapping,
+    FEFaceValues<dim>                    fe_values(discretization.mesh().mapping(),
                                 scalar_fe,
-                                QGauss<dim - 1>(discretization.n_quadrature_points()),
+                                QGauss<dim - 1>(discretization.mesh().n_quadrature_points()),
                                 update_values | update_normal_vectors | update_JxW_values);
-    std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
+    std::vector<types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
     dealii::Vector<double>               local_area(dofs.size()), local_normal(dofs.size());
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (is_surface_face<dim>(cell, f, pair.slave, pair.slave_boundary_ids))
           {
@@ -103,8 +111,10 @@ namespace signorini
                 }
             cell->get_dof_indices(dofs);
             // A hanging node hands its share to the nodes that it hangs between.
-            discretization.hanging_node_constraints.distribute_local_to_global(local_area, dofs, area);
-            discretization.hanging_node_constraints.distribute_local_to_global(local_normal, dofs, outward);
+            discretization.hanging_node_constraints().distribute_local_to_global(
+              local_area, dofs, area);
+            discretization.hanging_node_constraints().distribute_local_to_global(
+              local_normal, dofs, outward);
           }
     area.compress(VectorOperation::add);
     outward.compress(VectorOperation::add);
@@ -119,8 +129,7 @@ namespace signorini
   template <int dim>
   double ObstacleContact<dim>::geometric_penetration(const Vector &displacement) const
   {
-    const auto &pairs   = discretization.scene.pairs;
-    double      deepest = 0.;
+    double deepest = 0.;
     for (const ContactNode<dim> &contact_node : contact_nodes)
       {
         Point<dim> position = contact_node.position;
@@ -137,9 +146,8 @@ namespace signorini
   template <int dim>
   void ObstacleContact<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
-    const auto  &scene     = discretization.scene;
-    const double tolerance = 1e-10 * discretization.body_size();
-    for (const PairDescription &pair : scene.pairs)
+    const double tolerance = touching_distance(discretization.mesh().body_size());
+    for (const PairDescription &pair : pairs)
       {
         if (pair.of_two_bodies())
           continue;
@@ -153,10 +161,12 @@ namespace signorini
               place   = point;
             }
         };
-        Vector ghosted(discretization.locally_owned, discretization.locally_relevant, discretization.communicator());
+        Vector ghosted(discretization.locally_owned(),
+                       discretization.locally_relevant(),
+                       discretization.communicator());
         ghosted.copy_locally_owned_data_from(initial_displacement);
         ghosted.update_ghost_values();
-        for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+        for (const auto &cell : discretization.dof_handler().active_cell_iterators())
           for (const unsigned int f : cell->face_indices())
             if (is_surface_face<dim>(cell, f, pair.slave, pair.slave_boundary_ids))
               for (const unsigned int v : cell->face(f)->vertex_indices())
@@ -175,10 +185,12 @@ namespace signorini
               place[c] = Utilities::MPI::max(deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
                                              discretization.communicator());
             std::ostringstream message;
-            message << scene.file_name << ": Contact/Pairs = " << pair.name << ": the body '"
-                    << scene.bodies[pair.slave].name << "' penetrates the obstacle '"
-                    << scene.obstacles[pair.obstacle].name << "' at the start, by " << -minimum << " at (" << place
-                    << "). Move the body or the obstacle apart, or change the initial displacement.";
+            message
+              << "Contact/Pairs = " << pair.name << ": the body '"
+              << discretization.mesh().bodies()[pair.slave].name << "' penetrates the obstacle '"
+              << obstacle_names[pair.obstacle] << "' at the start, by " << -minimum << " at ("
+              << place
+              << "). Move the body or the obstacle apart, or change the initial displacement.";
             throw UserError(message.str());
           }
       }

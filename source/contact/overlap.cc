@@ -22,7 +22,7 @@ namespace signorini
     std::vector<CoarseCell<dim>> coarse_cells(const Discretization<dim> &discretization, const unsigned int body)
     {
       std::vector<CoarseCell<dim>> cells;
-      for (const auto &cell : discretization.triangulation.cell_iterators_on_level(0))
+      for (const auto &cell : discretization.mesh().triangulation().cell_iterators_on_level(0))
         if (cell->material_id() == body)
           cells.push_back(cell);
       return cells;
@@ -77,9 +77,10 @@ namespace signorini
   find_deep_overlap(const Discretization<dim> &discretization, const unsigned int body, const unsigned int other_body)
   {
     const auto cells = coarse_cells(discretization, body), others = coarse_cells(discretization, other_body);
-    if (const auto point = point_inside<dim>(cells, discretization.bounding_box(other_body), others))
+    if (const auto point =
+          point_inside<dim>(cells, discretization.mesh().bounding_box(other_body), others))
       return point;
-    return point_inside<dim>(others, discretization.bounding_box(body), cells);
+    return point_inside<dim>(others, discretization.mesh().bounding_box(body), cells);
   }
 
 

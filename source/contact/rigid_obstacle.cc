@@ -111,18 +111,15 @@ namespace signorini
   template <int dim>
   std::unique_ptr<RigidObstacle<dim>> make_obstacle(const ObstacleDescription<dim> &description)
   {
-    if (description.shape == "plane")
+    if (description.shape == ObstacleShape::plane)
       return std::make_unique<Plane<dim>>(description);
-    if (description.shape == "sphere")
+    if (description.shape == ObstacleShape::sphere)
       return std::make_unique<Round<dim>>(
         description.centre, Tensor<1, dim>(), description.radius, description.bodies_inside);
-    if (description.shape == "cylinder")
+    if (description.shape == ObstacleShape::cylinder)
       return std::make_unique<Round<dim>>(
         description.point, description.axis, description.radius, description.bodies_inside);
-    if (description.shape == "function")
-      return std::make_unique<LevelSet<dim>>(description);
-    throw UserError("Obstacles/" + description.name + "/Shape = " + description.shape
-                    + " is not known. Choose plane, sphere, cylinder or function.");
+    return std::make_unique<LevelSet<dim>>(description);
   }
 
 

@@ -107,9 +107,9 @@ namespace signorini
                                                     const unsigned int                     body,
                                                     const std::vector<types::boundary_id> &boundary_ids)
   {
-    const auto                   &constraints = discretization.hanging_node_constraints;
+    const auto                   &constraints = discretization.hanging_node_constraints();
     std::vector<SurfaceFace<dim>> faces;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         {
           if (!is_surface_face<dim>(cell, f, body, boundary_ids))

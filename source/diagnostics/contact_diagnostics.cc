@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/contact_diagnostics.h>
-#include <signorini/diagnostics/node_friction.h>
+#include <signorini/diagnostics/friction_reading.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -29,14 +29,14 @@ namespace signorini
       {
         const ContactNode<dim> &node     = surface.nodes()[k];
         const double            force    = normal_force(node, state.contact_force);
-        const NodeFriction<dim> friction = node_friction(surface, state.friction, k);
+        const FrictionReading<dim> friction = friction_at(surface, state.friction, k);
         summary.normal_force += std::abs(node.transmission * force);
         summary.friction_force += node.transmission * friction.force.norm();
         for (unsigned int c = 0; c < dim; ++c)
           summary.resultant[c] += node.transmission * (force * node.frame[c] + friction.force[c]);
-        summary.n_active += (force != 0.);
-        summary.n_stick += (force != 0. && friction.status == contact_status::stick);
-        summary.n_slip += (force != 0. && friction.status == contact_status::slip);
+        summary.n_active += bears_force(force);
+        summary.n_stick += (bears_force(force) && friction.status == contact_status::stick);
+        summary.n_slip += (bears_force(force) && friction.status == contact_status::slip);
         summary.max_slip        = std::max(summary.max_slip, friction.slip_path);
         summary.max_tension     = std::max(summary.max_tension, force);
         summary.max_penetration = std::max(summary.max_penetration, -gap[k]);

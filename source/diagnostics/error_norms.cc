@@ -27,11 +27,14 @@ namespace signorini
 
 
   template <int dim>
-  ErrorNorms ErrorEvaluation<dim>::evaluate(const State &state, const double step_size)
+  ErrorNorms ErrorEvaluation<dim>::evaluate(const Discretization<dim> &discretization,
+                                            const State               &state,
+                                            const double               step_size)
   {
-    const auto &exact = discretization.scene.exact_solution;
-    displacement.advance(squares(exact.displacement, state.displacement, state.time), step_size);
-    velocity.advance(squares(exact.velocity, state.velocity, state.time), step_size);
+    displacement.advance(
+      squares(discretization, exact.displacement, state.displacement, state.time), step_size);
+    velocity.advance(squares(discretization, exact.velocity, state.velocity, state.time),
+                     step_size);
     return {std::sqrt(displacement.error),
             std::sqrt(velocity.error),
             std::sqrt(displacement.norm),
@@ -42,15 +45,18 @@ namespace signorini
 
 
   template <int dim>
-  std::pair<double, double>
-  ErrorEvaluation<dim>::squares(const std::array<std::string, dim> &exact, const Vector &field, const double time) const
+  std::pair<double, double> ErrorEvaluation<dim>::squares(const Discretization<dim> &discretization,
+                                                          const std::array<std::string, dim> &exact,
+                                                          const Vector                       &field,
+                                                          const double                        time)
   {
-    const std::vector<std::array<std::string, dim>> everywhere(discretization.scene.bodies.size(), exact);
+    const std::vector<std::array<std::string, dim>> everywhere(
+      discretization.mesh().bodies().size(), exact);
     Vector exact_field = discretization.interpolate(everywhere, time), product = discretization.make_vector();
-    discretization.matrices.apply_mass(product, exact_field);
+    discretization.matrices().apply_mass(product, exact_field);
     const double norm = exact_field * product;
     exact_field -= field;
-    discretization.matrices.apply_mass(product, exact_field);
+    discretization.matrices().apply_mass(product, exact_field);
     return {std::max(0., exact_field * product), std::max(0., norm)};
   }
 

@@ -23,7 +23,7 @@ namespace signorini
   std::array<double, 3> resultant(const Discretization<dim> &discretization, const Vector &forces)
   {
     std::array<double, 3> sum{};
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       for (unsigned int c = 0; c < dim; ++c)
         sum[c] += forces.local_element(dim * node + c);
     return sum_over_processes(sum, discretization.communicator());
@@ -36,12 +36,12 @@ namespace signorini
     Momentum result;
     result.linear = resultant(discretization, state.momentum);
     std::array<double, 3> angular{};
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
         std::array<double, 3> x{}, p{};
         for (unsigned int c = 0; c < dim; ++c)
           {
-            x[c] = discretization.node_positions[node][c];
+            x[c] = discretization.node_positions()[node][c];
             p[c] = state.momentum.local_element(dim * node + c);
           }
         for (unsigned int c = 0; c < 3; ++c)

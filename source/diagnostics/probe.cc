@@ -3,7 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/diagnostics/contact_diagnostics.h>
-#include <signorini/diagnostics/node_friction.h>
+#include <signorini/diagnostics/friction_reading.h>
 #include <signorini/diagnostics/probe.h>
 
 #include <deal.II/base/mpi.h>
@@ -49,7 +49,7 @@ namespace signorini
     if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
         const ContactNode<dim> &contact_node = surface->nodes()[node];
-        const NodeFriction<dim> friction     = node_friction(*surface, state.friction, node);
+        const FrictionReading<dim> friction     = friction_at(*surface, state.friction, node);
         const double            scale        = 1. / contact_node.transmission;
         // Zero is added: there is no negative zero in tables.
         reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;

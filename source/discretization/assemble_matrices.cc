@@ -43,9 +43,9 @@ namespace signorini
     assign_with_room(sum.stiffness, sum.pattern.columns.size() + 1, {}); // a spare block, see Lanes
     CellAssembly<dim> assembly(couplings, sum);
     unsigned int      index = 0;
-    for (const auto &cell : discretization.triangulation.active_cell_iterators())
+    for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
-        assembly.add(index++, discretization.cell_matrices.of(cell));
+        assembly.add(index++, discretization.mesh().cell_matrices().of(cell));
 
     matrices.standard_mass.clear();
     matrices.massless_nodes.clear();

@@ -24,13 +24,13 @@ namespace signorini
   template <int dim>
   void CellCouplings<dim>::number_nodes(const Discretization<dim> &discretization)
   {
-    const IndexSet &owned = discretization.locally_owned;
+    const IndexSet &owned = discretization.locally_owned();
     Assert(owned.is_contiguous(), ExcInternalError());
     local_nodes.first_owned = owned.is_empty() ? 0 : owned.nth_index_in_set(0) / dim;
     local_nodes.n_owned     = owned.n_elements() / dim;
 
     std::vector<types::global_dof_index> dofs(dim * n_vertices), global_vertices;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);
@@ -47,7 +47,7 @@ namespace signorini
     using Line = AffineConstraints<double>::ConstraintLine;
     std::vector<const Line *> lines;
     LocalNodes                with_masters = local_nodes;
-    for (const Line &line : discretization.hanging_node_constraints.get_lines())
+    for (const Line &line : discretization.hanging_node_constraints().get_lines())
       if (line.index % dim == 0 && local_nodes.local(line.index / dim) < local_nodes.size())
         {
           lines.push_back(&line);

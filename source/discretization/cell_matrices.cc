@@ -56,12 +56,11 @@ namespace signorini
 
 
   template <int dim>
-  CellMatrices<dim>::CellMatrices(const Scene<dim>   &scene,
-                                  const Mapping<dim> &mapping,
-                                  const unsigned int  n_quadrature_points,
-                                  const std::size_t   capacity)
-    : scene(scene)
-    , mapping(mapping)
+  CellMatrices<dim>::CellMatrices(const std::vector<BodyDescription<dim>> &bodies,
+                                  const Mapping<dim>                      &mapping,
+                                  const unsigned int                       n_quadrature_points,
+                                  const std::size_t                        capacity)
+    : mapping(mapping)
     , all_straight([&mapping] {
       const auto *polynomial = dynamic_cast<const MappingQ<dim> *>(&mapping);
       return polynomial != nullptr && polynomial->get_degree() == 1;
@@ -73,6 +72,8 @@ namespace signorini
                 QGauss<dim>(n_quadrature_points),
                 update_values | update_gradients | update_JxW_values)
   {
+    for (const auto &body : bodies)
+      materials.push_back(body.material);
   }
 
 
@@ -165,7 +166,7 @@ namespace signorini
   template <int dim>
   void CellMatrices<dim>::compute(const Cell &cell, CellMatrix<dim> &result) const
   {
-    const Material &material = scene.bodies[cell->material_id()].material;
+    const Material &material = materials[cell->material_id()];
     fe_values.reinit(cell);
     result.mass.fill(0.);
     for (auto &block : result.stiffness)

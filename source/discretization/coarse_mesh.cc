@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/user_error.h>
 #include <signorini/discretization/cap_manifold.h>
 #include <signorini/discretization/coarse_mesh.h>
 #include <signorini/mesh_files/mesh_file.h>
@@ -74,22 +73,17 @@ namespace signorini
   template <int dim>
   void make_coarse_mesh(const BodyDescription<dim> &body, Triangulation<dim> &mesh)
   {
-    if (body.shape == "ball")
+    if (body.shape == BodyShape::ball)
       make_ball(body, mesh);
-    else if (body.shape == "box")
+    else if (body.shape == BodyShape::box)
       make_box(body, mesh);
-    else if (body.shape == "file")
+    else if (body.shape == BodyShape::file)
       {
         read_mesh_file(body.mesh_file.path, mesh);
         place(body.placement, mesh);
       }
-    else if (body.shape == "cylinder" && dim == 3)
-      {
-        if constexpr (dim == 3)
-          make_cylinder(body, mesh);
-      }
-    else
-      throw UserError("The shape '" + body.shape + "' of body '" + body.name + "' is not known.");
+    else if constexpr (dim == 3)
+      make_cylinder(body, mesh);
   }
 
   template void make_coarse_mesh(const BodyDescription<2> &, Triangulation<2> &);

@@ -9,88 +9,124 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
-#include <limits>
-
 namespace signorini
 {
   using namespace dealii;
 
+  const Vector &VectorInTime::at(const double                   time,
+                                 const bool                     depends_on_time,
+                                 const std::function<Vector()> &evaluate)
+  {
+    for (const auto &[kept_time, vector] : kept)
+      if (vector.size() > 0 && (kept_time == time || !depends_on_time))
+        return vector;
+    latest       = 1 - latest;
+    kept[latest] = {time, evaluate()};
+    return kept[latest].second;
+  }
+
+
+  template <int dim>
+  BodyForce<dim>::BodyForce(const Discretization<dim> &discretization)
+    : discretization(discretization)
+  {
+    for (const auto &body : discretization.mesh().bodies())
+      {
+        expressions.push_back(body.body_force);
+        is_given = is_given || signorini::is_given(body.body_force);
+        has_time = has_time || signorini::has_time(body.body_force);
+      }
+  }
+
+
+  template <int dim>
+  const Vector &BodyForce<dim>::at(const double time)
+  {
+    return values.at(time, has_time, [&] {
+      return is_given ? discretization.interpolate(expressions, time)
+                      : discretization.make_vector();
+    });
+  }
+
+
   template <int dim>
   Loads<dim>::Loads(const Discretization<dim> &discretization)
     : discretization(discretization)
+    , body_force(discretization)
+    , has_loads(body_force.any())
+    , depends_on_time(body_force.depends_on_time())
   {
-    for (const auto &body : discretization.scene.bodies)
-      {
-        has_loads       = has_loads || is_given(body.body_force);
-        depends_on_time = depends_on_time || has_time(body.body_force);
-        for (const auto &condition : body.traction)
-          {
-            has_loads       = has_loads || is_given(condition.expressions);
-            depends_on_time = depends_on_time || has_time(condition.expressions);
-          }
-      }
-    for (auto &[time, vector] : kept)
-      time = std::numeric_limits<double>::quiet_NaN();
+    for (const auto &body : discretization.mesh().bodies())
+      for (const auto &condition : body.traction)
+        {
+          has_loads       = has_loads || is_given(condition.expressions);
+          depends_on_time = depends_on_time || has_time(condition.expressions);
+        }
   }
 
 
   template <int dim>
   const Vector &Loads<dim>::at(const double time)
   {
-    for (auto &[kept_time, vector] : kept)
-      if (kept_time == time || (!depends_on_time && vector.size() > 0))
-        return vector;
-    latest       = 1 - latest;
-    kept[latest] = {time, assemble(time)};
-    return kept[latest].second;
+    return values.at(time, depends_on_time, [&] { return assemble(time); });
   }
 
 
   template <int dim>
-  Vector Loads<dim>::assemble(const double time) const
+  Vector Loads<dim>::assemble(const double time)
   {
     // Body forces by nodal interpolation and the consistent mass: exact for constants, second order otherwise.
-    std::vector<std::array<std::string, dim>> body_forces;
-    for (const auto &body : discretization.scene.bodies)
-      body_forces.push_back(body.body_force);
     Vector result = discretization.make_vector();
-    discretization.matrices.apply_mass(result, discretization.interpolate(body_forces, time));
-
-    const FE_Q<dim>                      scalar_fe(1);
-    FEFaceValues<dim>                    fe_values(discretization.mapping,
-                                scalar_fe,
-                                QGauss<dim - 1>(discretization.n_quadrature_points()),
-                                update_values | update_quadrature_points | update_JxW_values);
-    std::vector<types::global_dof_index> dofs(discretization.fe.n_dofs_per_cell());
-    dealii::Vector<double>               local(dofs.size()), traction(dim);
-    for (unsigned int b = 0; b < discretization.scene.bodies.size(); ++b)
-      for (const auto &condition : discretization.scene.bodies[b].traction)
-        {
-          const auto function = make_function<dim, dim>(condition.expressions);
-          function->set_time(time);
-          for (const auto &cell : discretization.dof_handler.active_cell_iterators())
-            if (cell->is_locally_owned() && cell->material_id() == b)
-              for (const unsigned int f : cell->face_indices())
-                if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)
-                  {
-                    fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell), f);
-                    local = 0.;
-                    for (const unsigned int q : fe_values.quadrature_point_indices())
-                      {
-                        function->vector_value(fe_values.quadrature_point(q), traction);
-                        for (unsigned int v = 0; v < scalar_fe.n_dofs_per_cell(); ++v)
-                          for (unsigned int c = 0; c < dim; ++c)
-                            local[dim * v + c] += traction[c] * fe_values.shape_value(v, q) * fe_values.JxW(q);
-                      }
-                    cell->get_dof_indices(dofs);
-                    discretization.hanging_node_constraints.distribute_local_to_global(local, dofs, result);
-                  }
-        }
+    discretization.matrices().apply_mass(result, body_force.at(time));
+    const auto &bodies = discretization.mesh().bodies();
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      for (const auto &condition : bodies[b].traction)
+        add_traction(b, condition, time, result);
     result.compress(VectorOperation::add);
     return result;
   }
 
 
+  template <int dim>
+  void Loads<dim>::add_traction(const unsigned int            body,
+                                const BoundaryCondition<dim> &condition,
+                                const double                  time,
+                                Vector                       &forces) const
+  {
+    const Mesh<dim>                     &mesh = discretization.mesh();
+    const FE_Q<dim>                      scalar_fe(1);
+    FEFaceValues<dim>                    fe_values(mesh.mapping(),
+                                scalar_fe,
+                                QGauss<dim - 1>(mesh.n_quadrature_points()),
+                                update_values | update_quadrature_points | update_JxW_values);
+    std::vector<types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
+    dealii::Vector<double>               local(dofs.size()), traction(dim);
+    auto                                &function = mesh.function(condition.expressions);
+    function.set_time(time);
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned() && cell->material_id() == body)
+        for (const unsigned int f : cell->face_indices())
+          if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)
+            {
+              fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell), f);
+              local = 0.;
+              for (const unsigned int q : fe_values.quadrature_point_indices())
+                {
+                  function.vector_value(fe_values.quadrature_point(q), traction);
+                  for (unsigned int v = 0; v < scalar_fe.n_dofs_per_cell(); ++v)
+                    for (unsigned int c = 0; c < dim; ++c)
+                      local[dim * v + c] +=
+                        traction[c] * fe_values.shape_value(v, q) * fe_values.JxW(q);
+                }
+              cell->get_dof_indices(dofs);
+              discretization.hanging_node_constraints().distribute_local_to_global(
+                local, dofs, forces);
+            }
+  }
+
+
+  template class BodyForce<2>;
+  template class BodyForce<3>;
   template class Loads<2>;
   template class Loads<3>;
 } // namespace signorini

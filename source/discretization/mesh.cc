@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/expressions.h>
-#include <signorini/base/user_error.h>
-#include <signorini/discretization/coarse_mesh.h>
+#include <signorini/discretization/make_triangulation.h>
 #include <signorini/discretization/mesh.h>
 
-#include <deal.II/grid/grid_tools.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/dofs/dof_tools.h>
 
-#include <cmath>
-#include <sstream>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+
+#include <deal.II/lac/affine_constraints.h>
 
 namespace signorini
 {
@@ -17,126 +18,123 @@ namespace signorini
 
   namespace
   {
-    /** Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold ids by `offset`. */
     template <int dim>
-    void append(const Triangulation<dim>   &mesh,
-                const types::material_id    material_id,
-                const types::manifold_id    offset,
-                std::vector<Point<dim>>    &vertices,
-                std::vector<CellData<dim>> &cells,
-                SubCellData                &faces)
+    std::vector<unsigned int> refinements(const std::vector<BodyDescription<dim>> &bodies)
     {
-      auto [new_vertices, new_cells, new_faces] = GridTools::get_coarse_mesh_description(mesh);
-      const unsigned int first_vertex           = vertices.size();
-      vertices.insert(vertices.end(), new_vertices.begin(), new_vertices.end());
-      const auto shift = [&](auto &list) {
-        for (auto &item : list)
-          {
-            for (unsigned int &vertex : item.vertices)
-              vertex += first_vertex;
-            if (item.manifold_id != numbers::flat_manifold_id)
-              item.manifold_id += offset;
-          }
-      };
-      shift(new_cells);
-      shift(new_faces.boundary_lines);
-      shift(new_faces.boundary_quads);
-      for (CellData<dim> &cell : new_cells)
-        cell.material_id = material_id;
-      cells.insert(cells.end(), new_cells.begin(), new_cells.end());
-      faces.boundary_lines.insert(
-        faces.boundary_lines.end(), new_faces.boundary_lines.begin(), new_faces.boundary_lines.end());
-      faces.boundary_quads.insert(
-        faces.boundary_quads.end(), new_faces.boundary_quads.begin(), new_faces.boundary_quads.end());
+      std::vector<unsigned int> levels;
+      for (const auto &body : bodies)
+        levels.push_back(body.refinements);
+      return levels;
     }
 
 
-    /** Refine all cells for which the predicate holds, `times` times (a child asks again). */
-    template <int dim, typename Predicate>
-    void refine(Triangulation<dim> &mesh, const Predicate &predicate)
-    {
-      for (const auto &cell : mesh.active_cell_iterators())
-        if (cell->is_locally_owned() && predicate(cell))
-          cell->set_refine_flag();
-      mesh.execute_coarsening_and_refinement();
-    }
-
-
-    /** Refuse meshes that no computer at hand can hold, before an attempt to make them. */
+    /**
+     * Points per direction more than the degree needs. Where curved cells are refined, the same function is integrated by
+     * other points: what this changes in the energy has to be small.
+     */
     template <int dim>
-    void check_size(const Scene<dim>                      &scene,
-                    const std::vector<Triangulation<dim>> &coarse_meshes,
-                    const unsigned int                     n_processes)
+    unsigned int extra_points(const MeshGeometry<dim> &geometry)
     {
-      constexpr double most_coarse = 2e4, most_per_process = 1e7;
-      for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-        {
-          const auto  &body = scene.bodies[b];
-          const double cells =
-            coarse_meshes[b].n_active_cells() * std::pow(2., static_cast<double>(dim * body.refinements));
-          std::ostringstream message;
-          message << scene.file_name << ": Bodies/" << body.name;
-          if (coarse_meshes[b].n_active_cells() > most_coarse)
-            throw UserError(
-              message.str()
-              + (body.shape == "file"
-                   ? "/File has more than 20000 cells, which every process must keep. Make a coarser mesh "
-                     "and use Refinements."
-                   : "/Repetitions gives more than 20000 coarse cells, which every process must keep. Use "
-                     "fewer repetitions and more Refinements."));
-          message << "/Refinements = " << body.refinements << " gives " << cells << " cells, too many for "
-                  << n_processes << " process(es). Use fewer refinements or more processes.";
-          if (cells > most_per_process * n_processes)
-            throw UserError(message.str());
-        }
+      return geometry.has_base() && geometry.mapping().get_degree() > 1 ? 2 : 0;
     }
   } // namespace
 
 
   template <int dim>
-  void make_mesh(const Scene<dim> &scene, parallel::distributed::Triangulation<dim> &triangulation)
+  Mesh<dim>::Mesh(std::vector<BodyDescription<dim>> bodies,
+                  const MPI_Comm                    communicator,
+                  const CellGeometry                cell_geometry,
+                  const bool                        changes)
+    : descriptions(std::move(bodies))
+    , cells(communicator)
+    , geometry(cell_geometry == CellGeometry::curved ? 2 : 1,
+               changes ? refinements(descriptions) : std::vector<unsigned int>())
+    , matrices_of_cells(descriptions,
+                        mapping(),
+                        n_quadrature_points() + extra_points<dim>(geometry))
   {
-    std::vector<Point<dim>>         vertices;
-    std::vector<CellData<dim>>      cells;
-    SubCellData                     faces;
-    constexpr types::manifold_id    ids_per_body = 4;
-    std::vector<Triangulation<dim>> coarse_meshes(scene.bodies.size());
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        make_coarse_mesh(scene.bodies[b], coarse_meshes[b]);
-      }
-    check_size(scene, coarse_meshes, Utilities::MPI::n_mpi_processes(triangulation.get_communicator()));
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      {
-        append(coarse_meshes[b], b, ids_per_body * b, vertices, cells, faces);
-      }
-    triangulation.create_triangulation(vertices, cells, faces);
-    for (unsigned int b = 0; b < scene.bodies.size(); ++b)
-      for (const types::manifold_id id : coarse_meshes[b].get_manifold_ids())
-        if (id != numbers::flat_manifold_id)
-          triangulation.set_manifold(ids_per_body * b + id, coarse_meshes[b].get_manifold(id));
-
-    unsigned int most = 0, most_local = 0;
-    for (const auto &body : scene.bodies)
-      {
-        most       = std::max(most, body.refinements);
-        most_local = std::max(most_local, body.local_refinements);
-      }
-    for (unsigned int level = 0; level < most; ++level)
-      refine(triangulation, [&](const auto &cell) { return scene.bodies[cell->material_id()].refinements > level; });
-
-    std::vector<std::unique_ptr<FunctionParser<dim>>> selections;
-    for (const auto &body : scene.bodies)
-      selections.push_back(make_function<dim, 1>({{body.refine_where}}, "h"));
-    for (unsigned int level = 0; level < most_local; ++level)
-      refine(triangulation, [&](const auto &cell) {
-        const unsigned int b = cell->material_id();
-        selections[b]->set_time(cell->diameter() / std::sqrt(dim));
-        return scene.bodies[b].local_refinements > level && selections[b]->value(cell->center()) > 0.;
-      });
+    make_triangulation(descriptions, cells);
+    for (unsigned int b = 0; b < descriptions.size(); ++b)
+      for (unsigned int c = 0; c < dim; ++c)
+        largest_extent = std::max(largest_extent, bounding_box(b).side_length(c));
+    update();
   }
 
 
-  template void make_mesh(const Scene<2> &, parallel::distributed::Triangulation<2> &);
-  template void make_mesh(const Scene<3> &, parallel::distributed::Triangulation<3> &);
+  template <int dim>
+  void Mesh<dim>::carry_out_flags()
+  {
+    cells.execute_coarsening_and_refinement();
+    update();
+  }
+
+
+  template <int dim>
+  void Mesh<dim>::update()
+  {
+    if (mapping().get_degree() == 1 && !geometry.has_base() && cells.has_hanging_nodes())
+      straighten_hanging_vertices();
+    geometry.update(cells);
+    matrices_of_cells.forget_unused();
+  }
+
+
+  template <int dim>
+  void Mesh<dim>::straighten_hanging_vertices()
+  {
+    // The position is an isoparametric displacement: it has to obey the same constraints.
+    DoFHandler<dim> dofs(cells);
+    dofs.distribute_dofs(FESystem<dim>(FE_Q<dim>(1), dim));
+    const IndexSet &owned = dofs.locally_owned_dofs();
+    IndexSet        relevant;
+    DoFTools::extract_locally_relevant_dofs(dofs, relevant);
+    AffineConstraints<double> constraints(relevant);
+    DoFTools::make_hanging_node_constraints(dofs, constraints);
+    constraints.close();
+
+    Vector positions(owned, relevant, communicator());
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (owned.is_element(cell->vertex_dof_index(v, 0)))
+            for (unsigned int c = 0; c < dim; ++c)
+              positions(cell->vertex_dof_index(v, c)) = cell->vertex(v)[c];
+    constraints.distribute(positions);
+    positions.update_ghost_values();
+    for (const auto &cell : dofs.active_cell_iterators())
+      if (!cell->is_artificial())
+        for (const unsigned int v : cell->vertex_indices())
+          if (constraints.is_constrained(cell->vertex_dof_index(v, 0)))
+            for (unsigned int c = 0; c < dim; ++c)
+              cell->vertex(v)[c] = positions(cell->vertex_dof_index(v, c));
+  }
+
+
+  template <int dim>
+  BoundingBox<dim> Mesh<dim>::bounding_box(const unsigned int body) const
+  {
+    std::vector<Point<dim>> points;
+    for (const auto &cell : cells.cell_iterators_on_level(0))
+      if (cell->material_id() == body)
+        for (const unsigned int v : cell->vertex_indices())
+          points.push_back(cell->vertex(v));
+    return BoundingBox<dim>(points);
+  }
+
+
+  template <int dim>
+  double Mesh<dim>::courant_number(const double step_size) const
+  {
+    double number = 0.;
+    for (const auto &cell : cells.active_cell_iterators())
+      if (cell->is_locally_owned())
+        number = std::max(number,
+                          descriptions[cell->material_id()].material.pressure_wave_speed()
+                            * step_size / cell->minimum_vertex_distance());
+    return Utilities::MPI::max(number, communicator());
+  }
+
+
+  template class Mesh<2>;
+  template class Mesh<3>;
 } // namespace signorini

@@ -11,7 +11,7 @@ namespace signorini
   template <int dim>
   Supports<dim>::Supports(const Discretization<dim> &discretization)
   {
-    const auto &bodies = discretization.scene.bodies;
+    const auto &bodies = discretization.mesh().bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const BoundaryCondition<dim> &condition : bodies[b].dirichlet)
         {
@@ -19,16 +19,16 @@ namespace signorini
           functions.push_back(make_function<dim, dim>(condition.expressions));
           // Flags travel as numbers: a process may own a node without owning a cell at this part of the boundary.
           Vector flags = discretization.make_vector();
-          for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+          for (const auto &cell : discretization.dof_handler().active_cell_iterators())
             if (cell->is_locally_owned() && cell->material_id() == b)
               for (const unsigned int f : cell->face_indices())
                 if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)
                   for (const unsigned int v : cell->face(f)->vertex_indices())
                     if (const auto dof = cell->face(f)->vertex_dof_index(v, 0);
-                        !discretization.hanging_node_constraints.is_constrained(dof))
+                        !discretization.hanging_node_constraints().is_constrained(dof))
                       flags(dof) = 1.;
           flags.compress(VectorOperation::add);
-          for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+          for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
             if (flags.local_element(dim * node) > 0.)
               {
                 Components none_yet;

@@ -14,7 +14,7 @@ namespace signorini
                                 const VertexValues                                       &values,
                                 const Add                                                &add)
     {
-      const auto         matrix     = discretization.cell_matrices.of(cell);
+      const auto         matrix     = discretization.mesh().cell_matrices().of(cell);
       const unsigned int n_vertices = values.size() / dim;
       VertexValues       moments(values.size(), 0.);
       for (unsigned int a = 0; a < n_vertices; ++a)

@@ -38,8 +38,8 @@ namespace signorini
   template <int dim>
   CellNeighbors<dim>::CellNeighbors(const Discretization<dim> &discretization)
     : discretization(discretization)
-    , partitioner(std::make_shared<Utilities::MPI::Partitioner>(discretization.locally_owned,
-                                                                discretization.locally_relevant,
+    , partitioner(std::make_shared<Utilities::MPI::Partitioner>(discretization.locally_owned(),
+                                                                discretization.locally_relevant(),
                                                                 discretization.communicator()))
   {
     find_cells();
@@ -51,8 +51,8 @@ namespace signorini
   template <int dim>
   void CellNeighbors<dim>::find_cells()
   {
-    cells.reserve(discretization.triangulation.n_active_cells());
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    cells.reserve(discretization.mesh().triangulation().n_active_cells());
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (!cell->is_artificial())
         {
           cells.push_back({cell, {}, cell->active_cell_index(), cell->material_id(), cell->is_locally_owned()});
@@ -65,7 +65,7 @@ namespace signorini
   template <int dim>
   void CellNeighbors<dim>::find_hanging_nodes()
   {
-    for (const auto &line : discretization.hanging_node_constraints.get_lines())
+    for (const auto &line : discretization.hanging_node_constraints().get_lines())
       if (line.index % dim == 0)
         {
           HangingNode node{partitioner->global_to_local(line.index) / dim, {}};
@@ -86,7 +86,7 @@ namespace signorini
   void CellNeighbors<dim>::find_faces()
   {
     const double              scale = 1. / std::sqrt(dim - 1.);
-    std::vector<unsigned int> number(discretization.triangulation.n_active_cells());
+    std::vector<unsigned int> number(discretization.mesh().triangulation().n_active_cells());
     for (unsigned int i = 0; i < cells.size(); ++i)
       number[cells[i].index] = i;
     inner_faces.reserve(dim * cells.size());

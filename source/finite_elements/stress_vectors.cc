@@ -57,7 +57,7 @@ namespace signorini
     , displacement(displacement)
     , stresses(mesh.cells.size() * GaussTables<dim>::n_faces)
   {
-    const auto                         &mapping   = mesh.discretization.mapping;
+    const auto                         &mapping   = mesh.discretization.mesh().mapping();
     const auto                         &tables    = GaussTables<dim>::of_degree(1);
     const auto                         &of_map    = GaussTables<dim>::of_degree(mapping.get_degree());
     FaceStress<dim>                    *next_face = stresses.data();
@@ -66,7 +66,7 @@ namespace signorini
       {
         mesh.gather(cell, displacement, values.data());
         const auto      points   = support_points(mapping, cell.cell);
-        const Material &material = mesh.discretization.scene.bodies[cell.body].material;
+        const Material &material = mesh.discretization.mesh().bodies()[cell.body].material;
         for (unsigned int face = 0; face < GaussTables<dim>::n_faces; ++face)
           *next_face++ = stress_at_points<dim>(
             tables.faces[face], of_map.faces[face], face, material, values.data(), numbers(points));
@@ -83,13 +83,14 @@ namespace signorini
     const unsigned int                  table          = GaussTables<dim>::n_subfaces * face + subface;
     std::array<double, dim *(1 << dim)> values;
     mesh.gather(local, displacement, values.data());
-    const auto points = support_points(discretization.mapping, local.cell);
-    return stress_at_points<dim>(GaussTables<dim>::of_degree(1).subfaces[table],
-                                 GaussTables<dim>::of_degree(discretization.mapping.get_degree()).subfaces[table],
-                                 face,
-                                 discretization.scene.bodies[local.body].material,
-                                 values.data(),
-                                 numbers(points));
+    const auto points = support_points(discretization.mesh().mapping(), local.cell);
+    return stress_at_points<dim>(
+      GaussTables<dim>::of_degree(1).subfaces[table],
+      GaussTables<dim>::of_degree(discretization.mesh().mapping().get_degree()).subfaces[table],
+      face,
+      discretization.mesh().bodies()[local.body].material,
+      values.data(),
+      numbers(points));
   }
 
 

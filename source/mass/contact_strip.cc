@@ -30,15 +30,16 @@ namespace signorini
     template <int dim, typename Function>
     void for_each_owned_cell(const Discretization<dim> &discretization, const Function &function)
     {
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           {
             std::array<types::global_dof_index, StripCell<dim>::n_vertices> nodes;
             for (const unsigned int v : cell->vertex_indices())
               {
                 const auto dof = cell->vertex_dof_index(v, 0);
-                nodes[v] =
-                  discretization.hanging_node_constraints.is_constrained(dof) ? StripCell<dim>::hanging : dof / dim;
+                nodes[v]       = discretization.hanging_node_constraints().is_constrained(dof)
+                                   ? StripCell<dim>::hanging
+                                   : dof / dim;
               }
             function(cell, nodes);
           }
@@ -66,7 +67,9 @@ namespace signorini
         {
           std::array<double, dim> normal;
           std::copy_n(node.frame.begin(), dim, normal.begin());
-          own.emplace_back(discretization.matrices.pattern.partitioner->local_to_global(dim * node.node) / dim, normal);
+          own.emplace_back(
+            discretization.matrices().pattern.partitioner->local_to_global(dim * node.node) / dim,
+            normal);
         }
       for (const auto &part : Utilities::MPI::all_gather(communicator, own))
         for (const auto &[node, normal] : part)
@@ -86,9 +89,9 @@ namespace signorini
     first_layer = unite(first_layer, communicator);
 
     const FE_Q<dim>             scalar_fe(1);
-    FEValues<dim>               fe_values(discretization.mapping,
+    FEValues<dim>               fe_values(discretization.mesh().mapping(),
                             scalar_fe,
-                            QGauss<dim>(discretization.n_quadrature_points()),
+                            QGauss<dim>(discretization.mesh().n_quadrature_points()),
                             update_values | update_JxW_values);
     std::vector<StripCell<dim>> own_cells;
     for_each_owned_cell(discretization, [&](const auto &cell, const auto &nodes) {
@@ -98,7 +101,7 @@ namespace signorini
       strip_cell.nodes = nodes;
       strip_cell.mass.fill(0.);
       fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell));
-      const double density = discretization.scene.bodies[cell->material_id()].material.density;
+      const double density = discretization.mesh().bodies()[cell->material_id()].material.density;
       for (unsigned int a = 0; a < nodes.size(); ++a)
         {
           strip_cell.vertices[a] = cell->vertex(a);

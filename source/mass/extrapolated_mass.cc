@@ -135,17 +135,17 @@ namespace signorini
         if (weights[node].empty())
           {
             std::ostringstream message;
-            message
-              << discretization.scene.file_name << ": Time/Mass = redistributed: behind the contact node at ("
-              << strip.positions.at(node)
-              << ") are too few nodes that could take its mass. The body needs at least two layers of cells there: "
-                 "increase Refinements or Repetitions.";
+            message << "Time/Mass = redistributed: behind the contact node at ("
+                    << strip.positions.at(node)
+                    << ") are too few nodes that could take its mass. The body needs at least two "
+                       "layers of cells there: "
+                       "increase Refinements or Repetitions.";
             throw UserError(message.str());
           }
       }
 
     // M~ - M from the rows of M that this process owns; only couplings with contact nodes change.
-    const auto &matrices    = discretization.matrices;
+    const auto &matrices    = discretization.matrices();
     const auto &partitioner = *matrices.pattern.partitioner;
     const auto  global      = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
     const auto  spread      = [&](const Node node) {

@@ -16,23 +16,19 @@ namespace signorini
   namespace
   {
     template <int dim>
-    [[noreturn]] void fail(const Discretization<dim> &discretization,
-                           const Point<dim>          &place,
-                           const std::string         &reason,
-                           const std::string         &remedy)
+    [[noreturn]] void
+    fail(const Point<dim> &place, const std::string &reason, const std::string &remedy)
     {
       std::ostringstream message;
-      message << discretization.scene.file_name << ": Time/Mass redistribution = macro-elements: " << reason << " at ("
-              << place << "). " << remedy;
+      message << "Time/Mass redistribution = macro-elements: " << reason << " at (" << place
+              << "). " << remedy;
       throw UserError(message.str());
     }
 
 
     /** Cells without contact nodes that share most vertices with a cell at the boundary; the nearest one of them. */
     template <int dim>
-    unsigned int cell_behind(const Discretization<dim> &discretization,
-                             const ContactStrip<dim>   &strip,
-                             const unsigned int         strip_cell)
+    unsigned int cell_behind(const ContactStrip<dim> &strip, const unsigned int strip_cell)
     {
       const StripCell<dim>                &cell = strip.cells[strip_cell];
       std::map<unsigned int, unsigned int> n_shared;
@@ -56,18 +52,17 @@ namespace signorini
             }
         }
       if (best == numbers::invalid_unsigned_int)
-        fail(discretization,
-             cell.centre(),
+        fail(cell.centre(),
              "there is no cell behind the one at the contact boundary",
-             "The body needs at least two layers of cells there: increase Refinements or Repetitions.");
+             "The body needs at least two layers of cells there: increase Refinements or "
+             "Repetitions.");
       return best;
     }
 
 
     /** The mass matrix of a macro-element on the nodes of the cell behind, minus the element matrices of its cells. */
     template <int dim>
-    void exchange_mass(const Discretization<dim>       &discretization,
-                       const ContactStrip<dim>         &strip,
+    void exchange_mass(const ContactStrip<dim>         &strip,
                        const unsigned int               behind,
                        const std::vector<unsigned int> &at_boundary,
                        MassChange                      &change)
@@ -87,8 +82,7 @@ namespace signorini
               const StripCell<dim> &member = strip.cells[k];
               const double          mass   = member.mass[a * n_vertices + b];
               if (member.nodes[a] == StripCell<dim>::hanging || member.nodes[b] == StripCell<dim>::hanging)
-                fail(discretization,
-                     member.vertices[a],
+                fail(member.vertices[a],
                      "a cell near the contact boundary has a hanging node",
                      "Take Mass redistribution = extrapolation, or refine uniformly there.");
               wanted += mass * quadratics.at(member.vertices[a], member.vertices[b]);
@@ -143,14 +137,14 @@ namespace signorini
       {
         const auto &nodes = strip.cells[k].nodes;
         if (std::any_of(nodes.begin(), nodes.end(), [&](const auto node) { return strip.is_massless(node); }))
-          macro_elements[cell_behind(discretization, strip, k)].push_back(k);
+          macro_elements[cell_behind(strip, k)].push_back(k);
       }
 
     // Each process knows all of the strip, so that it adds up the rows it owns on its own.
     MassChange change;
     for (const auto &[behind, at_boundary] : macro_elements)
-      exchange_mass(discretization, strip, behind, at_boundary, change);
-    const auto &partitioner = *discretization.matrices.pattern.partitioner;
+      exchange_mass(strip, behind, at_boundary, change);
+    const auto &partitioner = *discretization.matrices().pattern.partitioner;
     for (auto entry = change.begin(); entry != change.end();)
       entry = partitioner.in_local_range(dim * entry->first.first) ? std::next(entry) : change.erase(entry);
     return change;

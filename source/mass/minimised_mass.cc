@@ -16,13 +16,14 @@ namespace signorini
     std::vector<unsigned int> bodies_of_nodes(const Discretization<dim> &discretization)
     {
       Vector bodies = discretization.make_vector(); // travels to the ghosts
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
-            if (const auto dof = cell->vertex_dof_index(v, 0); discretization.locally_owned.is_element(dof))
+            if (const auto dof = cell->vertex_dof_index(v, 0);
+                discretization.locally_owned().is_element(dof))
               bodies(dof) = cell->material_id();
       bodies.update_ghost_values();
-      std::vector<unsigned int> result(discretization.matrices.pattern.n_local);
+      std::vector<unsigned int> result(discretization.matrices().pattern.n_local);
       for (unsigned int node = 0; node < result.size(); ++node)
         result[node] = static_cast<unsigned int>(std::lround(bodies.local_element(dim * node)));
       return result;
@@ -33,12 +34,12 @@ namespace signorini
   template <int dim>
   void minimise_change_of_mass(Discretization<dim> &discretization, const ContactStrip<dim> &strip)
   {
-    auto             &matrices    = discretization.matrices;
+    auto             &matrices    = discretization.matrices();
     const auto       &pattern     = matrices.pattern;
     const auto       &partitioner = *pattern.partitioner;
-    const auto       &positions   = discretization.node_positions;
+    const auto       &positions   = discretization.node_positions();
     const auto        body_of     = bodies_of_nodes(discretization);
-    const std::size_t n_bodies    = discretization.scene.bodies.size();
+    const std::size_t n_bodies    = discretization.mesh().bodies().size();
     std::vector<bool> massless(pattern.n_local);
     for (unsigned int node = 0; node < pattern.n_local; ++node)
       massless[node] = strip.is_massless(partitioner.local_to_global(dim * node) / dim);
@@ -49,8 +50,9 @@ namespace signorini
     using Values       = typename Moments::Values;
     using Matrix       = Eigen::Matrix<double, n, n>;
     const auto moments = [&](const unsigned int body, const unsigned int i, const unsigned int j) {
-      const auto box = discretization.bounding_box(body);
-      return Moments{box.center(), discretization.body_size()}.at(positions[i], positions[j]);
+      const auto box = discretization.mesh().bounding_box(body);
+      return Moments{box.center(), discretization.mesh().body_size()}.at(positions[i],
+                                                                         positions[j]);
     };
     std::vector<double> sums(n_bodies * (n + n * n), 0.);
     const auto taken = [&](const unsigned int body) { return Eigen::Map<Values>(sums.data() + body * (n + n * n)); };
@@ -75,9 +77,10 @@ namespace signorini
         {
           const Eigen::FullPivLU<Matrix> factor(gram(body));
           if (!factor.isInvertible())
-            throw UserError(discretization.scene.file_name + ": Time/Mass redistribution = minimisation: the body '"
-                            + discretization.scene.bodies[body].name
-                            + "' has too few nodes besides its contact nodes. Increase Refinements or Repetitions.");
+            throw UserError("Time/Mass redistribution = minimisation: the body '"
+                            + discretization.mesh().bodies()[body].name
+                            + "' has too few nodes besides its contact nodes. Increase Refinements "
+                              "or Repetitions.");
           polynomial[body] = factor.solve(taken(body));
         }
 

@@ -50,13 +50,14 @@ namespace signorini
                                  const ContactStrip<dim>   &strip,
                                  const std::string         &head)
     {
-      const auto               &bodies = discretization.scene.bodies;
+      const auto               &bodies = discretization.mesh().bodies();
       std::vector<unsigned int> has_mass(bodies.size(), 0);
-      for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
             if (const auto dof = cell->vertex_dof_index(v, 0);
-                !discretization.hanging_node_constraints.is_constrained(dof) && !strip.is_massless(dof / dim))
+                !discretization.hanging_node_constraints().is_constrained(dof)
+                && !strip.is_massless(dof / dim))
               has_mass[cell->material_id()] = 1;
       Utilities::MPI::max(has_mass, discretization.communicator(), has_mass);
       for (unsigned int body = 0; body < bodies.size(); ++body)
@@ -68,56 +69,61 @@ namespace signorini
 
 
     template <int dim>
-    void build(Discretization<dim> &discretization, const ContactStrip<dim> &strip)
+    void build(Discretization<dim>     &discretization,
+               const ContactStrip<dim> &strip,
+               const MassParameters    &mass)
     {
-      const std::string &construction = discretization.scene.time.redistribution;
-      if (discretization.scene.time.mass == "zero on contact boundary")
-        discretization.matrices.standard_mass = discretization.matrices.mass;
-      else if (construction == "minimisation")
+      if (mass.kind == MassKind::zero_on_contact_boundary)
+        discretization.matrices().standard_mass = discretization.matrices().mass;
+      else if (mass.redistribution == MassRedistribution::minimisation)
         minimise_change_of_mass(discretization, strip);
-      else if (construction == "macro-elements")
-        discretization.assemble(macro_element_mass(discretization, strip));
+      else if (mass.redistribution == MassRedistribution::macro_elements)
+        discretization.change_mass(macro_element_mass(discretization, strip));
       else
-        discretization.assemble(extrapolated_mass(discretization, strip));
-      clear_massless_rows(discretization.matrices, strip);
+        discretization.change_mass(extrapolated_mass(discretization, strip));
+      clear_massless_rows(discretization.matrices(), strip);
     }
   } // namespace
 
 
   template <int dim>
-  std::string redistribute_mass(Discretization<dim> &discretization, const ContactSurface<dim> &surface)
+  std::string redistribute_mass(Discretization<dim>       &discretization,
+                                const ContactSurface<dim> &surface,
+                                const MassParameters      &mass)
   {
-    const TimeParameters &time = discretization.scene.time;
-    if (!time.has_massless_contact_nodes())
+    if (!mass.has_massless_contact_nodes())
       return "";
-    const std::string head = discretization.scene.file_name + ": Time/Mass = " + time.mass + ": ";
+
+    const std::string head = "Time/Mass = " + name_of(mass.kind) + ": ";
     if (surface.n_global_nodes() == 0)
       throw UserError(
         head
         + "no node can come into contact (no pair, nothing faces an obstacle, or supports hold all of them), so that "
-          "there is no mass to move. Set `Mass = consistent`, and another scheme than khenous-laborde-renard, "
-          "hager-hueeber-wohlmuth and reference, which always redistribute it.");
+          "there is no mass to move. Set `Mass = consistent`, and a scheme that does not need massless "
+          "contact nodes (see `signorini --print-schemes`).");
 
     const ContactStrip<dim> strip(discretization, surface);
     check_that_mass_is_left(discretization, strip, head);
-    build(discretization, strip);
+    build(discretization, strip, mass);
 
-    const double       smallest = MassSolver<dim>(discretization.matrices, {}).smallest_ratio();
+    const double       smallest = MassSolver<dim>(discretization.matrices(), {}).smallest_ratio();
     std::ostringstream text;
     text.precision(3);
-    text << time.mass;
-    if (time.mass == "redistributed")
-      text << " by " << time.redistribution;
+    text << name_of(mass.kind);
+    if (mass.kind == MassKind::redistributed)
+      text << " by " << name_of(mass.redistribution);
     if (!(smallest > 0.))
-      throw UserError(
-        head + "the construction `" + time.redistribution
-        + "` gives a mass that is not positive definite on this mesh, and every run with it would blow up. Set "
-          "Mass redistribution = extrapolation, which is always positive definite.");
+      throw UserError(head + "the construction `" + name_of(mass.redistribution)
+                      + "` gives a mass that is not positive definite on this mesh, and every run "
+                        "with it would blow up. Set "
+                        "Mass redistribution = extrapolation, which is always positive definite.");
     text << ", smallest eigenvalue " << smallest << " of its diagonal";
     return text.str();
   }
 
 
-  template std::string redistribute_mass(Discretization<2> &, const ContactSurface<2> &);
-  template std::string redistribute_mass(Discretization<3> &, const ContactSurface<3> &);
+  template std::string
+  redistribute_mass(Discretization<2> &, const ContactSurface<2> &, const MassParameters &);
+  template std::string
+  redistribute_mass(Discretization<3> &, const ContactSurface<3> &, const MassParameters &);
 } // namespace signorini

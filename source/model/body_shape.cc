@@ -11,9 +11,9 @@ namespace signorini
   template <int dim>
   dealii::Point<dim> centre_of_shape(const BodyDescription<dim> &body)
   {
-    if (body.shape == "box")
+    if (body.shape == BodyShape::box)
       return body.lower_corner + .5 * (body.upper_corner - body.lower_corner);
-    if (body.shape == "file")
+    if (body.shape == BodyShape::file)
       return body.mesh_file.centre;
     return body.centre;
   }
@@ -28,13 +28,13 @@ namespace signorini
   std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &body)
   {
     std::vector<dealii::types::boundary_id> ids;
-    if (body.shape == "file")
+    if (body.shape == BodyShape::file)
       {
         for (const auto &[id, vertices] : body.mesh_file.boundary_vertices)
           ids.push_back(id);
         return ids;
       }
-    ids.resize(body.shape == "box" ? 2 * dim : body.shape == "cylinder" ? 3 : 1);
+    ids.resize(body.shape == BodyShape::box ? 2 * dim : body.shape == BodyShape::cylinder ? 3 : 1);
     std::iota(ids.begin(), ids.end(), 0);
     return ids;
   }
@@ -83,11 +83,11 @@ namespace signorini
     std::vector<dealii::Point<dim>> points_of_shape(const BodyDescription<dim>      &body,
                                                     const dealii::types::boundary_id id)
     {
-      if (body.shape == "box")
+      if (body.shape == BodyShape::box)
         return points_of_box(body, id);
-      if (body.shape == "file")
+      if (body.shape == BodyShape::file)
         return body.mesh_file.boundary_vertices.at(id);
-      if (body.shape == "ball")
+      if (body.shape == BodyShape::ball)
         return poles(body.centre, body.radius, dealii::numbers::invalid_unsigned_int);
       if (id == 0)
         return poles(body.centre, body.radius, body.axis);

@@ -33,13 +33,13 @@ namespace signorini
   template <int dim>
   std::vector<Stress> cell_stress(const Discretization<dim> &discretization, const Vector &displacement)
   {
-    std::vector<Stress>                  result(discretization.triangulation.n_active_cells());
-    FEValues<dim>                        fe_values(discretization.mapping,
-                            discretization.fe,
-                            QGauss<dim>(discretization.n_quadrature_points()),
+    std::vector<Stress> result(discretization.mesh().triangulation().n_active_cells());
+    FEValues<dim>       fe_values(discretization.mesh().mapping(),
+                            discretization.fe(),
+                            QGauss<dim>(discretization.mesh().n_quadrature_points()),
                             update_gradients | update_JxW_values);
     std::vector<SymmetricTensor<2, dim>> strains(fe_values.n_quadrature_points);
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
@@ -52,8 +52,8 @@ namespace signorini
               integral += fe_values.JxW(q) * strains[q];
               volume += fe_values.JxW(q);
             }
-          result[cell->active_cell_index()] =
-            stress_of<dim>(discretization.scene.bodies[cell->material_id()].material, integral / volume);
+          result[cell->active_cell_index()] = stress_of<dim>(
+            discretization.mesh().bodies()[cell->material_id()].material, integral / volume);
         }
     return result;
   }

@@ -36,16 +36,16 @@ namespace signorini
 
 
   template <int dim>
-  FieldOutput<dim>::FieldOutput(const Discretization<dim> &discretization, const std::string &directory)
-    : discretization(discretization)
-    , volume_series(directory, "volume", discretization.communicator())
-    , surface_series(directory, "surface", discretization.communicator())
+  FieldOutput<dim>::FieldOutput(const std::string &directory, const MPI_Comm communicator)
+    : volume_series(directory, "volume", communicator)
+    , surface_series(directory, "surface", communicator)
   {
   }
 
 
   template <int dim>
   void FieldOutput<dim>::write(const State                  &state,
+                               const Discretization<dim>    &discretization,
                                const ContactSurface<dim>    &surface,
                                const dealii::Vector<double> &indicators)
   {
@@ -53,8 +53,8 @@ namespace signorini
       return;
     const Vector displacement = discretization.interpolate_hanging_nodes(state.displacement);
     const Vector velocity     = discretization.interpolate_hanging_nodes(state.velocity);
-    write_volume(state, displacement, velocity, indicators);
-    if (!discretization.scene.pairs.empty())
+    write_volume(state, discretization, displacement, velocity, indicators);
+    if (!surface.pairs().empty())
       {
         SurfacePatches<dim> surface_patches(discretization, surface);
         surface_patches.build(state, displacement, velocity);
@@ -66,13 +66,14 @@ namespace signorini
 
   template <int dim>
   void FieldOutput<dim>::write_volume(const State                  &state,
+                                      const Discretization<dim>    &discretization,
                                       const Vector                 &displacement,
                                       const Vector                 &velocity,
                                       const dealii::Vector<double> &indicators)
   {
-    const auto  &triangulation = discretization.triangulation;
+    const auto  &triangulation = discretization.mesh().triangulation();
     DataOut<dim> data;
-    data.attach_dof_handler(discretization.dof_handler);
+    data.attach_dof_handler(discretization.dof_handler());
     const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
       dim, DataComponentInterpretation::component_is_part_of_vector);
     data.add_data_vector(
@@ -102,7 +103,7 @@ namespace signorini
     if (indicators.size() > 0)
       data.add_data_vector(indicators, "error_indicator", DataOut<dim>::type_cell_data);
 
-    data.build_patches(discretization.mapping, 1);
+    data.build_patches(discretization.mesh().mapping(), 1);
     volume_series.write(data, state.step, state.time);
   }
 

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/contact_diagnostics.h>
-#include <signorini/diagnostics/node_friction.h>
-#include <signorini/output/surface_patches.h>
+#include <signorini/diagnostics/friction_reading.h>
 #include <signorini/model/has_friction.h>
+#include <signorini/output/surface_patches.h>
 
 #include <algorithm>
 
@@ -26,10 +26,11 @@ namespace signorini
 
 
   template <int dim>
-  SurfacePatches<dim>::SurfacePatches(const Discretization<dim> &discretization, const ContactSurface<dim> &surface)
+  SurfacePatches<dim>::SurfacePatches(const Discretization<dim> &discretization,
+                                      const ContactSurface<dim> &surface)
     : discretization(discretization)
     , surface(surface)
-    , with_friction(has_friction(discretization.scene.pairs))
+    , with_friction(has_friction(surface.pairs()))
   {
   }
 
@@ -41,7 +42,7 @@ namespace signorini
     if (with_friction)
       add_friction(state, fields);
     patches.clear();
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (surface.contains(cell, f))
           {
@@ -59,7 +60,7 @@ namespace signorini
       gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())), discretization.communicator());
 
     Vector values = discretization.make_vector();
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       values.local_element(dim * node + 1) = largest;
     for (unsigned int i = 0; i < surface.nodes().size(); ++i)
       {
@@ -80,7 +81,7 @@ namespace signorini
     for (unsigned int k = 0; k < surface.nodes().size(); ++k)
       {
         const ContactNode<dim>             &node     = surface.nodes()[k];
-        const NodeFriction<dim>             friction = node_friction(surface, state.friction, k);
+        const FrictionReading<dim>          friction = friction_at(surface, state.friction, k);
         const std::array<Tensor<1, dim>, 3> shown    = {
              {friction.force / node.weight, friction.accumulated_slip, friction.slip}};
         status.local_element(dim * node.node) = friction.status;

@@ -117,27 +117,30 @@ namespace signorini
   } // namespace
 
 
-  std::string choose_preconditioner(const double courant_number, const unsigned int matrix_life_time)
+  PreconditionerKind choose_preconditioner(const double       courant_number,
+                                           const unsigned int matrix_life_time)
   {
     // A factor costs about as much as it saves in 40 steps at Courant number 1, in 8 at 5. Where the stiffness rules the diagonal is too poor in any
     // case: the accuracy of a solution is judged in its norm.
     if (courant_number < 0.3 || (courant_number < 10. && matrix_life_time * courant_number < 40.))
-      return "jacobi";
-    return courant_number > 60. && courant_number < 1000. ? "ml" : "incomplete-cholesky";
+      return PreconditionerKind::jacobi;
+    return courant_number > 60. && courant_number < 1000. ? PreconditionerKind::ml
+                                                          : PreconditionerKind::incomplete_cholesky;
   }
 
 
   template <int dim>
-  std::unique_ptr<MaskedPreconditioner> make_preconditioner(const std::string             &name,
-                                                            const ElasticMatrices<dim>    &matrices,
-                                                            const ContactCoordinates<dim> &coordinates,
-                                                            const double                   mass_factor,
-                                                            const double                   stiffness_factor)
+  std::unique_ptr<MaskedPreconditioner>
+  make_preconditioner(const PreconditionerKind       kind,
+                      const ElasticMatrices<dim>    &matrices,
+                      const ContactCoordinates<dim> &coordinates,
+                      const double                   mass_factor,
+                      const double                   stiffness_factor)
   {
-    if (name == "jacobi")
+    if (kind == PreconditionerKind::jacobi)
       return std::make_unique<Jacobi>(StepOperator<dim>(matrices, coordinates, mass_factor, stiffness_factor),
                                       Vector(matrices.pattern.partitioner));
-    if (name == "ml")
+    if (kind == PreconditionerKind::ml)
       return std::make_unique<Multilevel<dim>>(matrices, coordinates, mass_factor, stiffness_factor);
     return std::make_unique<ContactIncompleteCholesky<dim, dim>>(matrices, coordinates, mass_factor, stiffness_factor);
   }
@@ -151,11 +154,15 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                                               \
-  template std::unique_ptr<MaskedPreconditioner> make_preconditioner(                                                  \
-    const std::string &, const ElasticMatrices<dim> &, const ContactCoordinates<dim> &, double, double);               \
-  template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(const ElasticMatrices<dim> &,                \
-                                                                          const ContactCoordinates<dim> &);
+#define INSTANTIATE(dim)                                                                           \
+  template std::unique_ptr<MaskedPreconditioner> make_preconditioner(                              \
+    PreconditionerKind,                                                                            \
+    const ElasticMatrices<dim> &,                                                                  \
+    const ContactCoordinates<dim> &,                                                               \
+    double,                                                                                        \
+    double);                                                                                       \
+  template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(                         \
+    const ElasticMatrices<dim> &, const ContactCoordinates<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/spelling.h>
 #include <signorini/scene/sections.h>
 #include <signorini/schemes/scheme_table.h>
 
@@ -19,18 +20,19 @@ namespace signorini
      * The keys but for `Indicator`, with their defaults. A key counts as given if it has another value: `parameters.prm` lists all keys and must be
      * read without complaint.
      */
-    const std::vector<std::pair<std::string, std::string>> defaults = {{"Marking", "fixed fraction"},
-                                                                       {"Refine fraction", "0.5"},
-                                                                       {"Coarsen fraction", "0.02"},
-                                                                       {"Coarsen ratio", "0"},
-                                                                       {"Tolerance", "0"},
-                                                                       {"Hysteresis", "0.1"},
-                                                                       {"Maximum level", "0"},
-                                                                       {"Minimum level", "0"},
-                                                                       {"Maximum cells", "0"},
-                                                                       {"Steps between remeshings", "1"},
-                                                                       {"Repetitions", "0"},
-                                                                       {"Distance", "0"}};
+    const std::vector<std::pair<std::string, std::string>> defaults = {
+      {"Marking", name_of(MarkingKind::fixed_fraction)},
+      {"Refine fraction", "0.5"},
+      {"Coarsen fraction", "0.02"},
+      {"Coarsen ratio", "0"},
+      {"Tolerance", "0"},
+      {"Hysteresis", "0.1"},
+      {"Maximum level", "0"},
+      {"Minimum level", "0"},
+      {"Maximum cells", "0"},
+      {"Steps between remeshings", "1"},
+      {"Repetitions", "0"},
+      {"Distance", "0"}};
 
     std::string default_of(const std::string &key)
     {
@@ -64,12 +66,12 @@ namespace signorini
     /** Refuse keys that the chosen indicator and marking do not look at. Without an indicator they may stay, so that it is easily switched off. */
     void check_that_keys_fit(const SectionReader &in, const AdaptivityParameters &adaptivity)
     {
-      if (adaptivity.indicator == "distance")
+      if (adaptivity.indicator == IndicatorKind::distance)
         refuse_if_given(in,
                         {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
                         "belongs to indicators that estimate an error, but Indicator = distance refines by `Distance` "
                         "alone. Remove this key.");
-      if (adaptivity.marking == "tolerance")
+      if (adaptivity.marking == MarkingKind::tolerance)
         refuse_if_given(
           in,
           {"Refine fraction", "Coarsen fraction"},
@@ -96,13 +98,15 @@ namespace signorini
     /** Contact nodes without mass cannot be carried from mesh to mesh. */
     void check_mass(const SectionReader &in, const AdaptivityParameters &adaptivity, const TimeParameters &time)
     {
-      if (adaptivity.any() && (time.has_massless_contact_nodes() || !scheme_info(time.scheme).changing_mesh))
-        in.fail(
-          "Indicator",
-          "does not fit Scheme = " + time.scheme + " with Mass = " + time.mass
-            + ": contact nodes have no mass, so that on a new mesh their acceleration is not defined, and the mass "
-              "built anew has another kinetic energy of the same motion. Set `Indicator = none`, or take "
-              "`Mass = consistent` and another scheme, for example contact-stabilized.");
+      const bool massless = time.mass.has_massless_contact_nodes();
+      if (adaptivity.any() && (massless || !scheme_info(time.scheme).changing_mesh))
+        in.fail("Indicator",
+                "does not fit Scheme = " + time.scheme + " with Mass = " + name_of(time.mass.kind)
+                  + ": contact nodes have no mass, so that on a new mesh their acceleration is not "
+                    "defined, and the mass built anew has another kinetic energy of the same "
+                    "motion. Set `Indicator = none`, or take `Mass = consistent` and one of the "
+                    "schemes "
+                  + join(schemes_where([](const SchemeInfo &info) { return info.changing_mesh; })) + ".");
     }
   } // namespace
 
@@ -113,22 +117,26 @@ namespace signorini
     const auto declare = [&](const std::string &key, const PatternBase &pattern, const std::string &text) {
       prm.declare_entry(key, default_of(key), pattern, text);
     };
-    prm.declare_entry(
-      "Indicator",
-      "none",
-      Selection("none|residual|kelly|distance"),
-      "What tells where the mesh is too coarse or finer than needed. none: the mesh stays as it is. "
-      "residual: estimate of the error of a step in the energy norm, from the residual inside of the "
-      "cells, the jumps of the stress between them and the error of the contact condition. kelly: the jumps of "
-      "the stress alone. distance: no estimate; cells of contact surfaces are refined that are, or soon will be, "
-      "closer than `Distance` to the other side.");
-    declare(
-      "Marking",
-      Selection("fixed fraction|tolerance"),
-      "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, as few as make `Refine "
-      "fraction` of the whole, and coarsen those with the smallest that make `Coarsen fraction`. tolerance: refine the "
-      "cells "
-      "that have more than their equal share of `Tolerance`, coarsen those far below it.");
+    prm.declare_entry("Indicator",
+                      name_of(IndicatorKind::none),
+                      choices_of<IndicatorKind>(),
+                      "What tells where the mesh is too coarse or finer than needed. none: the "
+                      "mesh stays as it is. "
+                      "residual: estimate of the error of a step in the energy norm, from the "
+                      "residual inside of the "
+                      "cells, the jumps of the stress between them and the error of the contact "
+                      "condition. kelly: the jumps of "
+                      "the stress alone. distance: no estimate; cells of contact surfaces are "
+                      "refined that are, or soon will be, "
+                      "closer than `Distance` to the other side.");
+    declare("Marking",
+            choices_of<MarkingKind>(),
+            "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, "
+            "as few as make `Refine "
+            "fraction` of the whole, and coarsen those with the smallest that make `Coarsen "
+            "fraction`. tolerance: refine the "
+            "cells "
+            "that have more than their equal share of `Tolerance`, coarsen those far below it.");
     declare("Refine fraction",
             Double(),
             "Of Marking = fixed fraction: the part of the squared estimate that the cells to be refined make "
@@ -193,8 +201,8 @@ namespace signorini
   parse_adaptivity(const SectionReader &in, const TimeParameters &time, const std::vector<BodyDescription<dim>> &bodies)
   {
     AdaptivityParameters adaptivity;
-    adaptivity.indicator = in.text("Indicator");
-    adaptivity.marking   = in.text("Marking");
+    adaptivity.indicator = in.choice<IndicatorKind>("Indicator");
+    adaptivity.marking   = in.choice<MarkingKind>("Marking");
     if (adaptivity.any())
       check_that_keys_fit(in, adaptivity);
     check_mass(in, adaptivity, time);
@@ -218,7 +226,7 @@ namespace signorini
     adaptivity.repetitions   = in.integer("Repetitions", 0, 20);
     if (!adaptivity.any())
       return adaptivity;
-    if (adaptivity.marking == "tolerance" && adaptivity.tolerance == 0.)
+    if (adaptivity.marking == MarkingKind::tolerance && adaptivity.tolerance == 0.)
       in.fail("Tolerance", "is missing, but Marking = tolerance compares with it. Give a positive number.");
     check_levels(in, adaptivity, bodies);
     return adaptivity;

@@ -47,8 +47,9 @@ namespace signorini
       const auto position = std::find(valid.begin(), valid.end(), id);
       if (position == valid.end())
         in.fail(key,
-                (body.shape == "file" ? "the mesh " + body.mesh_file.path : "a " + body.shape) + " has no boundary id `"
-                  + id + "`. Valid: " + join(valid) + ".");
+                (body.shape == BodyShape::file ? "the mesh " + body.mesh_file.path
+                                               : "a " + name_of(body.shape))
+                  + " has no boundary id `" + id + "`. Valid: " + join(valid) + ".");
       return boundary_ids(body)[position - valid.begin()];
     }
 

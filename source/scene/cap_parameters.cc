@@ -46,10 +46,10 @@ namespace signorini
   void parse_cap(const SectionReader &in, BodyDescription<dim> &body)
   {
     body.cap_radius = in.number("Cap radius");
-    if (body.shape != "box")
+    if (body.shape != BodyShape::box)
       {
-        const std::string remedy = "only a face of a box can be curved, but this body has `Shape = " + body.shape
-                                   + "`. Remove this key, or use a box.";
+        const std::string remedy = "only a face of a box can be curved, but this body has `Shape = "
+                                   + name_of(body.shape) + "`. Remove this key, or use a box.";
         if (body.cap_radius != 0.)
           in.fail("Cap radius", remedy);
         if (!in.text("Cap boundary").empty())

@@ -40,8 +40,9 @@ namespace signorini
       for (const unsigned int id : ids)
         if (std::find(existing.begin(), existing.end(), id) == existing.end())
           in.fail("Pairs",
-                  "the pair `" + pair.text() + "`: the body `" + body.name + "` (shape " + body.shape
-                    + ") has no boundary id " + std::to_string(id) + ". Valid: " + join(valid) + ".");
+                  "the pair `" + pair.text() + "`: the body `" + body.name + "` (shape "
+                    + name_of(body.shape) + ") has no boundary id " + std::to_string(id)
+                    + ". Valid: " + join(valid) + ".");
     }
 
     /** Points of the surface of the slave, for trying expressions. */
@@ -78,7 +79,7 @@ namespace signorini
         if (const unsigned int master = index_of(bodies, name.partner); master < bodies.size())
           {
             pair.master = master;
-            if (scene.time.predictor == "lumped")
+            if (scene.time.mass.predictor == PredictorMass::lumped)
               in.fail("Pairs",
                       "the pair `" + name.text() + "`: the lumped predictor is available for rigid obstacles only. Set "
                         + "`Time/Predictor mass = consistent`.");

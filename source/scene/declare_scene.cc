@@ -49,9 +49,10 @@ namespace signorini
                         Anything(),
                         "Folder for all results, relative to the current one. It is made if it does not exist.");
       prm.declare_entry("Mapping",
-                        "linear",
-                        Selection("linear|curved"),
-                        "linear: cells with straight edges, isoparametric; curved: quadratic cells, which follow round "
+                        name_of(CellGeometry::linear),
+                        choices_of<CellGeometry>(),
+                        "linear: cells with straight edges, isoparametric; curved: quadratic "
+                        "cells, which follow round "
                         "shapes more closely.");
     }
 

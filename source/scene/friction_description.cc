@@ -73,7 +73,7 @@ namespace signorini
                 "is not used by `Friction law = tresca`, whose bound does not depend on the pressure. Remove this key, "
                 "or set `Friction law = coulomb`; there `Friction bound` limits the friction.");
       FrictionDescription friction;
-      friction.law   = "tresca";
+      friction.law   = FrictionKind::tresca;
       friction.bound = in.text(bound_key);
       friction.any   = !check_and_see_if_zero(in, bound_key, points, "Give a positive stress, or 0 for no friction.");
       return friction;
@@ -85,10 +85,11 @@ namespace signorini
     using namespace dealii::Patterns;
     prm.declare_entry(
       "Friction law",
-      "coulomb",
-      Selection("coulomb|tresca"),
+      name_of(FrictionKind::coulomb),
+      choices_of<FrictionKind>(),
       "What the tangential stress can reach before the surfaces slide. coulomb: the coefficient of "
-      "friction times the pressure, at most the bound if there is one. tresca: the bound, in steps that "
+      "friction times the pressure, at most the bound if there is one. tresca: the bound, in steps "
+      "that "
       "begin with the node in contact.");
     prm.declare_entry("Friction coefficient",
                       "0",
@@ -107,7 +108,7 @@ namespace signorini
   FrictionDescription
   parse_friction(const SectionReader &in, const std::string &scheme, const std::vector<dealii::Point<dim>> &points)
   {
-    const bool                tresca   = in.text("Friction law") == "tresca";
+    const bool tresca = in.choice<FrictionKind>("Friction law") == FrictionKind::tresca;
     const FrictionDescription friction = tresca ? parse_tresca<dim>(in, points) : parse_coulomb<dim>(in, points);
     if (friction.any && !scheme_info(scheme).friction)
       {

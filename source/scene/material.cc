@@ -9,11 +9,6 @@
 
 namespace signorini
 {
-  double Material::pressure_wave_speed() const
-  {
-    return std::sqrt((lambda() + 2. * mu()) / density);
-  }
-
   void declare_material(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;

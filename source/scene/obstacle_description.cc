@@ -16,11 +16,12 @@ namespace signorini
     const List        point(Double(), dim, dim);
     const std::string zero = (dim == 2 ? "0, 0" : "0, 0, 0");
     const std::string up   = (dim == 2 ? "0, 1" : "0, 0, 1");
-    prm.declare_entry("Shape",
-                      "plane",
-                      Selection("plane|sphere|cylinder|function"),
-                      "plane, sphere (in 2d: a circle), cylinder (3d, of infinite length), or function (the zero "
-                      "set of an expression).");
+    prm.declare_entry(
+      "Shape",
+      name_of(ObstacleShape::plane),
+      choices_of<ObstacleShape>(),
+      "plane, sphere (in 2d: a circle), cylinder (3d, of infinite length), or function (the zero "
+      "set of an expression).");
     prm.declare_entry("Point", zero, point, "Plane: a point of its surface; cylinder: a point of its axis (length).");
     prm.declare_entry(
       "Normal", up, point, "Plane: points out of the obstacle, towards the bodies; any length but zero.");
@@ -66,24 +67,24 @@ namespace signorini
                 + " ... end` in section Obstacles, or remove the name from the list.");
     ObstacleDescription<dim> obstacle;
     obstacle.name  = name;
-    obstacle.shape = in.text("Shape");
-    if (obstacle.shape == "plane")
+    obstacle.shape = in.choice<ObstacleShape>("Shape");
+    if (obstacle.shape == ObstacleShape::plane)
       {
         obstacle.point  = in.point<dim>("Point");
         obstacle.normal = direction<dim>(in, "Normal");
       }
-    else if (obstacle.shape == "function")
+    else if (obstacle.shape == ObstacleShape::function)
       {
         obstacle.signed_distance = read_signed_distance_text(in);
         check_expression<dim>(in, "Signed distance", obstacle.signed_distance, {}, "");
       }
     else
       {
-        if (dim == 2 && obstacle.shape == "cylinder")
+        if (dim == 2 && obstacle.shape == ObstacleShape::cylinder)
           in.fail("Shape", "a cylinder exists in 3d only. In 2d use `sphere`, which is a circle.");
         obstacle.radius        = in.positive_number("Radius", "it is a length");
         obstacle.bodies_inside = in.flag("Bodies inside");
-        if (obstacle.shape == "sphere")
+        if (obstacle.shape == ObstacleShape::sphere)
           obstacle.centre = in.point<dim>("Centre");
         else
           {

@@ -43,7 +43,7 @@ namespace signorini
     template <int dim>
     void check_start(const SectionReader &in, const Scene<dim> &scene)
     {
-      if (scene.time.start != "equilibrium")
+      if (scene.time.start != StartKind::equilibrium)
         return;
       for (const BodyDescription<dim> &body : scene.bodies)
         for (const std::string &expression : body.initial_displacement)
@@ -59,7 +59,7 @@ namespace signorini
     {
       prm.enter_subsection("Bodies");
       for (const BodyDescription<dim> &body : bodies)
-        if (body.shape == "file")
+        if (body.shape == BodyShape::file)
           {
             prm.enter_subsection(body.name);
             prm.set("File", std::filesystem::absolute(body.mesh_file.path).string());
@@ -98,7 +98,7 @@ namespace signorini
     Scene<dim> scene;
     scene.file_name        = file_name;
     scene.output_directory = in.text("Output directory");
-    scene.mapping          = in.text("Mapping");
+    scene.mapping          = in.choice<CellGeometry>("Mapping");
     scene.time             = parse_time(in.section("Time"));
     scene.step_sizes       = parse_step_sizes(in.section("Time"), scene.time);
     for (const std::string &name : names.bodies)

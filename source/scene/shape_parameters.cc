@@ -50,7 +50,7 @@ namespace signorini
     {
       body.centre = in.point<dim>("Centre");
       body.radius = in.positive_number("Radius", "it is a length");
-      if (body.shape == "ball")
+      if (body.shape == BodyShape::ball)
         return;
       if (dim == 2)
         in.fail("Shape", "a cylinder exists in 3d only. In 2d use `ball` for a disc, or `box`.");
@@ -101,13 +101,14 @@ namespace signorini
   {
     using namespace dealii::Patterns;
     const List point(Double(), dim, dim);
-    prm.declare_entry("Shape",
-                      "ball",
-                      Selection("ball|box|cylinder|file"),
-                      "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: "
-                      "y-, y+; 4, 5: z-, z+), "
-                      "cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top), or file (a mesh; boundary ids of the "
-                      "file).");
+    prm.declare_entry(
+      "Shape",
+      name_of(BodyShape::ball),
+      choices_of<BodyShape>(),
+      "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: "
+      "y-, y+; 4, 5: z-, z+), "
+      "cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top), or file (a mesh; boundary ids of the "
+      "file).");
     prm.declare_entry("Centre", coordinates<dim>("0"), point, "Ball, cylinder: the centre (length).");
     prm.declare_entry("Radius", "1", Double(), "Ball, cylinder: the radius (length), > 0.");
     prm.declare_entry("Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
@@ -133,14 +134,15 @@ namespace signorini
   template <int dim>
   void parse_shape(const SectionReader &in, BodyDescription<dim> &body)
   {
-    body.shape = in.text("Shape");
+    body.shape = in.choice<BodyShape>("Shape");
     body.repetitions.fill(1);
-    if (body.shape != "file" && !in.text("File").empty())
+    if (body.shape != BodyShape::file && !in.text("File").empty())
       in.fail("File",
-              "this body has `Shape = " + body.shape + "` and needs no mesh. Set `Shape = file`, or remove this key.");
-    if (body.shape == "file")
+              "this body has `Shape = " + name_of(body.shape)
+                + "` and needs no mesh. Set `Shape = file`, or remove this key.");
+    if (body.shape == BodyShape::file)
       parse_file(in, body);
-    else if (body.shape == "box")
+    else if (body.shape == BodyShape::box)
       parse_box(in, body);
     else
       parse_ball_or_cylinder(in, body);

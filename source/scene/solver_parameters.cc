@@ -28,8 +28,8 @@ namespace signorini
     using namespace dealii::Patterns;
     const SolverParameters defaults;
     prm.declare_entry("Preconditioner",
-                      defaults.preconditioner,
-                      Selection("automatic|jacobi|incomplete-cholesky|ml"),
+                      name_of(defaults.preconditioner),
+                      choices_of<PreconditionerKind>(),
                       "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, ml "
                       "(algebraic multigrid), "
                       "or automatic (chosen from the Courant number).");
@@ -53,7 +53,7 @@ namespace signorini
   SolverParameters parse_solver(const SectionReader &in)
   {
     SolverParameters solver;
-    solver.preconditioner = in.text("Preconditioner");
+    solver.preconditioner = in.choice<PreconditionerKind>("Preconditioner");
     solver.tolerance      = in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");
     if (solver.tolerance > max_tolerance)
       in.fail("Tolerance",

@@ -11,16 +11,20 @@ namespace signorini
   void declare_step_sizes(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    prm.declare_entry(
-      "Step size control",
-      "fixed",
-      Selection("fixed|doubling|embedded|force"),
-      "How long steps are. fixed: all as long as Step size. doubling: so that the error of a step, estimated by taking "
-      "it once more in two halves, stays below Step tolerance; the halves are kept. embedded: the same with the "
-      "difference from what the last step predicted, which costs nothing but is coarser. force: that of embedded in "
-      "contact, "
-      "and by the change of contact forces; flight takes the longest steps, whatever vibrates. Step size is then the "
-      "first one, and with force the one with which contact begins.");
+    const StepSizeParameters defaults;
+    prm.declare_entry("Step size control",
+                      name_of(defaults.control),
+                      choices_of<StepSizeControl>(),
+                      "How long steps are. fixed: all as long as Step size. doubling: so that the "
+                      "error of a step, estimated by taking "
+                      "it once more in two halves, stays below Step tolerance; the halves are "
+                      "kept. embedded: the same with the "
+                      "difference from what the last step predicted, which costs nothing but is "
+                      "coarser. force: that of embedded in "
+                      "contact, "
+                      "and by the change of contact forces; flight takes the longest steps, "
+                      "whatever vibrates. Step size is then the "
+                      "first one, and with force the one with which contact begins.");
     prm.declare_entry(
       "Step tolerance",
       "1e-2",
@@ -46,7 +50,7 @@ namespace signorini
   {
     const StepSizeParameters defaults;
     StepSizeParameters       sizes;
-    sizes.control           = in.text("Step size control");
+    sizes.control           = in.choice<StepSizeControl>("Step size control");
     sizes.tolerance         = in.number("Step tolerance");
     sizes.minimum           = in.number("Minimum step size");
     sizes.maximum           = in.number("Maximum step size");

@@ -3,7 +3,6 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/scene/sections.h>
-#include <signorini/schemes/scheme_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -20,212 +19,66 @@ namespace signorini
     {
       std::string text;
       for (const SchemeInfo &info : scheme_table())
-        text += (text.empty() ? "" : " ") + info.name + ": " + info.summary + ".";
+        text += " " + info.name + ": " + info.summary + ".";
       return text;
     }
-
-    std::string names_of_massless_schemes()
-    {
-      return join(schemes_where([](const SchemeInfo &info) { return info.massless == MasslessNodesAre::needed; }));
-    }
-
-    std::string names_of_schemes_with_predictor()
-    {
-      return join(schemes_where([](const SchemeInfo &info) { return info.predictor; }), " and ");
-    }
   } // namespace
+
 
   unsigned int TimeParameters::n_steps() const
   {
     return static_cast<unsigned int>(std::max(1., std::round(end_time / step_size)));
   }
 
-  bool TimeParameters::has_massless_contact_nodes() const
-  {
-    return mass == "redistributed" || mass == "zero on contact boundary";
-  }
 
   void declare_time(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
+    prm.declare_entry("Scheme",
+                      scheme_table().front().name,
+                      Selection(join(scheme_names(), "|")),
+                      "Time discretisation." + summaries());
+    declare_scheme_parameters(prm);
+    prm.declare_entry("Start",
+                      name_of(StartKind::given),
+                      choices_of<StartKind>(),
+                      "How the run begins. given: with the initial displacement of the bodies. "
+                      "equilibrium: with the static equilibrium under the loads and the contact of "
+                      "time 0; rigid motions that nothing holds stay free. The initial velocity "
+                      "counts in both.");
     prm.declare_entry(
-      "Scheme",
-      "contact-stabilized",
-      Selection(join(scheme_names(), "|")),
-      "Time discretisation. " + summaries());
-    prm.declare_entry(
-      "HHT alpha", "-0.1", Double(), "Damping of hht-alpha, between -1/3 (most) and 0 (none; no unit).");
-    prm.declare_entry("Spectral radius",
-                      "0.8",
+      "Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
+    prm.declare_entry("End time",
+                      "0",
                       Double(),
-                      "Of generalized-alpha and nonsmooth-generalized-alpha at infinite frequency, between 0 (most "
-                      "damping) and 1 (none; no unit).");
-    prm.declare_entry("Reference tolerance",
-                      "1e-8",
-                      Double(),
-                      "Of reference: accepted relative error per step of the integrator, between 1e-12 and 1e-2.");
-    prm.declare_entry(
-      "Mass",
-      "consistent",
-      Selection("consistent|lumped|redistributed|zero on contact boundary"),
-      "Mass matrix of the time discretisation: consistent (integrated exactly), lumped "
-      "(diagonal), redistributed (contact nodes have none; it goes to the nodes behind them, and total "
-      "mass, centre of gravity and inertia stay) or zero on contact boundary (contact nodes have none, "
-      "and it is lost). The schemes "
-        + names_of_massless_schemes() + " take the redistributed mass instead of the consistent one.");
-    prm.declare_entry(
-      "Mass redistribution",
-      "automatic",
-      Selection("automatic|extrapolation|minimisation|macro-elements"),
-      "How the redistributed mass is built. extrapolation: contact nodes follow the nodes behind them; "
-      "positive definite on every mesh. minimisation: smallest relative change of all entries. "
-      "macro-elements: quadrature with points away from the contact boundary. automatic: macro-elements "
-      "for hager-hueeber-wohlmuth, else extrapolation.");
-    prm.declare_entry(
-      "Newmark beta",
-      "0.5",
-      Double(),
-      "Of khenous-laborde-renard, at least 1/4 (no unit). 1/2 is the value of the literature; with 1/4 the "
-      "energy of free motion is conserved.");
-    prm.declare_entry("Newmark gamma",
-                      "0.5",
-                      Double(),
-                      "Of khenous-laborde-renard, between 1/2 (second order) and 2 Newmark beta (no unit).");
-    prm.declare_entry(
-      "Predictor mass",
-      "consistent",
-      Selection("consistent|lumped"),
-      "Mass matrix of the projection in the predictor of contact-stabilized and contact-stabilized-projected. lumped "
-      "is cheaper "
-      "(node by node); with the consistent mass the scheme then loses more energy and is no longer sure "
-      "never to gain any. No other scheme uses it.");
-    prm.declare_entry(
-      "Impulses",
-      "common",
-      Selection("common|per node"),
-      "How laursen-love shares the impulses that give lost energy back. common: along the contact forces, "
-      "from one equation. per node: each contact node gets back what it has lost, from coupled equations; "
-      "takes more time. No other scheme uses it.");
-    prm.declare_entry(
-      "Stop sticking nodes",
-      "true",
-      Bool(),
-      "With friction, contact-stabilized and contact-stabilized-projected: whether nodes that stick and "
-      "stay in contact lose their tangential velocity at the end of a step. Without that it alternates "
-      "in sign from step to step. No other scheme uses it.");
-    prm.declare_entry(
-      "Start",
-      "given",
-      Selection("given|equilibrium"),
-      "How the run begins. given: with the initial displacement of the bodies. equilibrium: with the static "
-      "equilibrium under the loads and the contact of time 0; rigid motions that nothing holds stay "
-      "free. The initial velocity counts in both.");
-    prm.declare_entry("Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
-    prm.declare_entry(
-      "End time",
-      "0",
-      Double(),
-      "The run ends here, in units of time; with fixed steps after End time / Step size of them (rounded "
-      "to the nearest integer). Must be given.");
+                      "The run ends here, in units of time; with fixed steps after End time / Step "
+                      "size of them (rounded to the nearest integer). Must be given.");
     declare_step_sizes(prm);
   }
-
-  namespace
-  {
-    /** Refuse combinations of scheme and mass that make no sense, and settle what is automatic. */
-    void check_mass(const SectionReader &in, TimeParameters &time)
-    {
-      const SchemeInfo &scheme = scheme_info(time.scheme);
-      const bool        needed = scheme.massless == MasslessNodesAre::needed;
-      if (needed && time.mass == "lumped")
-        in.fail("Mass",
-                "does not fit Scheme = " + time.scheme
-                  + ", which needs contact nodes without mass. Remove this key, or set `Mass = redistributed`.");
-      if (needed && time.mass == "consistent")
-        time.mass = "redistributed";
-      if (time.redistribution != "automatic" && time.mass != "redistributed")
-        in.fail("Mass redistribution",
-                "says how the redistributed mass is built, but Mass = " + time.mass
-                  + ". Remove this key or set `Mass = redistributed`.");
-      if (time.redistribution == "automatic")
-        time.redistribution = scheme.macro_elements ? "macro-elements" : "extrapolation";
-      if (time.has_massless_contact_nodes() && scheme.massless == MasslessNodesAre::refused)
-        in.fail("Mass",
-                "makes no sense with Scheme = " + time.scheme + scheme.why_refused + ". Take "
-                  + join(schemes_where([](const SchemeInfo &info) { return info.massless != MasslessNodesAre::refused; }))
-                  + ", or `Mass = consistent`.");
-    }
-
-
-    /** Refuse keys that only other schemes look at. */
-    void check_keys_of_schemes(const SectionReader &in, const TimeParameters &time)
-    {
-      const SchemeInfo &scheme         = scheme_info(time.scheme);
-      const std::string with_predictor = names_of_schemes_with_predictor();
-      if (time.predictor != "consistent" && !scheme.predictor)
-        in.fail("Predictor mass",
-                "only " + with_predictor + " have a predictor with a mass of its own, but Scheme = " + time.scheme
-                  + ". Remove this key or take one of these schemes.");
-      if (!time.stop_sticking_nodes && !scheme.predictor)
-        in.fail("Stop sticking nodes",
-                "only " + with_predictor + " stop nodes that stick, but Scheme = " + time.scheme
-                  + ". Remove this key or take one of these schemes.");
-      if (time.impulses != "common" && !scheme.impulses)
-        in.fail("Impulses",
-                "only " + join(schemes_where([](const SchemeInfo &info) { return info.impulses; }))
-                  + " gives impulses, but Scheme = " + time.scheme + ". Remove this key or take that scheme.");
-    }
-
-
-    void check_newmark(const SectionReader &in, const TimeParameters &time)
-    {
-      if (!(time.newmark_beta >= 0.25 && time.newmark_beta <= 1.))
-        in.fail("Newmark beta", "must lie between 0.25 and 1. Below, the method is not stable for every step size.");
-      if (!(time.newmark_gamma >= 0.5 && time.newmark_gamma <= 2. * time.newmark_beta + 1e-12))
-        in.fail("Newmark gamma",
-                "must lie between 0.5 and twice `Newmark beta` = " + in.text("Newmark beta")
-                  + ". Outside, the method is not stable for every step size.");
-    }
-  } // namespace
 
 
   TimeParameters parse_time(const SectionReader &in)
   {
     TimeParameters time;
-    time.scheme              = in.text("Scheme");
-    time.mass                = in.text("Mass");
-    time.redistribution      = in.text("Mass redistribution");
-    time.predictor           = in.text("Predictor mass");
-    time.reference_tolerance = in.number("Reference tolerance");
-    if (!(time.reference_tolerance >= 1e-12 && time.reference_tolerance <= 1e-2))
-      in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
-    time.newmark_beta        = in.number("Newmark beta");
-    time.newmark_gamma       = in.number("Newmark gamma");
-    time.hht_alpha           = in.number("HHT alpha");
-    time.spectral_radius     = in.number("Spectral radius");
-    time.impulses            = in.text("Impulses");
-    time.start               = in.text("Start");
-    time.stop_sticking_nodes = in.flag("Stop sticking nodes");
-    if (!(time.hht_alpha >= -1. / 3. && time.hht_alpha <= 0.))
-      in.fail("HHT alpha", "must lie between -1/3 and 0. Beyond, the method is not stable or not of second order.");
-    if (!(time.spectral_radius >= 0. && time.spectral_radius <= 1.))
-      in.fail("Spectral radius", "must lie between 0 and 1. Above 1 the method is not stable.");
-    check_mass(in, time);
-    check_newmark(in, time);
+    time.scheme = in.text("Scheme");
+    parse_scheme_parameters(in, time);
+    time.start = in.choice<StartKind>("Start");
     for (const std::string key : {"Step size", "End time"})
       if (!in.given(key))
         in.fail(key, "is missing. Give a positive number, in units of time.");
-    time.step_size = in.positive_number("Step size", "the run goes forward in time; give a number > 0");
-    time.end_time  = in.positive_number("End time", "the run starts at time 0; give a number > 0");
+    time.step_size =
+      in.positive_number("Step size", "the run goes forward in time; give a number > 0");
+    time.end_time =
+      in.positive_number("End time", "the run starts at time 0; give a number > 0");
 
     if (time.step_size > time.end_time)
       in.fail("Step size",
-              "is larger than the end time " + in.text("End time") + ". Reduce the step size or increase `End time`.");
+              "is larger than the end time " + in.text("End time")
+                + ". Reduce the step size or increase `End time`.");
     if (time.end_time / time.step_size > max_steps)
       in.fail("Step size",
               "needs more than a hundred million steps until the end time " + in.text("End time")
                 + ". Increase the step size or reduce `End time`.");
-    check_keys_of_schemes(in, time);
     return time;
   }
 } // namespace signorini

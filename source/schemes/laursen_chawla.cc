@@ -11,7 +11,7 @@ namespace signorini
   StepReport LaursenChawla::advance(DynamicalSystem &system, State &state, const double tau)
   {
     // A node that is held at zero gap must not drop out by round-off.
-    const double touching = 1e-10 * system.length();
+    const double touching = touching_distance(system.length());
     NormalGap    bounds   = system.normal_gap(state.displacement);
     for (double &bound : bounds)
       bound = bound <= touching ? 0. : std::numeric_limits<double>::infinity();

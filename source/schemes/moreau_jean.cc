@@ -12,7 +12,7 @@ namespace signorini
   {
     NormalGap       bounds   = system.normal_gap(state.displacement);
     const NormalGap approach = system.relative_normal(state.velocity);
-    const double    touching = 1e-10 * system.length();
+    const double    touching = touching_distance(system.length());
     for (std::size_t k = 0; k < bounds.size(); ++k)
       {
         const double half_step = tau / 2. * approach[k];

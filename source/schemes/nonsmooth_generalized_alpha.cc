@@ -22,7 +22,7 @@ namespace signorini
       const NormalGap   gap = system.normal_gap(state.displacement), approach = system.relative_normal(state.velocity);
       std::vector<bool> touching(gap.size());
       for (std::size_t k = 0; k < gap.size(); ++k)
-        touching[k] = gap[k] - tau / 2. * approach[k] <= 1e-10 * system.length();
+        touching[k] = gap[k] - tau / 2. * approach[k] <= touching_distance(system.length());
       return touching;
     }
   } // namespace

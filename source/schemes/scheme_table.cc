@@ -131,6 +131,7 @@ namespace signorini
       info.balance          = StepBalance::end;
       info.force_before_end = "0"; // in equilibrium at the end
       info.mean_velocity    = true;
+      info.keys             = {"Newmark beta", "Newmark gamma"};
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta, parameters.newmark_gamma);
       };
@@ -167,6 +168,7 @@ namespace signorini
       refuse_massless_nodes(info, needs_accelerations);
       info.force_before_end = "-p"; // alpha_f
       info.parameter        = "HHT alpha";
+      info.keys             = {info.parameter};
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
       };
@@ -181,6 +183,7 @@ namespace signorini
       refuse_massless_nodes(info, needs_accelerations);
       info.force_before_end = "p/(1+p)"; // alpha_f
       info.parameter        = "Spectral radius";
+      info.keys             = {info.parameter};
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<GeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
       };
@@ -194,6 +197,7 @@ namespace signorini
                                EnergyLaw::none,
                                "generalized-alpha with contact as jumps of the velocity; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
+      info.keys = {"Spectral radius"};
       info.make = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<NonsmoothGeneralizedAlpha>(
           AlphaRule::with_spectral_radius(parameters.spectral_radius));
@@ -234,6 +238,7 @@ namespace signorini
       info.force_before_end = "0";
       info.mean_velocity    = true;
       info.own_tolerance    = "Reference tolerance";
+      info.keys             = {info.own_tolerance};
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ReferenceIntegration>(parameters.reference_tolerance);
       };

@@ -11,7 +11,7 @@ namespace signorini
                           const bool               normal,
                           const bool               tangential)
   {
-    const double touching = 1e-10 * system.length();
+    const double touching = touching_distance(system.length());
     ActiveSet    held(gap.size(), contact_status::open);
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (gap[k] <= touching && solution.normal_reaction[k] < 0.)

@@ -7,30 +7,55 @@
 namespace signorini
 {
   template <int dim>
-  void change_mesh(Discretization<dim>               &discretization,
+  void build_on_changed_mesh(Mesh<dim>                         &mesh,
+                             const Scene<dim>                  &scene,
+                             const unsigned int                 mesh_life_time,
+                             std::unique_ptr<MeshedScene<dim>> &meshed,
+                             dealii::TimerOutput               &timer)
+  {
+    const double       energy   = meshed->system.energy();
+    const ProductCount products = meshed->discretization.matrices().products();
+    {
+      dealii::TimerOutput::Scope scope(timer, "mesh: cells");
+      mesh.carry_out_flags();
+    }
+    meshed.reset();
+    meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_life_time, timer);
+    meshed->system.set_energy(energy);
+    meshed->discretization.matrices().add_products(products);
+  }
+
+
+  template <int dim>
+  void change_mesh(Mesh<dim>                         &mesh,
+                   const Scene<dim>                  &scene,
+                   const unsigned int                 mesh_life_time,
                    std::unique_ptr<MeshedScene<dim>> &meshed,
                    State                             &state,
                    dealii::TimerOutput               &timer)
   {
-    const double energy = meshed->system.energy();
-
-    StateTransfer<dim> transfer(discretization, meshed->surface, meshed->coordinates, state);
-    {
-      dealii::TimerOutput::Scope scope(timer, "mesh: cells and degrees of freedom");
-      discretization.triangulation.execute_coarsening_and_refinement();
-      meshed.reset();
-      discretization.distribute();
-    }
-    meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
-    meshed->system.set_energy(energy);
+    StateTransfer<dim> transfer(
+      mesh, meshed->discretization, meshed->surface, meshed->coordinates, state);
+    build_on_changed_mesh(mesh, scene, mesh_life_time, meshed, timer);
     dealii::TimerOutput::Scope scope(timer, "mesh: transfer of the state");
     state = State(); // vectors that are assigned to would keep their old ghosts if they own the same entries
-    state = transfer.finish(meshed->surface, meshed->coordinates, meshed->system);
+    state = transfer.finish(
+      meshed->discretization, meshed->surface, meshed->coordinates, meshed->system, scene.solver);
   }
 
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void change_mesh(Discretization<dim> &, std::unique_ptr<MeshedScene<dim>> &, State &, dealii::TimerOutput &);
+#define INSTANTIATE(dim)                                                                           \
+  template void build_on_changed_mesh(Mesh<dim> &,                                                 \
+                                      const Scene<dim> &,                                          \
+                                      unsigned int,                                                \
+                                      std::unique_ptr<MeshedScene<dim>> &,                         \
+                                      dealii::TimerOutput &);                                      \
+  template void change_mesh(Mesh<dim> &,                                                           \
+                            const Scene<dim> &,                                                    \
+                            unsigned int,                                                          \
+                            std::unique_ptr<MeshedScene<dim>> &,                                   \
+                            State &,                                                               \
+                            dealii::TimerOutput &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -9,7 +9,7 @@ namespace signorini
   State initial_state(const Discretization<dim> &discretization)
   {
     std::vector<std::array<std::string, dim>> displacements, velocities;
-    for (const auto &body : discretization.scene.bodies)
+    for (const auto &body : discretization.mesh().bodies())
       {
         displacements.push_back(body.initial_displacement);
         velocities.push_back(body.initial_velocity);

@@ -19,13 +19,14 @@ namespace signorini
     if (!sizes.is_variable())
       return std::make_unique<FixedSteps>(scheme, time.step_size, time.n_steps());
     std::unique_ptr<StepEstimate> estimate;
-    if (sizes.control == "doubling")
+    if (sizes.control == StepSizeControl::doubling)
       estimate = std::make_unique<StepDoubling>(scheme);
-    else if (sizes.control == "force")
+    else if (sizes.control == StepSizeControl::force)
       estimate = std::make_unique<ForceEstimate>(scheme, time.step_size);
     else
       estimate = std::make_unique<EmbeddedEstimate>(scheme);
-    const double wave_part = sizes.control == "doubling" ? 1. : 0.5; // of a doubled step the halves count
+    const double wave_part =
+      sizes.control == StepSizeControl::doubling ? 1. : 0.5; // of a doubled step the halves count
     const double maximum   = sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
     return std::make_unique<AdaptiveSteps>(
       std::move(estimate),

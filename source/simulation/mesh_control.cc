@@ -8,12 +8,25 @@
 namespace signorini
 {
   template <int dim>
+  MeshControl<dim>::MeshControl(Mesh<dim>                  &mesh,
+                                const AdaptivityParameters &parameters,
+                                const TimeIntegration      &time,
+                                const unsigned int          n_steps)
+    : mesh(mesh)
+    , parameters(parameters)
+    , time(time)
+    , life_time(n_steps)
+  {
+  }
+
+
+  template <int dim>
   void MeshControl<dim>::check_first_mesh() const
   {
-    const unsigned int most    = discretization.scene.adaptivity.maximum_cells;
-    const auto         n_cells = discretization.triangulation.n_global_active_cells();
+    const unsigned int most    = parameters.maximum_cells;
+    const auto         n_cells = mesh.triangulation().n_global_active_cells();
     if (any() && most > 0 && n_cells > most)
-      throw UserError(discretization.scene.file_name + ": Adaptivity/Maximum cells = " + std::to_string(most)
+      throw UserError("Adaptivity/Maximum cells = " + std::to_string(most)
                       + " is less than what the run begins with, " + std::to_string(n_cells)
                       + " cells. Give a larger number, or reduce `Refinements` of the bodies.");
   }
@@ -22,9 +35,10 @@ namespace signorini
   template <int dim>
   MeshChange MeshControl<dim>::judge(const MeshedScene<dim> &meshed, const StepRecord &step)
   {
-    const AdaptivityParameters &parameters = discretization.scene.adaptivity;
+    const Discretization<dim> &discretization = meshed.discretization;
     if (!indicator)
-      indicator = make_error_indicator(discretization, meshed.surface, meshed.supports);
+      indicator =
+        make_error_indicator(parameters, time, discretization, meshed.surface, meshed.supports);
     latest         = indicator->evaluate(step);
     last_judgement = step.end.step;
 
@@ -32,7 +46,9 @@ namespace signorini
     if (parameters.refines_contact())
       {
         // An estimate sees contact when it is there; nodes that come into contact on coarse cells would give a blow.
-        const auto closeness = DistanceIndicator<dim>(discretization, meshed.surface).evaluate(step);
+        const auto closeness =
+          DistanceIndicator<dim>(discretization, meshed.surface, parameters, time.step_size)
+            .evaluate(step);
         to_refine.resize(to_keep.size());
         for (unsigned int cell = 0; cell < to_keep.size(); ++cell)
           {
@@ -40,15 +56,15 @@ namespace signorini
             to_refine[cell] = closeness(cell) >= DistanceIndicator<dim>::too_close;
           }
       }
-    return mark_cells(discretization.triangulation, discretization.scene, latest, to_keep, to_refine);
+    return mark_cells(mesh, parameters, latest, to_keep, to_refine);
   }
 
 
   template <int dim>
   void MeshControl<dim>::mesh_changes(const unsigned int step)
   {
-    discretization.mesh_life_time = std::max(discretization.scene.adaptivity.steps_between, step - last_change);
-    last_change                   = step;
+    life_time   = std::max(parameters.steps_between, step - last_change);
+    last_change = step;
     indicator.reset();
     latest.reinit(0);
   }

@@ -8,34 +8,52 @@ namespace signorini
 {
   namespace
   {
-    /** For its place in front of everything that needs matrices. */
-    template <int dim>
-    const Discretization<dim> &assembled(Discretization<dim> &discretization, dealii::TimerOutput &timer)
+    /** Calls a constructor with a section of the timer of its own. */
+    template <typename Make>
+    auto timed(dealii::TimerOutput &timer, const std::string &section, const Make &make)
     {
-      dealii::TimerOutput::Scope scope(timer, "mesh: mass and stiffness");
-      discretization.assemble();
-      return discretization;
+      dealii::TimerOutput::Scope scope(timer, section);
+      return make();
     }
 
 
+    /** @return a sentence about the mass for the user, if contact nodes have none */
     template <int dim>
-    ContactSurface<dim>
-    make_surface(const Discretization<dim> &discretization, const Supports<dim> &supports, dealii::TimerOutput &timer)
+    std::string give_mass(Discretization<dim>       &discretization,
+                          const ContactSurface<dim> &surface,
+                          const MassParameters      &mass)
     {
-      dealii::TimerOutput::Scope scope(timer, "mesh: contact surface");
-      return ContactSurface<dim>(discretization, supports);
+      if (mass.kind == MassKind::lumped)
+        discretization.matrices().lump_mass();
+      return redistribute_mass(discretization, surface, mass);
     }
   } // namespace
 
 
   template <int dim>
-  MeshedScene<dim>::MeshedScene(Discretization<dim> &discretization, dealii::TimerOutput &timer)
-    : supports(assembled(discretization, timer))
-    , surface(make_surface(discretization, supports, timer))
-    , mass_note(redistribute_mass(discretization, surface))
+  MeshedScene<dim>::MeshedScene(const Mesh<dim>     &mesh,
+                                const Scene<dim>    &scene,
+                                const unsigned int   mesh_life_time,
+                                dealii::TimerOutput &timer)
+    : discretization(timed(timer,
+                           "mesh: degrees of freedom and matrices",
+                           [&] { return Discretization<dim>(mesh); }))
+    , supports(discretization)
+    , surface(timed(timer,
+                    "mesh: contact surface",
+                    [&] {
+                      return ContactSurface<dim>(
+                        discretization, supports, scene.obstacles, scene.pairs);
+                    }))
+    , mass_note(give_mass(discretization, surface, scene.time.mass))
     , coordinates(discretization, surface, supports)
     , loads(discretization)
-    , system(discretization, surface, coordinates, loads, timer)
+    , system(discretization,
+             surface,
+             coordinates,
+             loads,
+             system_parameters(scene, mesh_life_time),
+             timer)
   {
   }
 

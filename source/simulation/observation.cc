@@ -13,29 +13,29 @@
 namespace signorini
 {
   template <int dim>
-  Observation<dim>::Observation(const Discretization<dim> &discretization, MeshedScene<dim> &meshed)
-    : discretization(discretization)
+  Observation<dim>::Observation(const Scene<dim> &scene, MeshedScene<dim> &meshed)
+    : scene(scene)
     , meshed(&meshed)
-    , probes(make_probes(discretization, meshed.surface))
-    , history(discretization.scene.output_directory,
-              discretization.scene.exact_solution.given,
-              has_friction(discretization.scene.pairs),
+    , probes(make_probes(scene, meshed))
+    , history(scene.output_directory,
+              scene.exact_solution.given,
+              has_friction(scene.pairs),
               probes,
-              discretization.communicator())
-    , errors(discretization)
+              meshed.discretization.communicator())
+    , errors(scene.exact_solution)
     , velocity_zigzags(probes.size())
-    , clock(discretization.communicator(), false)
+    , clock(meshed.discretization.communicator(), false)
   {
   }
 
 
   template <int dim>
-  std::vector<Probe<dim>> Observation<dim>::make_probes(const Discretization<dim> &discretization,
-                                                        const ContactSurface<dim> &surface)
+  std::vector<Probe<dim>> Observation<dim>::make_probes(const Scene<dim>       &scene,
+                                                        const MeshedScene<dim> &meshed)
   {
     std::vector<Probe<dim>> probes;
-    for (const auto &description : discretization.scene.probes)
-      probes.emplace_back(description, surface, discretization.communicator());
+    for (const auto &description : scene.probes)
+      probes.emplace_back(description, meshed.surface, meshed.discretization.communicator());
     return probes;
   }
 
@@ -45,7 +45,8 @@ namespace signorini
   {
     ledger.open(state, meshed->load(state.time));
     largest_energy = energy_of_motion();
-    fewest_cells = most_cells = discretization.triangulation.n_global_active_cells();
+    fewest_cells   = most_cells =
+      meshed->discretization.mesh().triangulation().n_global_active_cells();
     write(state, StepReport(), EnergyBooking(), 0.);
   }
 
@@ -54,10 +55,11 @@ namespace signorini
   void Observation<dim>::change_mesh(MeshedScene<dim> &new_meshed, const State &state)
   {
     meshed = &new_meshed;
-    probes = make_probes(discretization, meshed->surface);
+    probes = make_probes(scene, *meshed);
     ledger.transfer(state, meshed->load(state.time));
     ++n_mesh_changes;
-    const unsigned long cells = discretization.triangulation.n_global_active_cells();
+    const unsigned long cells =
+      meshed->discretization.mesh().triangulation().n_global_active_cells();
     fewest_cells              = std::min(fewest_cells, cells);
     most_cells                = std::max(most_cells, cells);
   }
@@ -102,15 +104,16 @@ namespace signorini
                                const EnergyBooking &booking,
                                const double         step_size)
   {
-    const ProductCount products = products_of_step();
-    contact_now                 = contact_summary(meshed->surface, discretization, state);
-    if (discretization.scene.exact_solution.given)
-      latest_errors = errors.evaluate(state, step_size);
+    const ProductCount products       = products_of_step();
+    const auto        &discretization = meshed->discretization;
+    contact_now                       = contact_summary(meshed->surface, discretization, state);
+    if (scene.exact_solution.given)
+      latest_errors = errors.evaluate(discretization, state, step_size);
     double standard_kinetic = ledger.current().kinetic;
-    if (discretization.scene.time.has_massless_contact_nodes())
+    if (scene.time.mass.has_massless_contact_nodes())
       {
         Vector momentum = discretization.make_vector();
-        discretization.matrices.apply_standard_mass(momentum, state.velocity);
+        discretization.matrices().apply_standard_mass(momentum, state.velocity);
         standard_kinetic = 0.5 * (state.velocity * momentum);
       }
     standard_change = standard_kinetic - ledger.current().kinetic + ledger.current().total() - ledger.initial().total();
@@ -120,12 +123,12 @@ namespace signorini
     double drift_square = 0.;
     for (unsigned int c = 0; c < 3; ++c)
       drift_square += std::pow(momentum_now.angular[c] - initial_momentum.angular[c], 2);
-    const bool write_row = state.step % discretization.scene.output.history_every == 0;
+    const bool write_row = state.step % scene.output.history_every == 0;
     if (write_row)
       history.write({state,
                      step_size,
-                     discretization.triangulation.n_global_active_cells(),
-                     discretization.dof_handler.n_dofs(),
+                     discretization.mesh().triangulation().n_global_active_cells(),
+                     discretization.dof_handler().n_dofs(),
                      ledger.current(),
                      standard_kinetic,
                      booking,
@@ -143,14 +146,14 @@ namespace signorini
         if (write_row)
           history.write_probe(p, state.time, reading);
       }
-    products_before = discretization.matrices.products();
+    products_before = discretization.matrices().products();
   }
 
 
   template <int dim>
   ProductCount Observation<dim>::products_of_step() const
   {
-    const ProductCount &now = discretization.matrices.products();
+    const ProductCount &now = meshed->discretization.matrices().products();
     return {now.stiffness - products_before.stiffness,
             now.mass - products_before.mass,
             now.combined - products_before.combined};
@@ -186,7 +189,7 @@ namespace signorini
       text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells << " and "
            << most_cells << " cells; this changed the energy by "
            << (relative_scale() > 0. ? 100. * transferred / relative_scale() : 0.) << " %\n";
-    if (discretization.scene.time.has_massless_contact_nodes())
+    if (scene.time.mass.has_massless_contact_nodes())
       text << "                    (with the mass of the scheme; with the consistent one it changed by "
            << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";
     if (first_contact >= 0.)
@@ -197,7 +200,7 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
-    if (has_friction(discretization.scene.pairs))
+    if (has_friction(scene.pairs))
       text << "  friction          dissipated " << -work_friction + 0. << ", at most " << most_sticking
            << " nodes sticking, " << most_slipping << " slipping, largest accumulated slip " << contact_now.max_slip
            << "\n";
@@ -209,15 +212,15 @@ namespace signorini
            << " of these steps the equations of the single nodes were not solved; the common factor of\n"
            << "           `Time/Impulses = common` was taken instead. The energy is right, the share of each node is "
               "not.\n";
-    const std::string &own_tolerance = scheme_info(discretization.scene.time.scheme).own_tolerance;
+    const std::string &own_tolerance = scheme_info(scene.time.scheme).own_tolerance;
     if (largest_residual > 1e-6 * largest_energy)
       text << "  warning: a step changed the energy by " << largest_residual / largest_energy
            << " of it without an explanation. "
            << (own_tolerance.empty()
-                 ? "The solver was not accurate enough, or the\n           scheme is at fault: do not trust this run, "
-                   "and report it.\n"
+                 ? "The solver was not accurate enough, or the\n           scheme is at fault: do "
+                   "not trust this run, and report it.\n"
                  : "Reduce `" + own_tolerance + "` or the step size.\n");
-    if (deepest > 1e-2 * discretization.body_size())
+    if (deepest > 1e-2 * meshed->discretization.mesh().body_size())
       text << "  warning: by the true geometry a contact node was " << deepest
            << " deep in an obstacle. Contact is linearised about the\n"
            << "           initial configuration, with one obstacle per node: do not trust motion along a curved "
@@ -230,7 +233,7 @@ namespace signorini
     for (unsigned int p = 0; p < probes.size(); ++p)
       text << "  probe " << probes[p].name() << " at (" << probes[p].position()
            << "): zigzag of the normal velocity in contact " << velocity_zigzags[p].amplitude() << "\n";
-    if (discretization.scene.exact_solution.given)
+    if (scene.exact_solution.given)
       text << "  errors            displacement " << 100. * latest_errors.relative_displacement << " %, velocity "
            << 100. * latest_errors.relative_velocity << " % (relative, in space and time)\n";
     return text.str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/user_error.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/initial_state.h>
@@ -16,13 +17,18 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene, const MPI_Comm communicator, const bool quiet)
+  Simulation<dim>::Simulation(const Scene<dim> &scene,
+                              const MPI_Comm    communicator,
+                              const bool        quiet)
     : scene(scene)
     , quiet(quiet)
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
-    , discretization(scene, communicator, scene.adaptivity.any())
-    , mesh_control(discretization)
+    , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
+    , mesh_control(mesh,
+                   scene.adaptivity,
+                   {scheme_info(scene.time.scheme).balance, scene.time.step_size},
+                   scene.time.n_steps())
   {
   }
 
@@ -39,29 +45,22 @@ namespace signorini
   void Simulation<dim>::run()
   {
     prepare();
-    RunLog log(scene.output_directory, quiet, discretization.communicator());
-    remove_earlier_results(scene.output_directory, discretization.communicator());
+    RunLog log(scene.output_directory, quiet, mesh.communicator());
+    remove_earlier_results(scene.output_directory, mesh.communicator());
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
-    const auto scheme = make_time_scheme(scene.time.scheme,
-                                         {scene.time.hht_alpha,
-                                          scene.time.spectral_radius,
-                                          scene.time.newmark_beta,
-                                          scene.time.newmark_gamma,
-                                          scene.time.reference_tolerance,
-                                          scene.time.impulses == "per node",
-                                          scene.time.stop_sticking_nodes});
+    const auto scheme = make_time_scheme(scene.time.scheme, scene.time.parameters);
     check_capabilities(*scheme, meshed->system);
-    FieldOutput<dim> fields(discretization, scene.output_directory);
-    Observation<dim> observation(discretization, *meshed);
+    FieldOutput<dim> fields(scene.output_directory, mesh.communicator());
+    Observation<dim> observation(scene, *meshed);
     observation.start(state);
     meshed->system.set_energy(observation.energy_of_motion());
     if (writes_fields(0, false))
-      fields.write(state, meshed->surface, mesh_control.indicators());
+      fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
 
     const auto stepping = make_time_stepping(
-      scene.time, scene.step_sizes, *scheme, [this] { return 1. / discretization.courant_number(1.); });
+      scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
     while (!stepping->finished(state))
       {
         const AcceptedStep step = advance(*stepping, observation);
@@ -81,14 +80,14 @@ namespace signorini
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
-            fields.write(state, meshed->surface, mesh_control.indicators());
+            fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
             observation.resume_clock();
           }
         if (flags.any() && !stepping->finished(state))
           adapt_mesh(*stepping, observation);
       }
 
-    timer.print_wall_time_statistics(discretization.communicator());
+    timer.print_wall_time_statistics(mesh.communicator());
     log.message(stepping->summary() + observation.summary() + meshed->system.cost_summary() + timer_table.str());
     log.finish();
   }
@@ -131,7 +130,7 @@ namespace signorini
   {
     TimerOutput::Scope scope(timer, "mesh: all of a change");
     mesh_control.mesh_changes(state.step);
-    change_mesh(discretization, meshed, state, timer);
+    change_mesh(mesh, scene, mesh_control.mesh_life_time(), meshed, state, timer);
     stepping.forget();
     observation.change_mesh(*meshed, state);
     mesh_has_just_changed = true;
@@ -142,7 +141,7 @@ namespace signorini
   void Simulation<dim>::prepare()
   {
     mesh_control.check_first_mesh();
-    meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
+    meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
     set_initial_state();
     if (mesh_control.any())
       adapt_initial_mesh();
@@ -157,10 +156,7 @@ namespace signorini
         if (!mesh_control.judge(*meshed, {state, state, 0.}).refines())
           return;
         mesh_control.mesh_changes(0);
-        discretization.triangulation.execute_coarsening_and_refinement();
-        meshed.reset();
-        discretization.distribute();
-        meshed = std::make_unique<MeshedScene<dim>>(discretization, timer);
+        build_on_changed_mesh(mesh, scene, mesh_control.mesh_life_time(), meshed, timer);
         set_initial_state();
       }
   }
@@ -170,11 +166,14 @@ namespace signorini
   void Simulation<dim>::set_initial_state()
   {
     state = State(); // not by assignment of vectors, which would keep the ghosts of an earlier mesh
-    state = initial_state(discretization);
+    state = initial_state(meshed->discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
-    if (scene.time.start == "equilibrium")
-      n_equilibrium_steps =
-        StaticEquilibrium<dim>(discretization, meshed->surface, meshed->coordinates).find(state, meshed->load(0.));
+    if (scene.time.start == StartKind::equilibrium)
+      n_equilibrium_steps = naming_file<RunError>(scene.file_name, [&] {
+        return StaticEquilibrium<dim>(
+                 meshed->discretization, meshed->surface, meshed->coordinates, scene.solver)
+          .find(state, meshed->load(0.));
+      });
     meshed->system.apply_mass(state.momentum, state.velocity);
     meshed->system.apply_stiffness(state.internal_force, state.displacement);
   }
@@ -195,7 +194,7 @@ namespace signorini
     std::ostringstream text;
     text << "  scheme            " << scene.time.scheme << ", ";
     if (scene.step_sizes.is_variable())
-      text << "steps by " << scene.step_sizes.control << ", the first of ";
+      text << "steps by " << name_of(scene.step_sizes.control) << ", the first of ";
     else
       text << scene.time.n_steps() << " steps of ";
     text << scene.time.step_size << "\n";
@@ -204,11 +203,11 @@ namespace signorini
     if (!meshed->mass_note.empty())
       text << "  mass              " << meshed->mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "
-         << discretization.triangulation.n_global_active_cells() << " cells, " << discretization.dof_handler.n_dofs()
-         << " degrees of freedom"
+         << mesh.triangulation().n_global_active_cells() << " cells, "
+         << meshed->discretization.dof_handler().n_dofs() << " degrees of freedom"
          << "\n  contact nodes     " << meshed->surface.n_global_nodes() << "\n  Courant number    "
-         << discretization.courant_number(scene.time.step_size) << "\n  processes         "
-         << Utilities::MPI::n_mpi_processes(discretization.communicator()) << "\n";
+         << mesh.courant_number(scene.time.step_size) << "\n  processes         "
+         << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces its obstacle, or "
               "supports hold them all\n";
@@ -216,10 +215,12 @@ namespace signorini
       text
         << "  note: " << meshed->surface.n_supported()
         << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
-    if (mesh_control.any() && scene.mapping != "curved"
-        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {
-             return body.shape == "ball" || body.shape == "cylinder" || body.cap_radius > 0.;
-           }))
+    if (mesh_control.any() && scene.mapping != CellGeometry::curved
+        && std::any_of(
+          scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {
+            return body.shape == BodyShape::ball || body.shape == BodyShape::cylinder
+                   || body.cap_radius > 0.;
+          }))
       text << "  warning: on a mesh that changes, a round body keeps the facets of its initial `Refinements`, however "
               "fine the mesh "
               "becomes.\n           Set `Mapping = curved`.\n";

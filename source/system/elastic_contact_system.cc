@@ -37,16 +37,21 @@ namespace signorini
                                                   const ContactSurface<dim>     &surface,
                                                   const ContactCoordinates<dim> &coordinates,
                                                   Loads<dim>                    &loads,
+                                                  const SystemParameters        &parameters,
                                                   dealii::TimerOutput           &timer)
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
     , loads(loads)
+    , parameters(parameters)
     , timer(timer)
-    , step_matrices(discretization, coordinates, timer)
-    , mass_problems(discretization, surface, coordinates, timer)
+    , step_matrices(discretization,
+                    coordinates,
+                    {parameters.solver.preconditioner, parameters.mesh_life_time},
+                    timer)
+    , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
     , friction(coordinates, discretization.communicator())
-    , solver(make_solver(friction.any(), discretization.scene.solver))
+    , solver(make_solver(friction.any(), parameters.solver))
     , active(surface.nodes().size(), contact_status::open)
   {
   }
@@ -56,7 +61,7 @@ namespace signorini
   void ElasticContactSystem<dim>::apply_mass(Vector &destination, const Vector &source) const
   {
     dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
-    discretization.matrices.apply_mass(destination, source);
+    discretization.matrices().apply_mass(destination, source);
   }
 
 
@@ -64,7 +69,7 @@ namespace signorini
   void ElasticContactSystem<dim>::apply_stiffness(Vector &destination, const Vector &source) const
   {
     dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
-    discretization.matrices.apply_stiffness(destination, source);
+    discretization.matrices().apply_stiffness(destination, source);
   }
 
 
@@ -90,7 +95,7 @@ namespace signorini
                                              right_hand_side,
                                              coordinates.supported_entries(),
                                              prescribed);
-    return discretization.scene.solver.tolerance * scale;
+    return parameters.solver.tolerance * scale;
   }
 
 
@@ -105,7 +110,7 @@ namespace signorini
       {
         // New nodes between those that stick and those that slip are under pressure, but have no status yet.
         active[k] = problem.start.friction.any() ? problem.start.friction.status[k] : contact_status::open;
-        if (force.local_element(coordinates.normal_entries()[k]) < 0.)
+        if (is_pressed(force.local_element(coordinates.normal_entries()[k])))
           active[k] = std::max(active[k], contact_status::slip);
       }
   }
@@ -145,24 +150,27 @@ namespace signorini
 
     Friction friction_of_nodes;
     if (friction.any())
-      friction_of_nodes = friction.of_step(
-        problem.force_factor, problem.bounds, 1e-10 * discretization.body_size(), problem.further_reaction);
+      friction_of_nodes = friction.of_step(problem.force_factor,
+                                           problem.bounds,
+                                           touching_distance(discretization.mesh().body_size()),
+                                           problem.further_reaction);
 
     const std::vector<double> prescribed = prescribed_increments(problem);
     Vector                    residual   = discretization.make_vector();
-    solution.effort                      = effort_of(solver->solve({*matrix.product,
-                                                                    *matrix.preconditioner,
-                                                                    right_hand_side,
-                                                                    coordinates.normal_entries(),
-                                                                    problem.bounds,
-                                                                    coordinates.supported_entries(),
-                                                                    prescribed,
-                                                                    solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
-                                                                    bound_tolerance(increment, discretization.body_size()),
-                                                                    friction_of_nodes},
-                                              active,
-                                              increment,
-                                              residual));
+    solution.effort                      = effort_of(
+      solver->solve({*matrix.product,
+                                          *matrix.preconditioner,
+                                          right_hand_side,
+                                          coordinates.normal_entries(),
+                                          problem.bounds,
+                                          coordinates.supported_entries(),
+                                          prescribed,
+                                          solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
+                                          bound_tolerance(increment, discretization.mesh().body_size()),
+                                          friction_of_nodes},
+                    active,
+                    increment,
+                    residual));
 
     matrix.forecast.remember(right_hand_side, increment, residual);
 
@@ -191,7 +199,7 @@ namespace signorini
   std::vector<unsigned int> ElasticContactSystem<dim>::massless_entries() const
   {
     std::vector<unsigned int> entries;
-    for (const unsigned int node : discretization.matrices.massless_nodes)
+    for (const unsigned int node : discretization.matrices().massless_nodes)
       for (unsigned int c = 0; c < dim; ++c)
         entries.push_back(dim * node + c);
     return entries;
@@ -204,7 +212,8 @@ namespace signorini
   {
     dealii::TimerOutput::Scope scope(timer, "step: equilibrium of massless nodes");
     if (!massless_equilibrium)
-      massless_equilibrium = std::make_unique<MasslessEquilibrium<dim>>(discretization, surface, coordinates);
+      massless_equilibrium = std::make_unique<MasslessEquilibrium<dim>>(
+        discretization, surface, coordinates, parameters.solver);
     return effort_of(massless_equilibrium->solve(displacement, load, energy_scale, contact_force));
   }
 
@@ -229,7 +238,7 @@ namespace signorini
       {
         const std::vector<double> now = coordinates.supported_values(time);
         for (unsigned int j = 0; j < now.size(); ++j)
-          moved = moved || std::abs(now[j] - start[j]) > 1e-13 * discretization.body_size();
+          moved = moved || std::abs(now[j] - start[j]) > 1e-13 * discretization.mesh().body_size();
       }
     return dealii::Utilities::MPI::max(static_cast<unsigned int>(moved), discretization.communicator()) > 0;
   }
@@ -260,7 +269,7 @@ namespace signorini
   template <int dim>
   std::string ElasticContactSystem<dim>::cost_summary() const
   {
-    const ProductCount &products = discretization.matrices.products();
+    const ProductCount &products = discretization.matrices().products();
     std::ostringstream  text;
     text << "  products          " << products.combined << " with M + s A, " << products.stiffness << " with A, "
          << products.mass << " with M; preconditioner " << step_matrices.preconditioner_name() << "\n";

@@ -14,9 +14,9 @@ namespace signorini
     double negligible_frequency_square(const Discretization<dim> &discretization)
     {
       double slowest = std::numeric_limits<double>::max();
-      for (const auto &body : discretization.scene.bodies)
+      for (const auto &body : discretization.mesh().bodies())
         slowest = std::min(slowest, body.material.pressure_wave_speed());
-      return 1e-8 * std::pow(slowest / discretization.body_size(), 2);
+      return 1e-8 * std::pow(slowest / discretization.mesh().body_size(), 2);
     }
   } // namespace
 
@@ -26,13 +26,13 @@ namespace signorini
                            const ContactCoordinates<dim> &coordinates,
                            const Vector                  &error_moments,
                            const std::vector<double>     &bounds,
-                           const double                   size)
+                           const double                   size,
+                           const SolverParameters        &limits)
   {
     const double                                mass_factor = negligible_frequency_square(discretization);
-    const StepOperator<dim>                     matrix(discretization.matrices, coordinates, mass_factor, 1.);
-    const std::unique_ptr<MaskedPreconditioner> preconditioner =
-      make_preconditioner("jacobi", discretization.matrices, coordinates, mass_factor, 1.);
-    const auto         &limits = discretization.scene.solver;
+    const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
+    const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
+      PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);
     PrimalDualActiveSet solver({limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
 
     Vector right_hand_side = error_moments, correction = discretization.make_vector(), residual = correction;
@@ -47,7 +47,7 @@ namespace signorini
                   coordinates.supported_entries(),
                   nothing,
                   1e-12 * size,
-                  1e-14 * discretization.body_size()},
+                  1e-14 * discretization.mesh().body_size()},
                  active,
                  correction,
                  residual);
@@ -56,12 +56,13 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                                               \
-  template Vector project_in_energy(const Discretization<dim> &,                                                       \
-                                    const ContactCoordinates<dim> &,                                                   \
-                                    const Vector &,                                                                    \
-                                    const std::vector<double> &,                                                       \
-                                    double);
+#define INSTANTIATE(dim)                                                                           \
+  template Vector project_in_energy(const Discretization<dim> &,                                   \
+                                    const ContactCoordinates<dim> &,                               \
+                                    const Vector &,                                                \
+                                    const std::vector<double> &,                                   \
+                                    double,                                                        \
+                                    const SolverParameters &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

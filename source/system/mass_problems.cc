@@ -14,13 +14,16 @@ namespace signorini
   MassProblems<dim>::MassProblems(const Discretization<dim>     &discretization,
                                   const ContactSurface<dim>     &surface,
                                   const ContactCoordinates<dim> &coordinates,
+                                  const SolverParameters        &parameters,
+                                  const MassParameters          &mass_parameters,
                                   dealii::TimerOutput           &timer)
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
+    , tolerance(parameters.tolerance)
+    , mass_parameters(mass_parameters)
     , timer(timer)
-    , solver({discretization.scene.solver.maximum_active_set_iterations,
-              discretization.scene.solver.maximum_linear_iterations})
+    , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
     , projected(surface.nodes().size(), 0)
     , last_correction(discretization.make_vector())
   {
@@ -32,8 +35,8 @@ namespace signorini
   {
     if (mass)
       return;
-    mass           = std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., 0.);
-    preconditioner = make_mass_preconditioner(discretization.matrices, coordinates);
+    mass = std::make_unique<StepOperator<dim>>(discretization.matrices(), coordinates, 1., 0.);
+    preconditioner = make_mass_preconditioner(discretization.matrices(), coordinates);
   }
 
 
@@ -50,7 +53,7 @@ namespace signorini
 
     // The bound of the correction is what is left of the gap after the free increment.
     NormalGap  left         = surface.relative_normal(free_increment);
-    const auto bound_length = bound_tolerance(free_increment, discretization.body_size());
+    const auto bound_length = bound_tolerance(free_increment, discretization.mesh().body_size());
     bool       admissible   = true;
     for (unsigned int k = 0; k < left.size(); ++k)
       {
@@ -60,7 +63,7 @@ namespace signorini
     if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
       return SolveEffort();
     dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
-    if (discretization.scene.time.predictor == "lumped")
+    if (mass_parameters.predictor == PredictorMass::lumped)
       return project_node_by_node(left, correction, mass_correction);
 
     prepare();
@@ -68,19 +71,18 @@ namespace signorini
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.supported_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const SolveReport         report =
-      solver.solve({*mass,
-                    *preconditioner,
-                    zero,
-                    coordinates.normal_entries(),
-                    left,
-                    coordinates.supported_entries(),
-                    nothing,
-                    discretization.scene.solver.tolerance * step_size * std::sqrt(energy_scale / 2.),
-                    bound_length},
-                   projected,
-                   correction,
-                   mass_correction);
+    const SolveReport         report = solver.solve({*mass,
+                                                     *preconditioner,
+                                                     zero,
+                                                     coordinates.normal_entries(),
+                                                     left,
+                                                     coordinates.supported_entries(),
+                                                     nothing,
+                                                     tolerance * step_size * std::sqrt(energy_scale / 2.),
+                                                     bound_length},
+                                            projected,
+                                            correction,
+                                            mass_correction);
     last_correction = correction;
     for (unsigned int k = 0; k < projected.size(); ++k)
       if (projected[k])
@@ -106,7 +108,7 @@ namespace signorini
         }
     effort.n_active = dealii::Utilities::MPI::sum(effort.n_active, discretization.communicator());
     coordinates.rotate_from_frames(correction);
-    discretization.matrices.apply_mass(mass_correction, correction);
+    discretization.matrices().apply_mass(mass_correction, correction);
     return effort;
   }
 
@@ -146,10 +148,13 @@ namespace signorini
 
     const Vector zero = discretization.make_vector();
     ActiveSet    none;
-    const double tolerance = discretization.scene.solver.tolerance * std::sqrt(energy_scale / 2.);
+    const double accepted = tolerance * std::sqrt(energy_scale / 2.);
     effort.linear_iterations =
       solver
-        .solve({*mass, *preconditioner, zero, {}, {}, fixed, values, tolerance, 0.}, none, correction, mass_correction)
+        .solve({*mass, *preconditioner, zero, {}, {}, fixed, values, accepted, 0.},
+               none,
+               correction,
+               mass_correction)
         .linear_iterations;
     mass_correction *= -1.; // the residual is 0 - M c
     keep_only(fixed, mass_correction);
@@ -173,8 +178,9 @@ namespace signorini
   Vector MassProblems<dim>::solve(const Vector &force)
   {
     // Nodes with mass have no contact frames: their supported entries are components.
-    if (discretization.scene.time.has_massless_contact_nodes())
-      return MassSolver<dim>(discretization.matrices, coordinates.supported_entries()).solve(force);
+    if (mass_parameters.has_massless_contact_nodes())
+      return MassSolver<dim>(discretization.matrices(), coordinates.supported_entries())
+        .solve(force);
     prepare();
     dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
     Vector                     right_hand_side = force, result = discretization.make_vector(), residual = result;

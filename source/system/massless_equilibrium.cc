@@ -8,18 +8,22 @@ namespace signorini
   template <int dim>
   MasslessEquilibrium<dim>::MasslessEquilibrium(const Discretization<dim>     &discretization,
                                                 const ContactSurface<dim>     &surface,
-                                                const ContactCoordinates<dim> &coordinates)
+                                                const ContactCoordinates<dim> &coordinates,
+                                                const SolverParameters        &parameters)
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
-    , stiffness(discretization.matrices, coordinates, 0., 1.)
+    , stiffness(discretization.matrices(), coordinates, 0., 1.)
     // The surface alone is left: a small problem, and its diagonal is known without a factor.
-    , preconditioner(make_preconditioner("jacobi", discretization.matrices, coordinates, 0., 1.))
-    , solver({discretization.scene.solver.maximum_active_set_iterations,
-              discretization.scene.solver.maximum_linear_iterations})
+    , preconditioner(make_preconditioner(PreconditionerKind::jacobi,
+                                         discretization.matrices(),
+                                         coordinates,
+                                         0.,
+                                         1.))
+    , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
     , active(surface.nodes().size(), 0)
   {
-    const auto       &matrices = discretization.matrices;
+    const auto       &matrices = discretization.matrices();
     std::vector<char> is_free(dim * matrices.pattern.n_owned, 0);
     for (const unsigned int node : matrices.massless_nodes)
       for (unsigned int c = 0; c < dim; ++c)
@@ -39,7 +43,7 @@ namespace signorini
                                               Vector       &contact_force)
   {
     Vector right_hand_side = discretization.make_vector(), increment = right_hand_side, residual = right_hand_side;
-    discretization.matrices.apply_stiffness(right_hand_side, displacement);
+    discretization.matrices().apply_stiffness(right_hand_side, displacement);
     right_hand_side.sadd(-1., 1., load);
     coordinates.force_to_contact(right_hand_side);
     const std::vector<double> gap    = surface.normal_gap(displacement), zeros(fixed_entries.size(), 0.);
@@ -51,7 +55,7 @@ namespace signorini
                                                      fixed_entries,
                                                      zeros,
                                                      1e-12 * std::sqrt(energy_scale),
-                                                     1e-13 * discretization.body_size()},
+                                                     1e-13 * discretization.mesh().body_size()},
                                             active,
                                             increment,
                                             residual);

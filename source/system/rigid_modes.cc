@@ -41,7 +41,7 @@ namespace signorini
   RigidModes<dim>::RigidModes(const Discretization<dim> &discretization, const ContactCoordinates<dim> &coordinates)
     : discretization(discretization)
   {
-    const std::size_t n_bodies = discretization.scene.bodies.size();
+    const std::size_t n_bodies = discretization.mesh().bodies().size();
     for (std::size_t body = 0; body < n_bodies; ++body)
       {
         const std::size_t first = modes.size();
@@ -56,7 +56,7 @@ namespace signorini
             for (unsigned int pass = 0; pass < 2; ++pass)
               for (std::size_t j = first; j < modes.size(); ++j)
                 mode.displacement.add(-dot(modes[j].momentum, mode.displacement), modes[j].displacement);
-            discretization.matrices.apply_mass(mode.momentum, mode.displacement);
+            discretization.matrices().apply_mass(mode.momentum, mode.displacement);
             const double size = std::sqrt(dot(mode.momentum, mode.displacement));
             mode.displacement /= size;
             mode.momentum /= size;

@@ -23,9 +23,9 @@ namespace signorini
     double proximal_factor(const Discretization<dim> &discretization)
     {
       double speed = std::numeric_limits<double>::infinity();
-      for (const auto &body : discretization.scene.bodies)
+      for (const auto &body : discretization.mesh().bodies())
         speed = std::min(speed, body.material.pressure_wave_speed());
-      return std::pow(0.1 * speed / discretization.body_size(), 2);
+      return std::pow(0.1 * speed / discretization.mesh().body_size(), 2);
     }
 
     /** The definite problem of every proximal step, (A + sigma M) u = b with contact. */
@@ -35,18 +35,21 @@ namespace signorini
     public:
       ProximalProblem(const Discretization<dim>     &discretization,
                       const ContactCoordinates<dim> &coordinates,
+                      const SolverParameters        &parameters,
                       const double                   sigma)
-        : parameters(discretization.scene.solver)
+        : parameters(parameters)
         , coordinates(coordinates)
-        , matrix(discretization.matrices, coordinates, sigma, 1.)
+        , matrix(discretization.matrices(), coordinates, sigma, 1.)
         , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
         , prescribed(coordinates.supported_values(0.))
-        , bound_tolerance(1e-12 * discretization.body_size())
+        , bound_tolerance(1e-12 * discretization.mesh().body_size())
       {
-        std::string name = parameters.preconditioner;
-        if (name == "automatic")
-          name = choose_preconditioner(discretization.courant_number(1. / std::sqrt(sigma)), maximum_steps);
-        preconditioner = make_preconditioner(name, discretization.matrices, coordinates, sigma, 1.);
+        PreconditionerKind kind = parameters.preconditioner;
+        if (kind == PreconditionerKind::automatic)
+          kind = choose_preconditioner(discretization.mesh().courant_number(1. / std::sqrt(sigma)),
+                                       maximum_steps);
+        preconditioner =
+          make_preconditioner(kind, discretization.matrices(), coordinates, sigma, 1.);
       }
 
       /** @param force b, Cartesian @param solution, residual in contact coordinates, the former also a guess */
@@ -115,10 +118,12 @@ namespace signorini
   template <int dim>
   StaticEquilibrium<dim>::StaticEquilibrium(const Discretization<dim>     &discretization,
                                             const ContactSurface<dim>     &surface,
-                                            const ContactCoordinates<dim> &coordinates)
+                                            const ContactCoordinates<dim> &coordinates,
+                                            const SolverParameters        &parameters)
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
+    , parameters(parameters)
     , friction(coordinates, discretization.communicator())
   {
   }
@@ -128,7 +133,7 @@ namespace signorini
   unsigned int StaticEquilibrium<dim>::find(State &state, const Vector *load)
   {
     const double          sigma = proximal_factor(discretization);
-    ProximalProblem<dim>  problem(discretization, coordinates, sigma);
+    ProximalProblem<dim>  problem(discretization, coordinates, parameters, sigma);
     const RigidModes<dim> rigid(discretization, coordinates);
 
     const Vector    zero = discretization.make_vector();
@@ -147,7 +152,7 @@ namespace signorini
         Motion change    = now;
         now.displacement = solution;
         coordinates.displacement_to_cartesian(now.displacement);
-        discretization.matrices.apply_mass(now.momentum, now.displacement);
+        discretization.matrices().apply_mass(now.momentum, now.displacement);
         change.displacement.sadd(-1., 1., now.displacement);
         change.momentum.sadd(-1., 1., now.momentum);
 
@@ -164,10 +169,10 @@ namespace signorini
             return step;
           }
       }
-    throw RunError(
-      discretization.scene.file_name + ": Time/Start = equilibrium: no static equilibrium was found in "
-      + std::to_string(maximum_steps)
-      + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to begin with undeformed bodies.");
+    throw RunError("Time/Start = equilibrium: no static equilibrium was found in "
+                   + std::to_string(maximum_steps)
+                   + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to "
+                     "begin with undeformed bodies.");
   }
 
 
@@ -176,7 +181,8 @@ namespace signorini
   {
     if (!friction.any())
       return Friction(gap.size());
-    Friction laws     = friction.of_step(1., gap, 1e-10 * discretization.body_size(), nullptr);
+    Friction laws =
+      friction.of_step(1., gap, touching_distance(discretization.mesh().body_size()), nullptr);
     Vector   relative = velocity;
     coordinates.displacement_to_contact(relative);
     const double speed = relative.linfty_norm();
@@ -185,7 +191,8 @@ namespace signorini
         for (unsigned int j = 0; j < node.entries.size(); ++j)
           node.past[j] = relative.local_element(node.entries[j]);
         // So far that the displacements of the equilibrium do not turn it.
-        node.past *= node.past.norm() > 1e-10 * speed ? 1e8 * discretization.body_size() / speed : 0.;
+        node.past *=
+          node.past.norm() > 1e-10 * speed ? 1e8 * discretization.mesh().body_size() / speed : 0.;
       }
     return laws;
   }

@@ -17,9 +17,11 @@ namespace signorini
   template <int dim>
   StepMatrices<dim>::StepMatrices(const Discretization<dim>     &discretization,
                                   const ContactCoordinates<dim> &coordinates,
+                                  const PreconditionerChoice    &preconditioner,
                                   dealii::TimerOutput           &timer)
     : discretization(discretization)
     , coordinates(coordinates)
+    , preconditioner(preconditioner)
     , timer(timer)
   {
   }
@@ -38,14 +40,14 @@ namespace signorini
       {
         if (recent.size() == n_kept)
           recent.pop_back();
-        recent.push_front(
-          {stiffness_factor,
-           std::make_unique<StepOperator<dim>>(discretization.matrices, coordinates, 1., stiffness_factor),
-           nullptr,
-           {},
-           "",
-           uses,
-           0});
+        recent.push_front({stiffness_factor,
+                           std::make_unique<StepOperator<dim>>(
+                             discretization.matrices(), coordinates, 1., stiffness_factor),
+                           nullptr,
+                           {},
+                           PreconditionerKind::automatic,
+                           uses,
+                           0});
       }
     StepMatrix<dim> &matrix = recent.front();
     if (uses - matrix.last_use > forget_age)
@@ -62,17 +64,17 @@ namespace signorini
   {
     if ((matrix.n_uses & (matrix.n_uses - 1)) != 0)
       return; // only for the first use, and when their number has doubled
-    std::string name = discretization.scene.solver.preconditioner;
-    if (name == "automatic")
+    PreconditionerKind kind = preconditioner.kind;
+    if (kind == PreconditionerKind::automatic)
       // Nobody knows how long a mesh will last; one that has outlived what was expected may do so again.
-      name = choose_preconditioner(discretization.courant_number(step_size),
-                                   std::max(discretization.mesh_life_time, 2 * matrix.n_uses));
-    if (name == matrix.preconditioner_name)
+      kind = choose_preconditioner(discretization.mesh().courant_number(step_size),
+                                   std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses));
+    if (kind == matrix.kind)
       return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-    matrix.preconditioner_name = name;
-    matrix.preconditioner =
-      make_preconditioner(name, discretization.matrices, coordinates, 1., matrix.stiffness_factor);
+    matrix.kind           = kind;
+    matrix.preconditioner = make_preconditioner(
+      kind, discretization.matrices(), coordinates, 1., matrix.stiffness_factor);
     ++built;
   }
 

@@ -24,22 +24,23 @@ namespace
     body.local_refinements    = 1;
     body.refine_where         = "x - 0.2";
     Scene<dim> scene          = scene_of<dim>({body});
-    scene.mapping             = "curved";
+    scene.mapping             = CellGeometry::curved;
     const Assembled<dim>     problem(scene);
     const auto              &discretization = problem.discretization;
-    const auto              &fe             = discretization.fe;
+    const auto              &fe             = discretization.fe();
     const Material          &material       = body.material;
     const Vector             u = discretization.interpolate_hanging_nodes(field<dim>(discretization, expressions));
-    dealii::Vector<double>   interior(discretization.triangulation.n_active_cells());
+    dealii::Vector<double>   interior(discretization.mesh().triangulation().n_active_cells());
     const CellNeighbors<dim> mesh(discretization);
     add_interior_residual(mesh, u, u, ResidualWeights{}, interior);
 
     const dealii::FEValuesExtractors::Vector     vector(0);
-    dealii::FEValues<dim>                        values(discretization.mapping,
+    dealii::FEValues<dim>                        values(discretization.mesh().mapping(),
                                  fe,
                                  dealii::QGauss<dim>(2),
-                                 dealii::update_values | dealii::update_hessians | dealii::update_JxW_values);
-    dealii::FEFaceValues<dim>                    faces(discretization.mapping,
+                                 dealii::update_values | dealii::update_hessians
+                                   | dealii::update_JxW_values);
+    dealii::FEFaceValues<dim>                    faces(discretization.mesh().mapping(),
                                     fe,
                                     dealii::QGauss<dim - 1>(2),
                                     dealii::update_gradients | dealii::update_JxW_values

@@ -17,11 +17,24 @@ using namespace signorini::tests;
 
 namespace
 {
+  template <int dim>
+  std::unique_ptr<ErrorIndicator<dim>> indicator_of(const Scene<dim>          &scene,
+                                                    const Discretization<dim> &discretization,
+                                                    const ContactSurface<dim> &surface,
+                                                    const Supports<dim>       &supports)
+  {
+    return make_error_indicator(scene.adaptivity,
+                                {StepBalance::middle, scene.time.step_size},
+                                discretization,
+                                surface,
+                                supports);
+  }
+
   Scene<2> disc_above_floor(const double distance)
   {
     BodyDescription<2> body        = ball<2>(3);
     Scene<2>           scene       = contact_scene<2>(body, {floor_at<2>(-0.01)});
-    scene.adaptivity.indicator     = "distance";
+    scene.adaptivity.indicator     = IndicatorKind::distance;
     scene.adaptivity.distance      = distance;
     scene.adaptivity.maximum_level = 5;
     return scene;
@@ -34,7 +47,7 @@ namespace
   {
     double       largest = 0.;
     unsigned int number  = 0;
-    for (const auto &cell : discretization.triangulation.active_cell_iterators())
+    for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
       if (cell->is_locally_owned() && cell->material_id() == body)
         {
           largest = std::max(largest, indicator(cell->active_cell_index()));
@@ -61,7 +74,8 @@ namespace
 TEST(Distance, SeesWhatIsCloseOrWillBe)
 {
   const ContactProblem<2> problem(disc_above_floor(0.02));
-  const auto              indicator = make_error_indicator(problem.discretization, problem.surface, problem.supports);
+  const auto              indicator =
+    indicator_of(problem.scene, problem.discretization, problem.surface, problem.supports);
   const auto              at        = [&](const double height, const double speed) {
     const State state = moving(problem.discretization, height, speed);
     return look(problem.discretization, indicator->evaluate({state, state, 0.}), 0);
@@ -80,9 +94,10 @@ TEST(Distance, BothBodiesOfAPair)
 {
   auto scene                 = stacked<3>(block<3>("slave", {0.4, 0.4, 0.05}, {0.6, 0.6, 0.5}, {{2, 2, 2}}),
                           block<3>("master", {0., 0., -1.}, {1., 1., 0.}, {{5, 5, 5}}));
-  scene.adaptivity.indicator = "distance";
+  scene.adaptivity.indicator = IndicatorKind::distance;
   const TwoBodies<3> bodies(scene);
-  const auto         indicator = make_error_indicator(bodies.discretization, bodies.surface, bodies.supports);
+  const auto         indicator =
+    indicator_of(bodies.scene, bodies.discretization, bodies.surface, bodies.supports);
   const State        state     = moving(bodies.discretization, 0., 0.);
   const auto         value     = indicator->evaluate({state, state, 0.});
   // Three times the size of a cell over the gap: 3 * 0.15 / 0.05 and 3 * 0.2 / 0.05, at most 4.
@@ -95,20 +110,19 @@ TEST(Distance, TheMeshIsFineAtTheContactAndGoesBack)
 {
   Scene<2> scene              = disc_above_floor(0.02);
   scene.adaptivity.hysteresis = 0.; // these are few cells
-  Discretization<2> discretization(scene, MPI_COMM_WORLD, true);
-  const auto        cells = [&] { return discretization.triangulation.n_global_active_cells(); };
+  Mesh<2>           mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping, true);
+  const auto        cells = [&] { return mesh.triangulation().n_global_active_cells(); };
   const auto        adapt = [&](const double height) {
     for (unsigned int times = 0; times < 6; ++times)
       {
-        discretization.distribute();
-        discretization.assemble();
+        const Discretization<2> discretization(mesh);
         const Supports<2>       supports(discretization);
-        const ContactSurface<2> surface(discretization, supports);
+        const ContactSurface<2> surface(discretization, supports, scene.obstacles, scene.pairs);
         const State             state     = moving(discretization, height, 0.);
-        const auto              indicator = make_error_indicator(discretization, surface, supports);
-        if (!mark_cells(discretization.triangulation, scene, indicator->evaluate({state, state, 0.})).any())
+        const auto              indicator = indicator_of(scene, discretization, surface, supports);
+        if (!mark_cells(mesh, scene.adaptivity, indicator->evaluate({state, state, 0.})).any())
           return times;
-        discretization.triangulation.execute_coarsening_and_refinement();
+        mesh.carry_out_flags();
       }
     return 6u;
   };

@@ -11,7 +11,7 @@
 
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/residual_estimate.h>
-#include <signorini/system/elastic_contact_system.h>
+#include <signorini/simulation/meshed_scene.h>
 #include <signorini/system/static_equilibrium.h>
 #include <signorini/schemes/scheme_table.h>
 
@@ -37,16 +37,16 @@ namespace
   /** All that belongs to one mesh. */
   struct OnMesh
   {
-    explicit OnMesh(const Discretization<2> &discretization)
-      : discretization(discretization)
+    OnMesh(const Mesh<2> &mesh, const Scene<2> &scene)
+      : discretization(mesh)
       , supports(discretization)
-      , surface(discretization, supports)
+      , surface(discretization, supports, scene.obstacles, scene.pairs)
       , coordinates(discretization, surface, supports)
       , loads(discretization)
     {
     }
 
-    const Discretization<2>    &discretization;
+    const Discretization<2>     discretization;
     const Supports<2>           supports;
     const ContactSurface<2>     surface;
     const ContactCoordinates<2> coordinates;
@@ -58,7 +58,7 @@ namespace
     const auto body                = block<2>("block", {}, {2., 1.}, {{4, 2}});
     Scene<2>   scene               = contact_scene<2>(body, {plane<2>("floor", {}, normal)}, {bottom_id<2>});
     scene.solver.tolerance         = 1e-12;
-    scene.adaptivity.indicator     = "residual";
+    scene.adaptivity.indicator     = IndicatorKind::residual;
     scene.adaptivity.maximum_level = 15;
     return scene;
   }
@@ -70,23 +70,21 @@ namespace
                                                                     const double                                 least,
                                                                     const double                                 most)
   {
-    Discretization<2>         discretization(scene, MPI_COMM_WORLD, true);
+    Mesh<2>                   mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping, true);
     std::vector<double>       estimates, functionals;
     std::vector<unsigned int> cells;
     for (unsigned int level = 0; level < n_levels + n_further_levels; ++level)
       {
-        discretization.assemble();
-        OnMesh      on_mesh(discretization);
+        OnMesh      on_mesh(mesh, scene);
         const Found found = solve(on_mesh);
         estimates.push_back(std::sqrt(found.squares.l1_norm()));
         functionals.push_back(found.functional);
-        cells.push_back(discretization.triangulation.n_active_cells());
+        cells.push_back(mesh.triangulation().n_active_cells());
         dealii::Vector<double> indicator = found.squares;
         for (double &value : indicator)
           value = std::sqrt(value);
-        EXPECT_TRUE(mark_cells(discretization.triangulation, scene, indicator).refines());
-        discretization.triangulation.execute_coarsening_and_refinement();
-        discretization.distribute();
+        EXPECT_TRUE(mark_cells(mesh, scene.adaptivity, indicator).refines());
+        mesh.carry_out_flags();
       }
     // The last meshes tell how far the limit is: the error of J is inverse to the number of cells.
     const std::size_t last  = functionals.size() - 1;
@@ -114,12 +112,13 @@ TEST(Effectivity, StaticContact)
   Scene<2> scene = block_on_floor(dealii::Point<2>(0., 1.));
   scene.bodies[0].dirichlet.push_back({0, {{"0", "-"}}});
   scene.bodies[0].traction.push_back({top_id<2>, {{"0", "-4*(1.5 - x)"}}});
-  const auto solve = [](OnMesh &on_mesh) {
+  const auto solve = [&](OnMesh &on_mesh) {
     const auto &discretization = on_mesh.discretization;
     State       state;
     state.velocity     = discretization.make_vector();
     const Vector &load = on_mesh.loads.at(0.);
-    StaticEquilibrium<2>(discretization, on_mesh.surface, on_mesh.coordinates).find(state, &load);
+    StaticEquilibrium<2>(discretization, on_mesh.surface, on_mesh.coordinates, scene.solver)
+      .find(state, &load);
     const Vector &u = state.displacement;
     return Found{
       ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
@@ -143,7 +142,12 @@ TEST(Effectivity, OneTimeStep)
   const auto solve                 = [&](OnMesh &on_mesh) {
     const auto             &discretization = on_mesh.discretization;
     dealii::TimerOutput     timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-    ElasticContactSystem<2> system(discretization, on_mesh.surface, on_mesh.coordinates, on_mesh.loads, timer);
+    ElasticContactSystem<2> system(discretization,
+                                   on_mesh.surface,
+                                   on_mesh.coordinates,
+                                   on_mesh.loads,
+                                   system_parameters(scene),
+                                   timer);
     State                   start;
     start.displacement   = discretization.make_vector();
     start.velocity       = field<2>(discretization, scene.bodies[0].initial_velocity);
@@ -155,11 +159,14 @@ TEST(Effectivity, OneTimeStep)
     make_time_scheme(scene.time.scheme)->advance(system, end, tau);
     // Squared norm of velocity and displacement: 4/tau^2 times that of the problem of the step.
     const Vector &d = end.displacement;
-    return Found{ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
-                   .squares(balance_of_step(discretization, on_mesh.surface, {start, end, tau}), ResidualWeights{tau}),
-                 4. / (tau * tau)
-                   * (0.5 * (d * mass_times(discretization, d)) - tau * (d * start.momentum)
-                      + tau * tau / 8. * (d * end.internal_force))};
+    return Found{
+      ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
+        .squares(
+          balance_of_step(discretization, on_mesh.surface, {start, end, tau}, scheme_info(scene.time.scheme).balance),
+          ResidualWeights{tau}),
+      4. / (tau * tau)
+        * (0.5 * (d * mass_times(discretization, d)) - tau * (d * start.momentum)
+           + tau * tau / 8. * (d * end.internal_force))};
   };
   expect_bounded_effectivity("one time step", scene, solve, 4., 9.5);
 }

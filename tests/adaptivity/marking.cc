@@ -23,10 +23,10 @@ namespace
   {
     explicit Marked(const BodyDescription<2> &body = box_of_level_3())
       : scene(scene_of<2>({body}))
+      , mesh(scene.bodies, MPI_COMM_WORLD)
     {
-      scene.adaptivity.indicator     = "residual";
+      scene.adaptivity.indicator     = IndicatorKind::residual;
       scene.adaptivity.maximum_level = 5;
-      discretization                 = std::make_unique<Discretization<2>>(scene, MPI_COMM_WORLD);
     }
 
     static BodyDescription<2> box_of_level_3()
@@ -38,8 +38,8 @@ namespace
 
     dealii::Vector<double> indicator(const std::function<double(const dealii::Point<2> &)> &value) const
     {
-      dealii::Vector<double> result(discretization->triangulation.n_active_cells());
-      for (const auto &cell : discretization->triangulation.active_cell_iterators())
+      dealii::Vector<double> result(mesh.triangulation().n_active_cells());
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned())
           result(cell->active_cell_index()) = value(cell->center());
       return result;
@@ -48,17 +48,17 @@ namespace
     MeshChange mark(const std::function<double(const dealii::Point<2> &)> &value,
                     const std::vector<bool>                               &not_to_coarsen = {})
     {
-      return mark_cells(discretization->triangulation, scene, indicator(value), not_to_coarsen);
+      return mark_cells(mesh, scene.adaptivity, indicator(value), not_to_coarsen);
     }
 
     unsigned int change()
     {
-      discretization->triangulation.execute_coarsening_and_refinement();
-      return discretization->triangulation.n_global_active_cells();
+      mesh.carry_out_flags();
+      return mesh.triangulation().n_global_active_cells();
     }
 
-    Scene<2>                           scene;
-    std::unique_ptr<Discretization<2>> discretization;
+    Scene<2> scene;
+    Mesh<2>  mesh;
   };
 
   double decaying(const dealii::Point<2> &p)
@@ -113,7 +113,7 @@ TEST(Marking, LimitsOfLevelsAndCells)
 TEST(Marking, NothingToSeeIsNoReasonForAChange)
 {
   Marked problem;
-  for (const char *marking : {"fixed fraction", "tolerance"})
+  for (const MarkingKind marking : {MarkingKind::fixed_fraction, MarkingKind::tolerance})
     {
       problem.scene.adaptivity.marking   = marking;
       problem.scene.adaptivity.tolerance = 1.;
@@ -141,7 +141,7 @@ TEST(Marking, WhatWasRefinedIsCoarsenedBehindAndWhatIsProtectedStays)
   EXPECT_TRUE(problem.mark([](const auto &p) { return p[0] < 0.5 ? 1. : 1e-3; }).refines());
   problem.change();
   const auto        moved = [](const dealii::Point<2> &p) { return p[0] > 0.9 ? 1. : 1e-4; };
-  std::vector<bool> all(problem.discretization->triangulation.n_active_cells(), true);
+  std::vector<bool> all(problem.mesh.triangulation().n_active_cells(), true);
   EXPECT_FALSE(problem.mark(moved, all).coarsens());
   const MeshChange change = problem.mark(moved);
   EXPECT_GT(change.n_to_coarsen, 400u);
@@ -152,7 +152,7 @@ TEST(Marking, WhatWasRefinedIsCoarsenedBehindAndWhatIsProtectedStays)
 TEST(Marking, CoarsenRatioIsOfTheThreshold)
 {
   Marked problem;
-  problem.scene.adaptivity.marking   = "tolerance";
+  problem.scene.adaptivity.marking   = MarkingKind::tolerance;
   problem.scene.adaptivity.tolerance = 1.;
   EXPECT_TRUE(problem.mark([](const auto &p) { return p[0] < 0.5 ? 1. : 0.; }).refines());
   const double n_cells = problem.change();
@@ -168,11 +168,11 @@ TEST(Marking, CoarsenRatioIsOfTheThreshold)
 TEST(Marking, WantedCellsAreRefinedInAnyCase)
 {
   Marked            problem;
-  std::vector<bool> wanted(problem.discretization->triangulation.n_active_cells());
-  for (const auto &cell : problem.discretization->triangulation.active_cell_iterators())
+  std::vector<bool> wanted(problem.mesh.triangulation().n_active_cells());
+  for (const auto &cell : problem.mesh.triangulation().active_cell_iterators())
     wanted[cell->active_cell_index()] = cell->center()[0] > 0.9;
   const auto mark = [&](const auto &value) {
-    return mark_cells(problem.discretization->triangulation, problem.scene, problem.indicator(value), {}, wanted)
+    return mark_cells(problem.mesh, problem.scene.adaptivity, problem.indicator(value), {}, wanted)
       .n_to_refine;
   };
   EXPECT_EQ(mark([](const auto &) { return 0.; }), 32u);
@@ -188,33 +188,33 @@ TEST(Marking, WantedCellsAreRefinedInAnyCase)
 // The children of a refined cell have a quarter of its square each, and a fourth of that by the order of the method. They must not be taken for too fine.
 TEST(Marking, WhatIsCoarsenedIsNotRefinedAtOnce)
 {
-  for (const char *marking : {"fixed fraction", "tolerance"})
+  for (const MarkingKind marking : {MarkingKind::fixed_fraction, MarkingKind::tolerance})
     {
       Marked problem;
       problem.scene.adaptivity.marking          = marking;
-      problem.scene.adaptivity.tolerance        = marking == std::string("tolerance") ? 0.01 : 0.;
+      problem.scene.adaptivity.tolerance        = marking == MarkingKind::tolerance ? 0.01 : 0.;
       problem.scene.adaptivity.coarsen_fraction = 0.5;
       problem.scene.adaptivity.hysteresis       = 0.;
       unsigned int changes                      = 0;
       for (; changes < 30; ++changes)
         {
-          dealii::Vector<double> indicator(problem.discretization->triangulation.n_active_cells());
-          for (const auto &cell : problem.discretization->triangulation.active_cell_iterators())
+          dealii::Vector<double> indicator(problem.mesh.triangulation().n_active_cells());
+          for (const auto &cell : problem.mesh.triangulation().active_cell_iterators())
             if (cell->is_locally_owned())
               indicator(cell->active_cell_index()) =
                 decaying(cell->center()) * std::pow(cell->diameter() / std::sqrt(2.), 2);
-          if (!mark_cells(problem.discretization->triangulation, problem.scene, indicator).any())
+          if (!mark_cells(problem.mesh, problem.scene.adaptivity, indicator).any())
             break;
           problem.change();
         }
-      EXPECT_LT(changes, 20u) << marking;
+      EXPECT_LT(changes, 20u) << name_of(marking);
     }
 }
 
 TEST(Marking, EqualSharesReachTheTolerance)
 {
   Marked problem;
-  problem.scene.adaptivity.marking   = "tolerance";
+  problem.scene.adaptivity.marking   = MarkingKind::tolerance;
   problem.scene.adaptivity.tolerance = 1.;
   const auto share                   = [](const double factor) {
     return [factor](const dealii::Point<2> &p) { return p[0] < 0.5 ? factor / 16. : 0.1 / 16.; };

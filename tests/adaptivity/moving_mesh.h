@@ -25,12 +25,15 @@ namespace signorini::tests
   {
     explicit MovingMesh(const Scene<dim> &scene)
       : scene(scene)
-      , timer(MPI_COMM_SELF, timer_text, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
-      , discretization(this->scene, MPI_COMM_WORLD, true)
-      , meshed(std::make_unique<MeshedScene<dim>>(discretization, timer))
+      , timer(MPI_COMM_SELF,
+              timer_text,
+              dealii::TimerOutput::never,
+              dealii::TimerOutput::wall_times)
+      , mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping, true)
+      , meshed(std::make_unique<MeshedScene<dim>>(mesh, this->scene, scene.time.n_steps(), timer))
       , scheme(make_time_scheme(scene.time.scheme))
     {
-      state = initial_state(discretization);
+      state = initial_state(meshed->discretization);
       meshed->system.apply_mass(state.momentum, state.velocity);
       meshed->system.apply_stiffness(state.internal_force, state.displacement);
       ledger.open(state, meshed->load(0.));
@@ -41,7 +44,7 @@ namespace signorini::tests
     void change_at_random(const unsigned int highest_level, const double refined, const double coarsened)
     {
       ++n_changes;
-      for (const auto &cell : discretization.triangulation.active_cell_iterators())
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned())
           {
             // The dice know the cell, not the process. A family is coarsened together.
@@ -62,7 +65,7 @@ namespace signorini::tests
     /** Carry out the flags. */
     void change()
     {
-      change_mesh(discretization, meshed, state, timer);
+      change_mesh(mesh, scene, scene.time.n_steps(), meshed, state, timer);
       ledger.transfer(state, meshed->load(state.time));
     }
 
@@ -85,7 +88,7 @@ namespace signorini::tests
     const Scene<dim>                  scene;
     std::ostringstream                timer_text;
     dealii::TimerOutput               timer;
-    Discretization<dim>               discretization;
+    Mesh<dim>                         mesh;
     std::unique_ptr<MeshedScene<dim>> meshed;
     std::unique_ptr<TimeScheme>       scheme;
     State                             state;

@@ -47,9 +47,9 @@ namespace
     unsigned long   fewest = 1000000, most = 0;
     for (unsigned int step = 0; step < (dim == 2 ? 200 : 40); ++step)
       {
-        const Momentum before = momentum(moving.discretization, moving.state);
+        const Momentum before = momentum(moving.meshed->discretization, moving.state);
         moving.change_at_random(dim == 2 ? 4 : 3, 0.15, 0.5);
-        const Momentum after = momentum(moving.discretization, moving.state);
+        const Momentum after = momentum(moving.meshed->discretization, moving.state);
         for (unsigned int c = 0; c < 3; ++c)
           momentum_change = std::max({momentum_change,
                                       std::abs(after.linear[c] - before.linear[c]),
@@ -59,7 +59,7 @@ namespace
         taken -= booking.transfer;
         largest_residual   = std::max(largest_residual, std::abs(booking.residual));
         force              = std::max(force, moving.state.contact_force.linfty_norm());
-        const auto n_cells = moving.discretization.triangulation.n_global_active_cells();
+        const auto n_cells = moving.mesh.triangulation().n_global_active_cells();
         fewest             = std::min<unsigned long>(fewest, n_cells);
         most               = std::max<unsigned long>(most, n_cells);
       }
@@ -121,13 +121,14 @@ namespace
         std::vector<std::array<std::string, dim>> exact;
         for (const auto &body : moving.scene.bodies)
           exact.push_back(body.initial_displacement);
-        Vector error = moving.discretization.interpolate(exact);
+        Vector error = moving.meshed->discretization.interpolate(exact);
         error -= moving.state.displacement;
         displacement_error = std::max(displacement_error, error.linfty_norm());
         velocity           = std::max(velocity, moving.state.velocity.linfty_norm());
         if (step > 0) // at the start nothing is known about contact
           most_active_sets = std::max(most_active_sets, moving.effort.active_set_iterations);
-        const ContactSummary contact = contact_summary(moving.meshed->surface, moving.discretization, moving.state);
+        const ContactSummary contact =
+          contact_summary(moving.meshed->surface, moving.meshed->discretization, moving.state);
         force_error = std::max(force_error, std::abs(contact.normal_force - (two_bodies ? 2. : 1.) * pressure));
       }
     EXPECT_LT(displacement_error, 1e-9);

@@ -30,12 +30,12 @@ TEST(Residual, InteriorOfABilinearDisplacement)
   const auto            &discretization = problem.discretization;
   const Vector           u     = discretization.interpolate_hanging_nodes(field<2>(discretization, {{"x*y", "0"}}));
   const Vector           force = discretization.interpolate_hanging_nodes(field<2>(discretization, {{"3", "0"}}));
-  dealii::Vector<double> squares(discretization.triangulation.n_active_cells());
+  dealii::Vector<double> squares(discretization.mesh().triangulation().n_active_cells());
   const CellNeighbors<2> mesh(discretization);
   add_interior_residual(mesh, u, force, ResidualWeights{}, squares);
   // div sigma = (0, lambda + mu), rho q = (6, 0), with the weight h^2 / mu.
   double volume_by_size = 0.;
-  for (const auto &cell : discretization.triangulation.active_cell_iterators())
+  for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
     if (cell->is_locally_owned())
       volume_by_size += std::pow(cell->measure(), 2);
   volume_by_size        = dealii::Utilities::MPI::sum(volume_by_size, MPI_COMM_WORLD);
@@ -57,7 +57,7 @@ TEST(Residual, JumpsOfAKink)
   const auto        &discretization = problem.discretization;
   const Vector u = discretization.interpolate_hanging_nodes(field<3>(discretization, {{"0", "0", "max(x - 0.5, 0)"}}));
   const CellNeighbors<3> mesh(discretization);
-  dealii::Vector<double> jumps(discretization.triangulation.n_active_cells());
+  dealii::Vector<double> jumps(discretization.mesh().triangulation().n_active_cells());
   add_stress_jumps(StressVectors<3>(mesh, u), ResidualWeights{}, jumps);
   // sigma_xz jumps by mu: mu^2 h / mu over the area 1, one half of it with h = 1/4, the other with h = 1/2.
   EXPECT_NEAR(sum_of(jumps), material.mu() * 0.5 * (0.25 + 0.5), 1e-10 * material.mu());
@@ -97,7 +97,7 @@ TEST(Residual, BoundaryOfABodyUnderTraction)
   EXPECT_LT(estimate({{along, across}}), 1e-20);
   // Without deformation the residual is the traction: 49 h / mu on each face at x = 1.
   double length_by_size = 0.;
-  for (const auto &cell : discretization.triangulation.active_cell_iterators())
+  for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
     if (cell->is_locally_owned() && cell->face(1)->at_boundary())
       length_by_size += std::pow(cell->face(1)->measure(), 2);
   length_by_size = dealii::Utilities::MPI::sum(length_by_size, MPI_COMM_WORLD);

@@ -16,7 +16,7 @@ namespace signorini::tests
   {
     ObstacleDescription<dim> obstacle;
     obstacle.name   = name;
-    obstacle.shape  = "plane";
+    obstacle.shape  = ObstacleShape::plane;
     obstacle.point  = point;
     obstacle.normal = normal;
     return obstacle;
@@ -39,7 +39,7 @@ namespace signorini::tests
   {
     ObstacleDescription<dim> obstacle;
     obstacle.name          = "sphere";
-    obstacle.shape         = "sphere";
+    obstacle.shape         = ObstacleShape::sphere;
     obstacle.centre        = centre;
     obstacle.radius        = radius;
     obstacle.bodies_inside = bodies_inside;
@@ -73,7 +73,7 @@ namespace signorini::tests
     explicit ContactProblem(const Scene<dim> &scene)
       : Assembled<dim>(scene)
       , supports(this->discretization)
-      , surface(this->discretization, supports)
+      , surface(this->discretization, supports, scene.obstacles, scene.pairs)
     {
     }
 

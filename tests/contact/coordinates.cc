@@ -38,7 +38,7 @@ namespace
       , coordinates(this->discretization, this->surface, this->supports)
       , frames(coordinates.node_frames(),
                coordinates.contact_nodes(),
-               this->discretization.matrices.pattern.partitioner)
+               this->discretization.matrices().pattern.partitioner)
     {
     }
     const ContactCoordinates<dim> coordinates;
@@ -98,7 +98,7 @@ TEST(ContactCoordinates, SupportsAreSingleEntriesWithTheirValues)
 TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
 {
   const CoordinatesProblem<3> problem(ball_in_hollow_sphere());
-  const auto                 &pattern = problem.discretization.matrices.pattern;
+  const auto                 &pattern = problem.discretization.matrices().pattern;
   const dealii::Point<3>      centre(0., 0., 1.);
   const auto                  is_held = [](const dealii::Point<3> &p) { return p[0] > 0.3; };
 
@@ -111,7 +111,7 @@ TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
   std::vector<unsigned int> expected, found;
   for (unsigned int node = 0; node < pattern.n_local; ++node)
     {
-      const dealii::Point<3> &p = problem.discretization.node_positions[node];
+      const dealii::Point<3> &p = problem.discretization.node_positions()[node];
       if (p.distance(centre) > 1. - 1e-10 && is_held(p))
         expected.push_back(node);
     }
@@ -119,8 +119,9 @@ TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
     {
       found.push_back(node.node);
       EXPECT_TRUE(node.held[0] && !node.held[1] && !node.held[2]);
-      const auto normal =
-        make_obstacle(problem.scene.obstacles[0])->project(problem.discretization.node_positions[node.node]).normal;
+      const auto normal = make_obstacle(problem.scene.obstacles[0])
+                            ->project(problem.discretization.node_positions()[node.node])
+                            .normal;
       EXPECT_LT((Tensor<1, 3>({node.frame[0], node.frame[1], node.frame[2]}) - normal).norm(), 1e-14);
     }
   EXPECT_EQ(found, expected);
@@ -136,9 +137,9 @@ TEST(ContactCoordinates, SpecialNodesAreContactNodesAndSupports)
 {
   const CoordinatesProblem<3> problem(supported_box());
   std::vector<unsigned int>   special, contact;
-  for (unsigned int node = 0; node < problem.discretization.matrices.pattern.n_local; ++node)
+  for (unsigned int node = 0; node < problem.discretization.matrices().pattern.n_local; ++node)
     {
-      const dealii::Point<3> &p          = problem.discretization.node_positions[node];
+      const dealii::Point<3> &p          = problem.discretization.node_positions()[node];
       const bool              at_contact = p[2] == 0. && p[1] < 1.;
       if (p[0] == 0. || p[1] == 1. || at_contact)
         special.push_back(node);

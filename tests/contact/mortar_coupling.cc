@@ -164,16 +164,16 @@ TEST(MortarCoupling, HangingNodesCarryNothing)
         for (unsigned int body = 0; body < 2; ++body)
           {
             const auto of_body = bodies.nodes_of_body(body);
-            for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
-              if (of_body[node] && discretization.matrices.pattern.is_empty(node)
-                  && discretization.node_positions[node][2] == (body == 0 ? 0. : -0.25))
+            for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
+              if (of_body[node] && discretization.matrices().pattern.is_empty(node)
+                  && discretization.node_positions()[node][2] == (body == 0 ? 0. : -0.25))
                 ++n_hanging[body];
             EXPECT_GT(dealii::Utilities::MPI::sum(n_hanging[body], MPI_COMM_WORLD), 0u) << body;
           }
         std::vector<double> marks;
         Vector              mark = discretization.make_vector();
-        for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
-          if (discretization.matrices.pattern.is_empty(node))
+        for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
+          if (discretization.matrices().pattern.is_empty(node))
             mark.local_element(3 * node + 2) = 1.;
         for (const double relative : bodies.surface.relative_normal(mark))
           EXPECT_EQ(relative, 0.) << "hanging nodes are replaced by their parents";

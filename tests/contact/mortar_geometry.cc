@@ -338,7 +338,7 @@ namespace mortar_geometry_tests
   {
     BodyDescription<3> column;
     column.name        = "column";
-    column.shape       = "cylinder";
+    column.shape       = BodyShape::cylinder;
     column.length      = 2.;
     column.centre      = Point<3>(0., 0., -1.);
     column.refinements = 1;

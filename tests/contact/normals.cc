@@ -26,7 +26,7 @@ namespace
   {
     BodyDescription<3> body;
     body.name              = name;
-    body.shape             = "ball";
+    body.shape             = BodyShape::ball;
     body.centre            = Point<3>(0., 0., side * radius);
     body.radius            = radius;
     body.refinements       = refinements;

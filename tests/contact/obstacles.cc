@@ -60,7 +60,7 @@ TEST(Obstacles, CentreOfASphereHasSomeNormal)
 TEST(Obstacles, CylinderIgnoresTheWayAlongItsAxis)
 {
   ObstacleDescription<3> pipe;
-  pipe.shape  = "cylinder";
+  pipe.shape  = ObstacleShape::cylinder;
   pipe.point  = Point<3>(0., 0., 1.);
   pipe.axis   = Tensor<1, 3>({0., 5., 0.});
   pipe.radius = 2.;
@@ -73,7 +73,7 @@ TEST(Obstacles, CylinderIgnoresTheWayAlongItsAxis)
 TEST(Obstacles, FunctionIsScaledToADistance)
 {
   ObstacleDescription<3> ball;
-  ball.shape           = "function";
+  ball.shape           = ObstacleShape::function;
   ball.signed_distance = "5*(sqrt(x*x + y*y + z*z) - 1)";
   for (const Point<3> &point :
        {Point<3>(0., 0., 2.), Point<3>(0.6, 0., 0.8), Point<3>(-1., 2., 2.), Point<3>(0., 0.5, 0.)})
@@ -85,9 +85,9 @@ TEST(Obstacles, FunctionIsScaledToADistance)
 TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
 {
   ObstacleDescription<3> wave, pipe;
-  wave.shape           = "function";
+  wave.shape           = ObstacleShape::function;
   wave.signed_distance = "z - 0.1*sin(3*x)*cos(2*y)";
-  pipe.shape           = "cylinder";
+  pipe.shape           = ObstacleShape::cylinder;
   pipe.point           = Point<3>(0., 0., 1.);
   pipe.axis            = Tensor<1, 3>({1., 2., 2.});
   pipe.radius          = 0.3;
@@ -110,7 +110,7 @@ TEST(Obstacles, FunctionWithoutNormalIsRefused)
 {
   ObstacleDescription<2> constant;
   constant.name            = "fog";
-  constant.shape           = "function";
+  constant.shape           = ObstacleShape::function;
   constant.signed_distance = "1";
   EXPECT_THROW(make_obstacle(constant)->project({0., 0.}), UserError);
 }

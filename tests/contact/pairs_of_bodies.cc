@@ -21,7 +21,7 @@ namespace
   {
     BodyDescription<3> body;
     body.name        = name;
-    body.shape       = "ball";
+    body.shape       = BodyShape::ball;
     body.centre      = centre;
     body.radius      = 1.;
     body.refinements = refinements;
@@ -44,7 +44,8 @@ namespace
       {
         const MappedAssembled<dim> problem(scene, map);
         const Supports<dim>        supports(problem.discretization);
-        const ContactSurface<dim>  surface(problem.discretization, supports);
+        const ContactSurface<dim>  surface(
+          problem.discretization, supports, scene.obstacles, scene.pairs);
         surface.check_initial_gap(problem.discretization.make_vector());
       }
     catch (const UserError &error)

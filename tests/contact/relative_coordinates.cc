@@ -32,7 +32,7 @@ namespace
     Scene<3>               scene             = stacked<3>(slave, master);
     ObstacleDescription<3> floor;
     floor.name   = "floor";
-    floor.shape  = "plane";
+    floor.shape  = ObstacleShape::plane;
     floor.point  = Point<3>(0., 0., -1.1);
     floor.normal = Tensor<1, 3>({0., 0., 1.});
     scene.obstacles.push_back(floor);
@@ -203,7 +203,7 @@ namespace
   void expect_energy(const TwoBodies<dim> &bodies)
   {
     const auto             &discretization = bodies.discretization;
-    const StepOperator<dim> matrix(discretization.matrices, bodies.coordinates, 2., 0.3);
+    const StepOperator<dim> matrix(discretization.matrices(), bodies.coordinates, 2., 0.3);
     const Vector            u = irregular_field(discretization, 3.), v = irregular_field(discretization, 7.);
     Vector                  w = u, z = v, product = u;
     bodies.coordinates.displacement_to_contact(w);

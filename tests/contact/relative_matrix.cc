@@ -60,7 +60,7 @@ namespace
   void expect_exact_diagonal(const Scene<dim> &scene, const double angle)
   {
     const TwoBodies<dim>    bodies(scene, turn<dim>(angle));
-    const StepOperator<dim> matrix(bodies.discretization.matrices, bodies.coordinates, 2., 0.3);
+    const StepOperator<dim> matrix(bodies.discretization.matrices(), bodies.coordinates, 2., 0.3);
     Vector                  diagonal = bodies.discretization.make_vector(), unit = diagonal, product = diagonal;
     matrix.diagonal(diagonal);
     const double scale = diagonal.linfty_norm();
@@ -83,7 +83,7 @@ namespace
   void expect_same_products(const Scene<dim> &scene, const double angle)
   {
     const TwoBodies<dim>       bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
-    const auto                &matrices = bodies.discretization.matrices;
+    const auto                &matrices = bodies.discretization.matrices();
     const StepOperator<dim>    product_form(matrices, bodies.coordinates, 2., 0.3);
     const ElasticMatrices<dim> entries = relative_matrix(matrices, bodies.coordinates, 2., 0.3);
 

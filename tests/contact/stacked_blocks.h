@@ -73,13 +73,13 @@ namespace signorini::tests
     {
       const auto is_low = bodies.nodes_of_body(lower_is_slave ? 0 : 1);
       Vector     u      = bodies.discretization.make_vector();
-      for (unsigned int node = 0; node < bodies.discretization.matrices.pattern.n_owned; ++node)
+      for (unsigned int node = 0; node < bodies.discretization.matrices().pattern.n_owned; ++node)
         {
-          if (bodies.discretization.matrices.pattern.is_empty(node))
+          if (bodies.discretization.matrices().pattern.is_empty(node))
             continue;
           const Material           &material = (is_low[node] ? lower : upper).material;
           const double              nu       = material.poissons_ratio;
-          const dealii::Point<dim> &p        = bodies.discretization.node_positions[node];
+          const dealii::Point<dim> &p        = bodies.discretization.node_positions()[node];
           const double              lateral  = (dim == 3 ? nu : nu * (1. + nu)) * pressure / material.youngs_modulus;
           for (unsigned int d = 0; d < dim - 1; ++d)
             u.local_element(dim * node + d) = lateral * p[d];

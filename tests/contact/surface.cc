@@ -56,11 +56,12 @@ TEST(ContactSurface, HangingNodesGiveTheirShareAway)
   const auto             &discretization = problem.discretization;
   EXPECT_NEAR(problem.area(), 1., 1e-14);
   for (const ContactNode<3> &node : problem.surface.nodes())
-    EXPECT_FALSE(discretization.hanging_node_constraints.is_constrained(
-      discretization.locally_owned.nth_index_in_set(3 * node.node)))
+    EXPECT_FALSE(discretization.hanging_node_constraints().is_constrained(
+      discretization.locally_owned().nth_index_in_set(3 * node.node)))
       << node.position;
-  const double n_on_face = sum_over_nodes(
-    discretization, [&](const unsigned int node) { return discretization.node_positions[node][2] == 0. ? 1. : 0.; });
+  const double n_on_face = sum_over_nodes(discretization, [&](const unsigned int node) {
+    return discretization.node_positions()[node][2] == 0. ? 1. : 0.;
+  });
   EXPECT_LT(problem.surface.n_global_nodes(), n_on_face);
 }
 

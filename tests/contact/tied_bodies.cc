@@ -45,12 +45,16 @@ namespace
                  const double                 mass_factor,
                  const double                 stiffness_factor)
   {
-    const auto           &matrices = discretization.matrices;
+    const auto           &matrices = discretization.matrices();
     const StepOperator<3> matrix(matrices, coordinates, mass_factor, stiffness_factor);
     const auto            preconditioner =
       preconditioner_name == "mass"
                    ? make_mass_preconditioner(matrices, coordinates)
-                   : make_preconditioner(preconditioner_name, matrices, coordinates, mass_factor, stiffness_factor);
+                   : make_preconditioner(*value_named<PreconditionerKind>(preconditioner_name),
+                              matrices,
+                              coordinates,
+                              mass_factor,
+                              stiffness_factor);
     const std::vector<std::array<std::string, 3>> fields{
       {{"sin(3*x) + z", "y*z", "cos(2*z + x)"}}, {{"1", "z", "x"}}, {{"z*z", "y", "sin(4*z)"}}};
     Vector force = mass_times(discretization, field<3>(discretization, fields[0])), u = discretization.make_vector(),
@@ -78,7 +82,7 @@ namespace
     const TwoBodies<3>          bodies(tied(), turn<3>(angle));
     const MappedAssembled<3>    block(scene_of<3>({part("block", -1., 1., 8)}), turn<3>(angle));
     const Supports<3>           supports(block.discretization);
-    const ContactSurface<3>     surface(block.discretization, supports);
+    const ContactSurface<3>     surface(block.discretization, supports, {}, {});
     const ContactCoordinates<3> coordinates(block.discretization, surface, supports);
     const Solution found    = solve(bodies.discretization, bodies.coordinates, preconditioner, 1., stiffness_factor),
                    expected = solve(block.discretization, coordinates, preconditioner, 1., stiffness_factor);

@@ -27,7 +27,7 @@ namespace signorini::tests
   {
     BodyDescription<dim> body;
     body.name         = name;
-    body.shape        = "box";
+    body.shape        = BodyShape::box;
     body.lower_corner = lower;
     body.upper_corner = upper;
     body.repetitions  = repetitions;
@@ -87,18 +87,25 @@ namespace signorini::tests
   {
     MappedAssembled(const Scene<dim> &scene, const Map<dim> &map)
       : scene(scene)
-      , discretization(this->scene, MPI_COMM_WORLD)
+      , mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping)
+      , discretization(moved(map))
     {
-      if (map)
-        {
-          dealii::GridTools::transform(map, discretization.triangulation);
-          discretization.distribute(); // the mapping forgets meshes that have changed
-        }
-      discretization.assemble();
     }
 
     const Scene<dim>    scene;
+    Mesh<dim>           mesh;
     Discretization<dim> discretization;
+
+  private:
+    const Mesh<dim> &moved(const Map<dim> &map)
+    {
+      if (map)
+        {
+          dealii::GridTools::transform(map, mesh.triangulation());
+          mesh.update();
+        }
+      return mesh;
+    }
   };
 
   /** Everything up to contact coordinates, and the mortar coupling of the first pair once more. */
@@ -108,8 +115,8 @@ namespace signorini::tests
     explicit TwoBodies(const Scene<dim> &scene, const Map<dim> &map = {})
       : MappedAssembled<dim>(scene, map)
       , supports(this->discretization)
-      , mortar(this->discretization, supports, 0)
-      , surface(this->discretization, supports)
+      , mortar(this->discretization, supports, scene.pairs, 0)
+      , surface(this->discretization, supports, scene.obstacles, scene.pairs)
       , coordinates(this->discretization, surface, supports)
     {
     }
@@ -126,9 +133,9 @@ namespace signorini::tests
     /** Which of the owned nodes belong to a body. */
     std::vector<bool> nodes_of_body(const unsigned int body) const
     {
-      const auto       &partitioner = *this->discretization.matrices.pattern.partitioner;
-      std::vector<bool> nodes(this->discretization.matrices.pattern.n_owned);
-      for (const auto &cell : this->discretization.dof_handler.active_cell_iterators())
+      const auto       &partitioner = *this->discretization.matrices().pattern.partitioner;
+      std::vector<bool> nodes(this->discretization.matrices().pattern.n_owned);
+      for (const auto &cell : this->discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == body)
           for (const unsigned int v : cell->vertex_indices())
             if (const auto dof = cell->vertex_dof_index(v, 0); partitioner.in_local_range(dof))
@@ -141,7 +148,7 @@ namespace signorini::tests
     {
       const auto             nodes = nodes_of_body(body);
       dealii::Tensor<1, dim> result;
-      for (unsigned int node = 0; node < this->discretization.matrices.pattern.n_owned; ++node)
+      for (unsigned int node = 0; node < this->discretization.matrices().pattern.n_owned; ++node)
         if (nodes[node])
           for (unsigned int c = 0; c < dim; ++c)
             result[c] += forces.local_element(dim * node + c);
@@ -152,11 +159,12 @@ namespace signorini::tests
     Vector nodal(const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function) const
     {
       Vector result = this->discretization.make_vector();
-      for (unsigned int node = 0; node < this->discretization.matrices.pattern.n_owned; ++node)
+      for (unsigned int node = 0; node < this->discretization.matrices().pattern.n_owned; ++node)
         {
-          if (this->discretization.matrices.pattern.is_empty(node))
+          if (this->discretization.matrices().pattern.is_empty(node))
             continue;
-          const dealii::Tensor<1, dim> value = function(this->discretization.node_positions[node]);
+          const dealii::Tensor<1, dim> value =
+            function(this->discretization.node_positions()[node]);
           for (unsigned int c = 0; c < dim; ++c)
             result.local_element(dim * node + c) = value[c];
         }

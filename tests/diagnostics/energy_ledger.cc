@@ -28,7 +28,7 @@ namespace
 
   double stiffness_of_uniaxial_strain(const Discretization<3> &discretization)
   {
-    const Material &material = discretization.scene.bodies[0].material;
+    const Material &material = discretization.mesh().bodies()[0].material;
     return material.lambda() + 2. * material.mu();
   }
 } // namespace

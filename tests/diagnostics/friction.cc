@@ -8,7 +8,7 @@
 #include "../contact/two_bodies.h"
 
 #include <signorini/diagnostics/contact_diagnostics.h>
-#include <signorini/diagnostics/node_friction.h>
+#include <signorini/diagnostics/friction_reading.h>
 #include <signorini/diagnostics/probe.h>
 
 #include <gtest/gtest.h>
@@ -132,7 +132,7 @@ TEST(FrictionSummary, TransmissionOfNodes)
       force += transmission * 0.5;
       uneven = std::max(uneven, std::abs(transmission - 1.));
 
-      const NodeFriction<3> shown = node_friction(bodies.surface, friction, k);
+      const FrictionReading<3> shown = friction_at(bodies.surface, friction, k);
       EXPECT_NEAR(shown.slip[0], 0.1, 1e-15);
       EXPECT_NEAR(shown.accumulated_slip[1], 0.2, 1e-15);
       EXPECT_NEAR(shown.slip_path, 0.3, 1e-15);

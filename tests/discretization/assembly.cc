@@ -23,10 +23,10 @@ namespace
                  full_y         = discretization.interpolate_hanging_nodes(y);
     double                 mass = 0., stiffness = 0.;
     constexpr unsigned int n_vertices = 1u << dim;
-    for (const auto &cell : discretization.dof_handler.active_cell_iterators())
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
         {
-          const auto matrix = discretization.cell_matrices.of(cell);
+          const auto matrix = discretization.mesh().cell_matrices().of(cell);
           for (unsigned int a = 0; a < n_vertices; ++a)
             for (unsigned int b = 0; b < n_vertices; ++b)
               for (unsigned int c = 0; c < dim; ++c)
@@ -90,14 +90,14 @@ namespace
   std::pair<unsigned int, unsigned int> corners(const Discretization<dim> &discretization)
   {
     std::array<unsigned int, 2> result{{0, 0}};
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       for (const unsigned int corner : {0, 1})
         {
           dealii::Point<dim> place;
           for (unsigned int c = 0; c < dim; ++c)
             place[c] = corner;
-          if (discretization.node_positions[node].distance(place) < 1e-10)
-            result[corner] = global_node<dim>(discretization.matrices.pattern, node);
+          if (discretization.node_positions()[node].distance(place) < 1e-10)
+            result[corner] = global_node<dim>(discretization.matrices().pattern, node);
         }
     return {dealii::Utilities::MPI::max(result[0], MPI_COMM_WORLD),
             dealii::Utilities::MPI::max(result[1], MPI_COMM_WORLD)};
@@ -118,7 +118,7 @@ TEST(Assembly, IsTheSumOverTheCells)
 TEST(Assembly, RowsOfGhostsAreThoseOfTheOwner)
 {
   const Assembled<3> assembled(box_with_hanging_nodes<3>());
-  const auto        &matrices = assembled.discretization.matrices;
+  const auto        &matrices = assembled.discretization.matrices();
   const NodePattern &pattern  = matrices.pattern;
   const auto         all      = all_masses(matrices);
   unsigned int       n_found = 0, n_expected = 0;
@@ -141,35 +141,36 @@ TEST(Assembly, AChangeOfTheMassMayCoupleAnyNodes)
 {
   Assembled<2> assembled(box_with_hanging_nodes<2>());
   auto        &discretization = assembled.discretization;
-  const auto   before         = all_masses(discretization.matrices);
+  const auto   before         = all_masses(discretization.matrices());
   const auto [first, second]  = corners(discretization);
   ASSERT_EQ(before.count(std::minmax(first, second)), 0u);
 
   MassChange change;
-  const auto owned = discretization.matrices.pattern.partitioner;
+  const auto owned = discretization.matrices().pattern.partitioner;
   if (owned->in_local_range(2 * first))
     change = {{{first, second}, 0.25}, {{first, first}, 0.5}};
   if (owned->in_local_range(2 * second))
     change[{second, first}] = 0.25;
-  const auto count = discretization.matrices.products();
-  discretization.assemble(change);
+  const auto count = discretization.matrices().products();
+  discretization.change_mass(change);
 
   auto expected = before;
   expected[std::minmax(first, second)] += 0.25;
   expected[{first, first}] += 0.5;
-  const auto changed = all_masses(discretization.matrices);
+  const auto changed = all_masses(discretization.matrices());
   ASSERT_EQ(changed.size(), expected.size());
   for (const auto &[nodes, value] : expected)
     EXPECT_NEAR(changed.at(nodes), value, 1e-14) << nodes.first << ", " << nodes.second;
   const Vector x        = irregular_field(discretization, 3.);
   Vector       standard = discretization.make_vector();
-  discretization.matrices.apply_standard_mass(standard, x);
+  discretization.matrices().apply_standard_mass(standard, x);
   EXPECT_NEAR(x * standard, sums_over_cells(discretization, x, x).first, 1e-13 * (x * standard));
-  EXPECT_EQ(discretization.matrices.products().mass, count.mass + 1) << "of the run, not of the matrices";
+  EXPECT_EQ(discretization.matrices().products().mass, count.mass + 1)
+    << "of the run, not of the matrices";
 
-  discretization.assemble();
-  EXPECT_TRUE(discretization.matrices.standard_mass.empty());
-  const auto again = all_masses(discretization.matrices);
+  discretization.change_mass({});
+  EXPECT_TRUE(discretization.matrices().standard_mass.empty());
+  const auto again = all_masses(discretization.matrices());
   ASSERT_EQ(again.size(), before.size());
   for (const auto &[nodes, value] : before)
     EXPECT_NEAR(again.at(nodes), value, 1e-14 * value);

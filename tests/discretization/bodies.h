@@ -5,6 +5,7 @@
 #define signorini_tests_discretization_bodies_h
 
 #include <signorini/discretization/discretization.h>
+#include <signorini/scene/scene.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -19,7 +20,7 @@ namespace signorini::tests
   {
     BodyDescription<dim> body;
     body.name  = "box";
-    body.shape = "box";
+    body.shape = BodyShape::box;
     for (unsigned int c = 0; c < dim; ++c)
       {
         body.upper_corner[c] = upper;
@@ -45,7 +46,7 @@ namespace signorini::tests
   {
     BodyDescription<dim> body;
     body.name            = "ball";
-    body.shape           = "ball";
+    body.shape           = BodyShape::ball;
     body.centre[dim - 1] = 1.;
     body.refinements     = refinements;
     body.material        = {500., 0.3, 2.};
@@ -69,9 +70,11 @@ namespace signorini::tests
   {
     explicit Assembled(const Scene<dim> &scene)
       : scene(scene)
-      , discretization(this->scene, MPI_COMM_WORLD)
+      , mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping)
+      , discretization(mesh)
     {
-      discretization.assemble();
+      if (scene.time.mass.kind == MassKind::lumped)
+        discretization.matrices().lump_mass();
     }
     explicit Assembled(const BodyDescription<dim> &body)
       : Assembled(scene_of<dim>({body}))
@@ -79,6 +82,7 @@ namespace signorini::tests
     }
 
     const Scene<dim>    scene;
+    Mesh<dim>           mesh;
     Discretization<dim> discretization;
   };
 
@@ -86,8 +90,8 @@ namespace signorini::tests
   template <int dim>
   Vector field(const Discretization<dim> &discretization, const std::array<std::string, dim> &expressions)
   {
-    return discretization.interpolate(
-      std::vector<std::array<std::string, dim>>(discretization.scene.bodies.size(), expressions));
+    return discretization.interpolate(std::vector<std::array<std::string, dim>>(
+      discretization.mesh().bodies().size(), expressions));
   }
 
   template <int dim>
@@ -113,7 +117,7 @@ namespace signorini::tests
   Vector mass_times(const Discretization<dim> &discretization, const Vector &vector)
   {
     Vector result = discretization.make_vector();
-    discretization.matrices.apply_mass(result, vector);
+    discretization.matrices().apply_mass(result, vector);
     return result;
   }
 
@@ -121,7 +125,7 @@ namespace signorini::tests
   Vector stiffness_times(const Discretization<dim> &discretization, const Vector &vector)
   {
     Vector result = discretization.make_vector();
-    discretization.matrices.apply_stiffness(result, vector);
+    discretization.matrices().apply_stiffness(result, vector);
     return result;
   }
 
@@ -139,7 +143,7 @@ namespace signorini::tests
                         const std::function<double(const unsigned int node)> &value)
   {
     double sum = 0.;
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       sum += value(node);
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }

@@ -138,7 +138,7 @@ TEST(Caps, CurvedCellsFollowTheCap)
   const double expected = 2. - (2. * a * R - a * std::sqrt(R * R - a * a) - R * R * std::asin(a / R));
   Scene<2>     scene    = scene_of<2>({capped_box<2>(3, R, 2)});
   const double straight = total_mass(Assembled<2>(scene).discretization) / 2.;
-  scene.mapping         = "curved";
+  scene.mapping         = CellGeometry::curved;
   const double curved   = total_mass(Assembled<2>(scene).discretization) / 2.;
   EXPECT_GT(std::abs(straight - expected), 1e-3);
   EXPECT_LT(std::abs(curved - expected), 0.02 * std::abs(straight - expected));

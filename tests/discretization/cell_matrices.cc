@@ -18,17 +18,17 @@ namespace
   std::pair<double, double> errors(const Discretization<dim> &discretization, const CellMatrices<dim> &cell_matrices)
   {
     using namespace dealii;
-    FEValues<dim>                    fe_values(discretization.mapping,
-                            discretization.fe,
-                            QGauss<dim>(discretization.n_quadrature_points()),
+    FEValues<dim>                    fe_values(discretization.mesh().mapping(),
+                            discretization.fe(),
+                            QGauss<dim>(discretization.mesh().n_quadrature_points()),
                             update_values | update_gradients | update_JxW_values);
     const FEValuesExtractors::Vector u(0);
     std::pair<double, double>        result{0., 0.};
-    for (const auto &cell : discretization.triangulation.active_cell_iterators())
+    for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
-          const Material &material   = discretization.scene.bodies[cell->material_id()].material;
+          const Material &material   = discretization.mesh().bodies()[cell->material_id()].material;
           const auto      matrix     = cell_matrices.of(cell);
           double          mass_error = 0., mass_size = 0., stiffness_error = 0., stiffness_size = 0.;
           for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
@@ -73,7 +73,7 @@ namespace
   template <int dim>
   unsigned int n_owned_cells(const Discretization<dim> &discretization)
   {
-    return discretization.triangulation.n_locally_owned_active_cells();
+    return discretization.mesh().triangulation().n_locally_owned_active_cells();
   }
 
   template <int dim>
@@ -83,10 +83,11 @@ namespace
     box.upper_corner[1]      = 1.3;
     box.lower_corner[0]      = 0.1;
     const Assembled<dim>    assembled(box);
-    const CellMatrices<dim> fresh(assembled.scene, assembled.discretization.mapping, 2);
+    const CellMatrices<dim> fresh(
+      assembled.scene.bodies, assembled.discretization.mesh().mapping(), 2);
     expect_matrices_of_quadrature(assembled.discretization, fresh);
     EXPECT_EQ(fresh.n_kept(), 1u);
-    EXPECT_EQ(assembled.discretization.cell_matrices.n_kept(), 1u);
+    EXPECT_EQ(assembled.discretization.mesh().cell_matrices().n_kept(), 1u);
   }
 } // namespace
 
@@ -106,7 +107,7 @@ TEST(CellMatrices, DependOnMaterialAndShape)
   turned.upper_corner[0] = 4.;
   turned.placement       = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
   const Assembled<3>    assembled(scene_of<3>({soft, hard, turned}));
-  const CellMatrices<3> fresh(assembled.scene, assembled.discretization.mapping, 2);
+  const CellMatrices<3> fresh(assembled.scene.bodies, assembled.discretization.mesh().mapping(), 2);
   expect_matrices_of_quadrature(assembled.discretization, fresh);
   EXPECT_LE(fresh.n_kept(), 3u);
   EXPECT_GE(dealii::Utilities::MPI::sum(fresh.n_kept(), MPI_COMM_WORLD), 3u);
@@ -114,7 +115,7 @@ TEST(CellMatrices, DependOnMaterialAndShape)
 
 TEST(CellMatrices, OfDistortedAndOfCurvedCells)
 {
-  for (const std::string mapping : {"straight", "curved"})
+  for (const CellGeometry mapping : {CellGeometry::linear, CellGeometry::curved})
     {
       BodyDescription<3> body = ball<3>(1);
       body.local_refinements  = 1;
@@ -123,23 +124,23 @@ TEST(CellMatrices, OfDistortedAndOfCurvedCells)
       scene.mapping           = mapping;
       const Assembled<3> assembled(scene);
       const auto        &discretization = assembled.discretization;
-      expect_matrices_of_quadrature(discretization, discretization.cell_matrices);
-      EXPECT_GT(discretization.cell_matrices.n_kept(), 1u);
-      EXPECT_LE(discretization.cell_matrices.n_kept(), n_owned_cells(discretization));
+      expect_matrices_of_quadrature(discretization, discretization.mesh().cell_matrices());
+      EXPECT_GT(discretization.mesh().cell_matrices().n_kept(), 1u);
+      EXPECT_LE(discretization.mesh().cell_matrices().n_kept(), n_owned_cells(discretization));
     }
   Scene<2> scene = scene_of<2>({ball<2>(2)});
-  scene.mapping  = "curved";
+  scene.mapping  = CellGeometry::curved;
   const Assembled<2> disc(scene);
-  expect_matrices_of_quadrature(disc.discretization, disc.discretization.cell_matrices);
+  expect_matrices_of_quadrature(disc.discretization, disc.discretization.mesh().cell_matrices());
 }
 
 // Parents are what a coarser mesh is made of: in the plane four times the mass of a child, and the same stiffness.
 TEST(CellMatrices, OfParents)
 {
   const Assembled<2> assembled(box_with_hanging_nodes<2>());
-  const auto        &provider  = assembled.discretization.cell_matrices;
+  const auto        &provider  = assembled.discretization.mesh().cell_matrices();
   unsigned int       n_parents = 0;
-  for (const auto &cell : assembled.discretization.triangulation.active_cell_iterators())
+  for (const auto &cell : assembled.discretization.mesh().triangulation().active_cell_iterators())
     if (cell->is_locally_owned() && cell->level() > 0)
       {
         ++n_parents;
@@ -153,10 +154,13 @@ TEST(CellMatrices, OfParents)
 TEST(CellMatrices, KeepNoMoreThanTheyMay)
 {
   Scene<3> scene = scene_of<3>({ball<3>(1)});
-  scene.mapping  = "curved";
+  scene.mapping  = CellGeometry::curved;
   const Assembled<3> assembled(scene);
   const auto        &discretization = assembled.discretization;
-  CellMatrices<3>    few(assembled.scene, discretization.mapping, discretization.n_quadrature_points(), 5);
+  CellMatrices<3>    few(assembled.scene.bodies,
+                      discretization.mesh().mapping(),
+                      discretization.mesh().n_quadrature_points(),
+                      5);
   expect_matrices_of_quadrature(discretization, few);
   EXPECT_LE(few.n_kept(), 6u) << "the cells in the middle have one shape, and are not curved";
   EXPECT_GE(few.n_kept(), std::min(5u, n_owned_cells(discretization)));

@@ -60,8 +60,8 @@ TEST(Loads, TractionPullsOnItsFaceOnly)
   // The moment about the corner: the resultant acts in the middle (1/2, 1, 0) of the face.
   const Vector turn = field<3>(assembled.discretization, {{"-y", "x", "0"}});
   EXPECT_NEAR(turn * loads.at(0.), -6., 1e-12);
-  for (unsigned int node = 0; node < assembled.discretization.matrices.pattern.n_owned; ++node)
-    if (assembled.discretization.node_positions[node][2] > 0.)
+  for (unsigned int node = 0; node < assembled.discretization.matrices().pattern.n_owned; ++node)
+    if (assembled.discretization.node_positions()[node][2] > 0.)
       {
         EXPECT_NEAR(loads.at(0.).local_element(3 * node), 0., 1e-14);
       }

@@ -23,7 +23,7 @@ namespace
   {
     BodyDescription<3> body;
     body.name      = "body";
-    body.shape     = "file";
+    body.shape     = BodyShape::file;
     body.mesh_file = describe_mesh_file<3>(SIGNORINI_SOURCE_DIR "/parameters/meshes/" + file);
     return body;
   }

@@ -41,7 +41,7 @@ namespace
   {
     BodyDescription<3> body;
     body.name        = "cylinder";
-    body.shape       = "cylinder";
+    body.shape       = BodyShape::cylinder;
     body.centre      = Point<3>(1., 2., 3.);
     body.radius      = 0.5;
     body.length      = 3.;

@@ -6,7 +6,7 @@
 
 #include "bodies.h"
 
-#include <signorini/discretization/mesh.h>
+#include <signorini/discretization/make_triangulation.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -24,7 +24,7 @@ namespace signorini::tests
     explicit Meshed(const BodyDescription<dim> &body)
       : triangulation(MPI_COMM_WORLD)
     {
-      make_mesh(scene_of<dim>({body}), triangulation);
+      make_triangulation<dim>({body}, triangulation);
     }
 
     dealii::parallel::distributed::Triangulation<dim> triangulation;

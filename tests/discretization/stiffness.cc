@@ -89,15 +89,16 @@ namespace
     const double scale  = force_scale(discretization);
     EXPECT_GT(forces.linfty_norm(), 1e-3 * scale) << "the boundary is pulled";
     const double n_inside = sum_over_nodes(discretization, [&](const unsigned int node) {
-      if (!inside(discretization.node_positions[node]))
+      if (!inside(discretization.node_positions()[node]))
         return 0.;
       for (unsigned int c = 0; c < dim; ++c)
-        EXPECT_LT(std::abs(forces.local_element(dim * node + c)), 1e-12 * scale) << discretization.node_positions[node];
+        EXPECT_LT(std::abs(forces.local_element(dim * node + c)), 1e-12 * scale)
+          << discretization.node_positions()[node];
       return 1.;
     });
     EXPECT_GT(n_inside, 0.);
 
-    const Material &material = discretization.scene.bodies[0].material;
+    const Material &material = discretization.mesh().bodies()[0].material;
     const double    volume   = total_mass(discretization) / material.density;
     EXPECT_NEAR(0.5 * (u * forces), volume * energy_density<dim>(material), 1e-12 * (u * forces));
   }
@@ -171,7 +172,7 @@ TEST(Stiffness, PoissonsRatioZeroDecouplesTheAxes)
   const Assembled<2> assembled(strip);
   const Vector       u      = field<2>(assembled.discretization, {{"x", "0"}});
   const Vector       forces = stiffness_times(assembled.discretization, u);
-  for (unsigned int node = 0; node < assembled.discretization.matrices.pattern.n_owned; ++node)
+  for (unsigned int node = 0; node < assembled.discretization.matrices().pattern.n_owned; ++node)
     EXPECT_NEAR(forces.local_element(2 * node + 1), 0., 1e-10);
   EXPECT_NEAR(u * forces, 500., 1e-9);
 }

@@ -34,7 +34,7 @@ TEST(Supports, PrescribeTheGivenComponents)
   EXPECT_EQ(n_global(supports), 5u);
   for (const auto &[node, components] : supports.nodes())
     {
-      const auto &p = assembled.discretization.node_positions[node];
+      const auto &p = assembled.discretization.node_positions()[node];
       EXPECT_TRUE(p[0] == 0. || p[1] == 0.) << p;
       EXPECT_EQ(components[0], p[0] == 0. ? 0u : 1u) << p;
       EXPECT_EQ(components[1], p[1] == 0. ? 1u : none) << p;
@@ -57,17 +57,20 @@ TEST(Supports, LeaveOutHangingNodesAndOtherBodies)
 
   // The mesh of the face z = 0 repeats that of a square with the same refinement.
   const Assembled<2> face(box_with_hanging_nodes<2>());
-  const auto        &owned     = face.discretization.locally_owned;
+  const auto        &owned     = face.discretization.locally_owned();
   const double       n_hanging = sum_over_nodes(face.discretization, [&](const unsigned int node) {
-    return face.discretization.hanging_node_constraints.is_constrained(owned.nth_index_in_set(2 * node)) ? 1. : 0.;
+    return face.discretization.hanging_node_constraints().is_constrained(
+             owned.nth_index_in_set(2 * node))
+                   ? 1.
+                   : 0.;
   });
   EXPECT_GT(n_hanging, 0.);
-  EXPECT_EQ(n_global(supports), face.discretization.dof_handler.n_dofs() / 2 - n_hanging);
+  EXPECT_EQ(n_global(supports), face.discretization.dof_handler().n_dofs() / 2 - n_hanging);
   for (const auto &[node, components] : supports.nodes())
     {
-      EXPECT_EQ(discretization.node_positions[node][2], 0.);
-      EXPECT_LE(discretization.node_positions[node][0], 1.);
-      EXPECT_FALSE(discretization.hanging_node_constraints.is_constrained(
-        discretization.locally_owned.nth_index_in_set(3 * node)));
+      EXPECT_EQ(discretization.node_positions()[node][2], 0.);
+      EXPECT_LE(discretization.node_positions()[node][0], 1.);
+      EXPECT_FALSE(discretization.hanging_node_constraints().is_constrained(
+        discretization.locally_owned().nth_index_in_set(3 * node)));
     }
 }

@@ -39,7 +39,7 @@ namespace
       : factor(body.matrices, a, b, {})
     {
       for (unsigned int node = 0; node < body.matrices.pattern.n_local; ++node)
-        if (body.discretization.node_positions[node][0] < 1e-12 && !body.is_hanging(node))
+        if (body.discretization.node_positions()[node][0] < 1e-12 && !body.is_hanging(node))
           held.push_back(held_in_turned_frame<dim>(node, 0., all_directions<dim>()));
       factor.set_held_nodes(held);
     }
@@ -253,7 +253,8 @@ TEST(ConjugateGradients, AnyNumberOfProcessesFindsTheSameSolution)
   LinearSystem distributed(MPI_COMM_WORLD), serial(MPI_COMM_SELF);
   distributed.solve(1e-12);
   serial.solve(1e-12);
-  const auto  &here = distributed.body.discretization.node_positions, &all = serial.body.discretization.node_positions;
+  const auto &here        = distributed.body.discretization.node_positions(),
+             &all         = serial.body.discretization.node_positions();
   unsigned int n_compared = 0;
   for (unsigned int p = 0; p < distributed.body.matrices.pattern.n_owned; ++p)
     for (unsigned int q = 0; q < all.size(); ++q)

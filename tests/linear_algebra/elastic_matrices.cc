@@ -119,7 +119,7 @@ TYPED_TEST(ElasticMatricesOf, LumpedMassIsDiagonalAndKeepsTheMass)
 {
   constexpr int dim   = TypeParam::value;
   auto          scene = make_boxes<dim>(1, 1, true);
-  scene.time.mass     = "lumped";
+  scene.time.mass.kind = MassKind::lumped;
   const SmallBody<dim>         lumped(scene, MPI_COMM_WORLD);
   std::array<std::string, dim> shift;
   shift.fill("1");

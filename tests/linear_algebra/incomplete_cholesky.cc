@@ -48,7 +48,7 @@ public:
   {
     HeldNodes<dim> held;
     for (unsigned int node = 0; node < body.matrices.pattern.n_local; ++node)
-      if (const auto &position = body.discretization.node_positions[node];
+      if (const auto &position = body.discretization.node_positions()[node];
           std::abs(position[0]) < 1e-12 && !body.is_hanging(node))
         {
           nodes.push_back(node);

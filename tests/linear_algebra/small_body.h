@@ -7,6 +7,7 @@
 // Small elastic bodies with their matrices, and dense copies of linear maps to compare with.
 
 #include <signorini/discretization/discretization.h>
+#include <signorini/scene/scene.h>
 
 #include <Eigen/Dense>
 
@@ -22,7 +23,7 @@ namespace signorini
     for (unsigned int b = 0; b < n_bodies; ++b)
       {
         BodyDescription<dim> body;
-        body.shape = "box";
+        body.shape = BodyShape::box;
         for (unsigned int c = 0; c < dim; ++c)
           {
             body.lower_corner[c] = c == 0 ? 3. * b : 0.;
@@ -46,13 +47,16 @@ namespace signorini
   {
     SmallBody(const Scene<dim> &boxes, const MPI_Comm communicator)
       : scene(boxes)
-      , discretization(scene, communicator)
-      , matrices(discretization.matrices)
+      , mesh(scene.bodies, communicator, scene.mapping)
+      , discretization(mesh)
+      , matrices(discretization.matrices())
     {
-      discretization.assemble();
+      if (scene.time.mass.kind == MassKind::lumped)
+        discretization.matrices().lump_mass();
     }
 
     const Scene<dim>            scene;
+    const Mesh<dim>             mesh;
     Discretization<dim>         discretization;
     const ElasticMatrices<dim> &matrices;
 

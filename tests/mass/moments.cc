@@ -37,7 +37,7 @@ namespace
   template <int dim>
   void expect_massless_contact_nodes(const Redistributed<dim> &problem)
   {
-    const auto &matrices = problem.discretization.matrices;
+    const auto &matrices = problem.discretization.matrices();
     ASSERT_EQ(matrices.massless_nodes.size(), problem.surface.nodes().size());
     ASSERT_GT(problem.surface.n_global_nodes(), 0u);
     const Vector product = mass_times(problem.discretization, irregular_field(problem.discretization, 3.));
@@ -77,7 +77,7 @@ TEST_P(Construction, KeepsTheMomentsOfCurvedMeshes)
   expect_all(contact_scene<2>(ball<2>(2), {floor_at<2>(0.)}), GetParam());
   expect_all(contact_scene<3>(ball<3>(2), {floor_at<3>(0.)}), GetParam());
   Scene<2> curved = contact_scene<2>(ball<2>(2), {floor_at<2>(0.)});
-  curved.mapping  = "curved";
+  curved.mapping  = CellGeometry::curved;
   expect_all(curved, GetParam());
 }
 

@@ -15,9 +15,12 @@ namespace signorini::tests
   template <int dim>
   Scene<dim> with_mass(Scene<dim> scene, const std::string &construction)
   {
-    scene.time.scheme         = "contact-implicit";
-    scene.time.mass           = construction == "zero" ? "zero on contact boundary" : "redistributed";
-    scene.time.redistribution = construction;
+    scene.time.scheme    = "contact-implicit";
+    MassParameters &mass = scene.time.mass;
+    mass.kind =
+      construction == "zero" ? MassKind::zero_on_contact_boundary : MassKind::redistributed;
+    if (mass.kind == MassKind::redistributed)
+      mass.redistribution = *value_named<MassRedistribution>(construction);
     return scene;
   }
 
@@ -27,7 +30,7 @@ namespace signorini::tests
   {
     Redistributed(const Scene<dim> &scene, const std::string &construction)
       : ContactProblem<dim>(with_mass(scene, construction))
-      , note(redistribute_mass(this->discretization, this->surface))
+      , note(redistribute_mass(this->discretization, this->surface, this->scene.time.mass))
     {
     }
 
@@ -39,7 +42,7 @@ namespace signorini::tests
     {
       const Vector x = field<dim>(this->discretization, left), y = field<dim>(this->discretization, right);
       Vector       standard = this->discretization.make_vector();
-      this->discretization.matrices.apply_standard_mass(standard, y);
+      this->discretization.matrices().apply_standard_mass(standard, y);
       return {x * mass_times(this->discretization, y), x * standard};
     }
   };

@@ -70,7 +70,7 @@ TEST(MassStructure, ZeroOnTheContactBoundaryDeletes)
 TEST(MassStructure, SolutionsAreInverse)
 {
   const Redistributed<3> problem(contact_scene<3>(ball<3>(2), {floor_at<3>(0.)}), "extrapolation");
-  const auto            &matrices = problem.discretization.matrices;
+  const auto            &matrices = problem.discretization.matrices();
   Vector                 x        = irregular_field(problem.discretization, 3.);
   for (const unsigned int node : matrices.massless_nodes)
     for (unsigned int c = 0; c < 3; ++c)
@@ -83,7 +83,7 @@ TEST(MassStructure, SolutionsAreInverse)
 TEST(MassStructure, AnIndefiniteMassIsFound)
 {
   Redistributed<2> problem(box_on_floor<2>(8), "extrapolation");
-  auto            &matrices = problem.discretization.matrices;
+  auto            &matrices = problem.discretization.matrices();
   ASSERT_GT(MassSolver<2>(matrices, {}).smallest_ratio(), 0.);
   // With half of its diagonal the mass is negative where neighbours move against each other.
   for (unsigned int node = 0; node < matrices.pattern.n_local; ++node)
@@ -114,7 +114,7 @@ TEST(MassStructure, MacroElementsBesideASupport)
   Scene<2> scene            = box_on_floor<2>(3);
   scene.bodies[0].dirichlet = {{0, {{"0", "0"}}}};
   const Redistributed<2> problem(scene, "macro-elements");
-  const auto            &matrices = problem.discretization.matrices;
+  const auto            &matrices = problem.discretization.matrices();
   const unsigned int     n =
     dealii::Utilities::MPI::sum(static_cast<unsigned int>(matrices.massless_nodes.size()), MPI_COMM_WORLD);
   EXPECT_EQ(n, problem.surface.n_global_nodes() + 1);

@@ -5,6 +5,7 @@
 #define signorini_tests_output_box_above_floor_h
 
 #include <signorini/contact/contact_surface.h>
+#include <signorini/scene/scene.h>
 
 /**
  * The unit box (square) with hanging nodes, 0.1 above a floor, and its bottom as contact surface. Small enough that in 3d some
@@ -16,7 +17,7 @@ signorini::Scene<dim> box_above_floor()
   signorini::Scene<dim>           scene;
   signorini::BodyDescription<dim> box;
   box.name  = "box";
-  box.shape = "box";
+  box.shape = BodyShape::box;
   for (unsigned int c = 0; c < dim; ++c)
     box.upper_corner[c] = 1.;
   box.repetitions.fill(1);
@@ -48,11 +49,12 @@ struct BoxAboveFloor
 {
   explicit BoxAboveFloor(const bool friction = false)
     : scene(with_friction(box_above_floor<dim>(), friction))
-    , discretization(scene, MPI_COMM_WORLD)
+    , mesh(scene.bodies, MPI_COMM_WORLD)
+    , discretization(mesh)
   {
-    discretization.assemble();
     supports = std::make_unique<signorini::Supports<dim>>(discretization);
-    surface  = std::make_unique<signorini::ContactSurface<dim>>(discretization, *supports);
+    surface  = std::make_unique<signorini::ContactSurface<dim>>(
+      discretization, *supports, scene.obstacles, scene.pairs);
   }
 
   static signorini::Scene<dim> with_friction(signorini::Scene<dim> scene, const bool friction)
@@ -62,6 +64,7 @@ struct BoxAboveFloor
   }
 
   signorini::Scene<dim>                           scene;
+  signorini::Mesh<dim>                            mesh;
   signorini::Discretization<dim>                  discretization;
   std::unique_ptr<signorini::Supports<dim>>       supports;
   std::unique_ptr<signorini::ContactSurface<dim>> surface;

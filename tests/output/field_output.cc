@@ -64,9 +64,9 @@ namespace
   {
     const ScratchFolder      folder;
     const BoxAboveFloor<dim> box;
-    FieldOutput<dim>         output(box.discretization, folder.name);
+    FieldOutput<dim>         output(folder.name, MPI_COMM_WORLD);
     State                    state = state_at_rest(box.discretization);
-    output.write(state, *box.surface);
+    output.write(state, box.discretization, *box.surface);
     MPI_Barrier(MPI_COMM_WORLD);
     expect_complete(folder.name, "volume", {"0"});
     expect_complete(folder.name, "surface", {"0"});
@@ -74,8 +74,8 @@ namespace
 
     state.step = 7;
     state.time = 0.123456789012;
-    output.write(state, *box.surface);
-    output.write(state, *box.surface);
+    output.write(state, box.discretization, *box.surface);
+    output.write(state, box.discretization, *box.surface);
     MPI_Barrier(MPI_COMM_WORLD);
     expect_complete(folder.name, "volume", {"0", "0.123456789012"});
     expect_complete(folder.name, "surface", {"0", "0.123456789012"});
@@ -110,8 +110,8 @@ TEST(FieldOutput, VectorsOfFriction)
 {
   const ScratchFolder    folder;
   const BoxAboveFloor<2> box(true);
-  FieldOutput<2>         output(box.discretization, folder.name);
-  output.write(state_at_rest(box.discretization), *box.surface);
+  FieldOutput<2>         output(folder.name, MPI_COMM_WORLD);
+  output.write(state_at_rest(box.discretization), box.discretization, *box.surface);
   MPI_Barrier(MPI_COMM_WORLD);
   const std::string surface = folder.name + "/fields/surface_000000.pvtu";
   for (const char *field : {"CSTATUS", "CSHEAR", "CSLIP", "CSLIP_INCREMENT"})
@@ -128,12 +128,12 @@ TEST(FieldOutput, NoPairsNoSurface)
     std::ofstream(folder.name + "/surface.pvd") << "old";
   Scene<2> scene = box_above_floor<2>();
   scene.pairs.clear();
-  Discretization<2> discretization(scene, MPI_COMM_WORLD);
-  discretization.assemble();
+  const Mesh<2>           mesh(scene.bodies, MPI_COMM_WORLD);
+  const Discretization<2> discretization(mesh);
   const Supports<2>       supports(discretization);
-  const ContactSurface<2> surface(discretization, supports);
-  FieldOutput<2>          output(discretization, folder.name);
-  output.write(state_at_rest(discretization), surface);
+  const ContactSurface<2> surface(discretization, supports, scene.obstacles, scene.pairs);
+  FieldOutput<2>          output(folder.name, MPI_COMM_WORLD);
+  output.write(state_at_rest(discretization), discretization, surface);
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_TRUE(std::filesystem::exists(folder.name + "/volume.pvd"));
   EXPECT_FALSE(std::filesystem::exists(folder.name + "/surface.pvd"));
@@ -144,16 +144,17 @@ TEST(FieldOutput, FolderVanishes)
 {
   const ScratchFolder    folder;
   const BoxAboveFloor<2> box;
-  FieldOutput<2>         output(box.discretization, folder.name);
+  FieldOutput<2>         output(folder.name, MPI_COMM_WORLD);
   MPI_Barrier(MPI_COMM_WORLD);
   if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
     std::filesystem::remove_all(folder.name + "/fields");
   MPI_Barrier(MPI_COMM_WORLD);
-  EXPECT_THROW(output.write(state_at_rest(box.discretization), *box.surface), RunError);
+  EXPECT_THROW(output.write(state_at_rest(box.discretization), box.discretization, *box.surface),
+               RunError);
 }
 
 TEST(FieldOutput, FolderCannotBeMade)
 {
   const BoxAboveFloor<2> box;
-  EXPECT_THROW(FieldOutput<2>(box.discretization, "/dev/null/results"), RunError);
+  EXPECT_THROW(FieldOutput<2>("/dev/null/results", MPI_COMM_WORLD), RunError);
 }

@@ -27,11 +27,13 @@ namespace
   {
     const BoxAboveFloor<dim> box;
     const auto              &discretization = box.discretization;
-    ASSERT_GT(dealii::Utilities::MPI::max(discretization.hanging_node_constraints.n_constraints(), MPI_COMM_WORLD), 0u);
+    ASSERT_GT(dealii::Utilities::MPI::max(discretization.hanging_node_constraints().n_constraints(),
+                                          MPI_COMM_WORLD),
+              0u);
     const auto stresses =
       cell_stress(discretization, discretization.interpolate_hanging_nodes(discretization.interpolate({displacement})));
-    ASSERT_EQ(stresses.size(), discretization.triangulation.n_active_cells());
-    for (const auto &cell : discretization.triangulation.active_cell_iterators())
+    ASSERT_EQ(stresses.size(), discretization.mesh().triangulation().n_active_cells());
+    for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
       if (cell->is_locally_owned())
         {
           EXPECT_LT((stresses[cell->active_cell_index()] - expected).norm(), 1e-13);

@@ -27,10 +27,10 @@ TEST(Reading, TimeAndTopLevel)
 {
   const Scene<3> scene = read();
   EXPECT_EQ(scene.output_directory, "output/test");
-  EXPECT_EQ(scene.mapping, "linear");
+  EXPECT_EQ(scene.mapping, CellGeometry::linear);
   EXPECT_EQ(scene.time.scheme, "contact-stabilized");
-  EXPECT_EQ(scene.time.mass, "consistent");
-  EXPECT_EQ(scene.time.predictor, "consistent");
+  EXPECT_EQ(scene.time.mass.kind, MassKind::consistent);
+  EXPECT_EQ(scene.time.mass.predictor, PredictorMass::consistent);
   EXPECT_DOUBLE_EQ(scene.time.step_size, 5e-3);
   EXPECT_EQ(scene.time.n_steps(), 100u);
   EXPECT_EQ(scene.original_text, correct_scene());
@@ -52,7 +52,7 @@ TEST(Reading, Bodies)
   ASSERT_EQ(scene.bodies.size(), 2u);
   const BodyDescription<3> &ball = scene.bodies[0];
   EXPECT_EQ(ball.name, "ball");
-  EXPECT_EQ(ball.shape, "ball");
+  EXPECT_EQ(ball.shape, BodyShape::ball);
   EXPECT_DOUBLE_EQ(ball.centre[2], 1.);
   EXPECT_EQ(ball.refinements, 2u);
   EXPECT_DOUBLE_EQ(ball.material.density, 2.);
@@ -91,7 +91,7 @@ TEST(Reading, ObstaclesPairsProbes)
 {
   const Scene<3> scene = read();
   ASSERT_EQ(scene.obstacles.size(), 2u);
-  EXPECT_EQ(scene.obstacles[1].shape, "sphere");
+  EXPECT_EQ(scene.obstacles[1].shape, ObstacleShape::sphere);
   EXPECT_DOUBLE_EQ(scene.obstacles[1].radius, .9);
   ASSERT_EQ(scene.pairs.size(), 2u);
   EXPECT_EQ(scene.pairs[0].name, "ball : floor");
@@ -109,18 +109,18 @@ TEST(Reading, Friction)
   const std::string pair = "Contact/ball : floor/";
   const auto        of   = [&](const std::vector<Override> &overrides) { return read(overrides).pairs[0].friction; };
   EXPECT_FALSE(read().pairs[1].friction.any);
-  EXPECT_EQ(read().pairs[1].friction.law, "coulomb");
+  EXPECT_EQ(read().pairs[1].friction.law, FrictionKind::coulomb);
 
   const FrictionDescription coulomb =
     of({{pair + "Friction coefficient", "0.3 + 0.1*x"}, {pair + "Friction bound", "5"}});
-  EXPECT_EQ(coulomb.law, "coulomb");
+  EXPECT_EQ(coulomb.law, FrictionKind::coulomb);
   EXPECT_EQ(coulomb.coefficient, "0.3 + 0.1*x");
   EXPECT_EQ(coulomb.bound, "5");
   EXPECT_TRUE(coulomb.any);
   EXPECT_EQ(of({{pair + "Friction coefficient", "0.3"}}).bound, "");
 
   const FrictionDescription tresca = of({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "2 - z"}});
-  EXPECT_EQ(tresca.law, "tresca");
+  EXPECT_EQ(tresca.law, FrictionKind::tresca);
   EXPECT_EQ(tresca.coefficient, "0");
   EXPECT_EQ(tresca.bound, "2 - z");
   EXPECT_TRUE(tresca.any);
@@ -160,13 +160,13 @@ TEST(Reading, SchemesWithFriction)
 
 TEST(Reading, StickingNodesAndStart)
 {
-  EXPECT_TRUE(read().time.stop_sticking_nodes);
-  EXPECT_EQ(read().time.start, "given");
-  EXPECT_FALSE(read({{"Time/Stop sticking nodes", "false"}}).time.stop_sticking_nodes);
+  EXPECT_TRUE(read().time.parameters.stop_sticking_nodes);
+  EXPECT_EQ(read().time.start, StartKind::given);
+  EXPECT_FALSE(read({{"Time/Stop sticking nodes", "false"}}).time.parameters.stop_sticking_nodes);
   // All keys of a run are written, that of the displacement among them; the copy must be a scene, too.
   const Scene<3> equilibrium =
     read({{"Time/Start", "equilibrium"}, {"Bodies/ball/Initial displacement", "0; 0.0; 1-1"}});
-  EXPECT_EQ(equilibrium.time.start, "equilibrium");
+  EXPECT_EQ(equilibrium.time.start, StartKind::equilibrium);
   const TemporaryFile file(equilibrium.all_parameters);
   EXPECT_EQ(refusal(file.name), "");
 }
@@ -180,8 +180,8 @@ TEST(Reading, Adaptivity)
                            + assignment("Adaptivity/Maximum level", "5") + assignment("Adaptivity/Repetitions", "2"));
   const Scene<3>      scene = read_scene<3>(file.name, {});
   EXPECT_TRUE(scene.adaptivity.any());
-  EXPECT_EQ(scene.adaptivity.indicator, "kelly");
-  EXPECT_EQ(scene.adaptivity.marking, "tolerance");
+  EXPECT_EQ(scene.adaptivity.indicator, IndicatorKind::kelly);
+  EXPECT_EQ(scene.adaptivity.marking, MarkingKind::tolerance);
   EXPECT_DOUBLE_EQ(scene.adaptivity.tolerance, 0.3);
   EXPECT_DOUBLE_EQ(scene.adaptivity.hysteresis, 0.1);
   EXPECT_EQ(scene.adaptivity.maximum_level, 5u);

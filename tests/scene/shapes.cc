@@ -110,7 +110,7 @@ TEST(Cap, IsPartOfASphereAndLeavesTheOppositeFace)
   for (const unsigned int face : {0, 1, 2, 3, 4, 5})
     {
       BodyDescription<3> box;
-      box.shape        = "box";
+      box.shape        = BodyShape::box;
       box.lower_corner = Point<3>(1., 2., 3.);
       box.upper_corner = Point<3>(2., 2.8, 4.4);
       box.cap_radius   = 1.5;

@@ -7,8 +7,8 @@
 #include "../discretization/bodies.h"
 
 #include <signorini/diagnostics/error_norms.h>
-#include <signorini/system/elastic_contact_system.h>
 #include <signorini/schemes/scheme_table.h>
+#include <signorini/simulation/meshed_scene.h>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ namespace
   {
     BodyDescription<2> bar;
     bar.name                 = "bar";
-    bar.shape                = "box";
+    bar.shape                = BodyShape::box;
     bar.upper_corner         = dealii::Point<2>(2., 0.25);
     bar.repetitions          = {{n_cells, 1}};
     bar.material             = {18., 0., 2.};
@@ -38,7 +38,7 @@ namespace
   {
     BodyDescription<2> strip;
     strip.name             = "strip";
-    strip.shape            = "box";
+    strip.shape            = BodyShape::box;
     strip.upper_corner     = dealii::Point<2>(0.25, 1.);
     strip.repetitions      = {{1, n_cells}};
     strip.material         = {10.4, 0.3, 1.};
@@ -61,11 +61,12 @@ namespace
     Assembled<2>                assembled(scene);
     auto                       &discretization = assembled.discretization;
     const Supports<2>           supports(discretization);
-    const ContactSurface<2>     surface(discretization, supports);
+    const ContactSurface<2>     surface(discretization, supports, scene.obstacles, scene.pairs);
     const ContactCoordinates<2> coordinates(discretization, surface, supports);
     Loads<2>                    loads(discretization);
     dealii::TimerOutput         timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-    ElasticContactSystem<2>     system(discretization, surface, coordinates, loads, timer);
+    ElasticContactSystem<2> system(
+      discretization, surface, coordinates, loads, system_parameters(scene), timer);
 
     State state;
     state.displacement   = field<2>(discretization, scene.bodies[0].initial_displacement);
@@ -86,7 +87,7 @@ namespace
         scheme->advance(system, state, scene.time.step_size);
         outcome.energy_change = std::max(outcome.energy_change, std::abs(energy() / initial_energy - 1.));
       }
-    outcome.errors = ErrorEvaluation<2>(discretization).evaluate(state, 0.);
+    outcome.errors = ErrorEvaluation<2>(scene.exact_solution).evaluate(discretization, state, 0.);
     return outcome;
   }
 

@@ -76,7 +76,8 @@ namespace
   void
   throw_once(const FrictionalBodies<dim> &bodies, const std::string &scheme, Throws &random, Statistics &statistics)
   {
-    const double   step_size       = random.between(0.3, 10.) / bodies.discretization.courant_number(1.);
+    const double step_size =
+      random.between(0.3, 10.) / bodies.discretization.mesh().courant_number(1.);
     const double   speed           = std::exp(random.between(-4., 1.));
     Tensor<1, dim> v               = speed * random.vector<dim>();
     v[dim - 1]                     = -std::abs(v[dim - 1]);

@@ -63,7 +63,8 @@ namespace
     Run<dim>     run(scene, scheme, 0.), other(scene, scheme, angle);
     const double speed = oblique_velocity<dim>().norm();
     // A penetration of 1e-12 is accepted: nodes that touch without force, as with contact-implicit, may count as open in one of the runs.
-    const double step_size = scene.time.step_size, accepted = 1e-12 * run.bodies.discretization.body_size() / step_size;
+    const double step_size     = scene.time.step_size,
+                 accepted      = 1e-12 * run.bodies.discretization.mesh().body_size() / step_size;
     double       largest_force = 0.;
     unsigned int n_closed      = 0;
     for (unsigned int step = 0; step < 30 || n_closed < 30; ++step)

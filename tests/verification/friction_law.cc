@@ -37,7 +37,7 @@ namespace
   {
     const auto  &bodies = motion.bodies;
     const auto  &system = motion.system;
-    const double size = bodies.discretization.body_size(), factor = system.force_factor;
+    const double size = bodies.discretization.mesh().body_size(), factor = system.force_factor;
     Vector       further = system.further_reaction, friction = system.solution.friction_reaction,
            total = motion.state.contact_force;
     bodies.coordinates.force_to_contact(further);
@@ -113,8 +113,8 @@ namespace
     scene.time.scheme = scheme;
     if (scheme == "hager-hueeber-wohlmuth")
       {
-        scene.time.mass           = "redistributed";
-        scene.time.redistribution = "extrapolation";
+        scene.time.mass.kind           = MassKind::redistributed;
+        scene.time.mass.redistribution = MassRedistribution::extrapolation;
       }
     const FrictionalBodies<dim> bodies(turned(scene, angle), turn<dim>(angle));
     const Tensor<1, dim>        v        = rotation<dim>(angle) * oblique_velocity<dim>();

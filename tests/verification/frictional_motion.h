@@ -11,7 +11,7 @@
 #include <signorini/diagnostics/momentum.h>
 #include <signorini/mass/redistribute_mass.h>
 #include <signorini/schemes/scheme_table.h>
-#include <signorini/system/elastic_contact_system.h>
+#include <signorini/simulation/meshed_scene.h>
 
 namespace signorini::tests
 {
@@ -47,8 +47,8 @@ namespace signorini::tests
     explicit FrictionalBodies(const Scene<dim> &scene, const Map<dim> &map = {})
       : MappedAssembled<dim>(scene, map)
       , supports(this->discretization)
-      , surface(this->discretization, supports)
-      , mass_note(redistribute_mass(this->discretization, surface))
+      , surface(this->discretization, supports, scene.obstacles, scene.pairs)
+      , mass_note(redistribute_mass(this->discretization, surface, scene.time.mass))
       , coordinates(this->discretization, surface, supports)
     {
     }
@@ -56,15 +56,15 @@ namespace signorini::tests
     /** Nodal values of a function of the reference position of the nodes of the first body; zero elsewhere. */
     Vector of_first_body(const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function) const
     {
-      const auto &pattern = this->discretization.matrices.pattern;
+      const auto &pattern = this->discretization.matrices().pattern;
       Vector      result  = this->discretization.make_vector();
-      for (const auto &cell : this->discretization.dof_handler.active_cell_iterators())
+      for (const auto &cell : this->discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == 0)
           for (const unsigned int v : cell->vertex_indices())
             if (const auto dof = cell->vertex_dof_index(v, 0); pattern.partitioner->in_local_range(dof))
               if (const unsigned int first = pattern.partitioner->global_to_local(dof); !pattern.is_empty(first / dim))
                 {
-                  const auto value = function(this->discretization.node_positions[first / dim]);
+                  const auto value = function(this->discretization.node_positions()[first / dim]);
                   for (unsigned int c = 0; c < dim; ++c)
                     result.local_element(first + c) = value[c];
                 }
@@ -89,7 +89,12 @@ namespace signorini::tests
       : bodies(bodies)
       , loads(bodies.discretization)
       , timer(MPI_COMM_SELF, std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times)
-      , system(bodies.discretization, bodies.surface, bodies.coordinates, loads, timer)
+      , system(bodies.discretization,
+               bodies.surface,
+               bodies.coordinates,
+               loads,
+               system_parameters(bodies.scene),
+               timer)
       , scheme(make_time_scheme(scheme, parameters(stop_sticking_nodes)))
     {
       state.displacement   = displacement;

@@ -7,8 +7,8 @@
 
 #include "../contact/stacked_blocks.h"
 
-#include <signorini/system/elastic_contact_system.h>
 #include <signorini/schemes/scheme_table.h>
+#include <signorini/simulation/meshed_scene.h>
 
 #include <gtest/gtest.h>
 
@@ -36,16 +36,17 @@ namespace
   }
 
   template <int dim>
-  void expect_static_solution(const Stack<dim> &stack, const std::string &preconditioner_name, const bool guess)
+  void expect_static_solution(const Stack<dim> &stack, const bool guess)
   {
     const TwoBodies<dim> bodies(stack.scene(true), stack.map());
     const auto          &coordinates = bodies.coordinates;
-    const auto          &matrices    = bodies.discretization.matrices;
+    const auto          &matrices    = bodies.discretization.matrices();
     const unsigned int   n           = bodies.surface.nodes().size();
     expect_balance(stack, bodies);
 
     const StepOperator<dim> matrix(matrices, coordinates, 0., 1.);
-    const auto              preconditioner = make_preconditioner(preconditioner_name, matrices, coordinates, 0., 1.);
+    const auto              preconditioner =
+      make_preconditioner(PreconditionerKind::jacobi, matrices, coordinates, 0., 1.);
     const Vector            exact          = stack.exact(bodies);
     Vector       load = Loads<dim>(bodies.discretization).at(0.), u = bodies.discretization.make_vector(), residual = u;
     const double energy = std::abs(load * exact);
@@ -86,7 +87,12 @@ namespace
     const auto               &discretization = bodies.discretization;
     Loads<dim>                loads(discretization);
     dealii::TimerOutput       timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-    ElasticContactSystem<dim> system(discretization, bodies.surface, bodies.coordinates, loads, timer);
+    ElasticContactSystem<dim> system(discretization,
+                                     bodies.surface,
+                                     bodies.coordinates,
+                                     loads,
+                                     system_parameters(bodies.scene),
+                                     timer);
 
     const Vector initial  = stack.exact(bodies);
     const Vector velocity = bodies.nodal([&](const Point<dim> &) {
@@ -166,7 +172,7 @@ TEST(PatchTest, StaticIn2d)
     for (const bool guess : {true, false})
       {
         SCOPED_TRACE(name);
-        expect_static_solution(stack, "jacobi", guess);
+        expect_static_solution(stack, guess);
       }
 }
 
@@ -176,7 +182,7 @@ TEST(PatchTest, StaticIn3d)
     for (const bool guess : {true, false})
       {
         SCOPED_TRACE(name);
-        expect_static_solution(stack, "jacobi", guess);
+        expect_static_solution(stack, guess);
       }
 }
 

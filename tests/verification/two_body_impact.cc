@@ -10,8 +10,8 @@
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/energy_ledger.h>
 #include <signorini/diagnostics/momentum.h>
-#include <signorini/system/elastic_contact_system.h>
 #include <signorini/schemes/scheme_table.h>
+#include <signorini/simulation/meshed_scene.h>
 
 #include <gtest/gtest.h>
 
@@ -63,15 +63,16 @@ namespace
     const auto               &discretization = bodies.discretization;
     Loads<dim>                loads(discretization);
     dealii::TimerOutput       timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-    ElasticContactSystem<dim> system(discretization, bodies.surface, bodies.coordinates, loads, timer);
+    ElasticContactSystem<dim> system(
+      discretization, bodies.surface, bodies.coordinates, loads, system_parameters(scene), timer);
 
     State      state;
     const auto slave   = bodies.nodes_of_body(0);
     state.displacement = discretization.make_vector();
     state.velocity     = state.displacement;
-    for (unsigned int node = 0; node < discretization.matrices.pattern.n_owned; ++node)
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       for (unsigned int c = 0; slave[node] && c < dim; ++c)
-        if (!discretization.matrices.pattern.is_empty(node))
+        if (!discretization.matrices().pattern.is_empty(node))
           state.velocity.local_element(dim * node + c) = impact_velocity<dim>(angle)[c];
     state.contact_force  = state.displacement;
     state.momentum       = mass_times(discretization, state.velocity);

@@ -22,13 +22,19 @@ namespace signorini
     static constexpr double too_close  = 1.;  ///< from here on a cell is to be refined
     static constexpr double far_enough = 0.4; ///< below, it may be coarsened
 
-    DistanceIndicator(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
+    /** @param first_step_size serves before the first step */
+    DistanceIndicator(const Discretization<dim>  &discretization,
+                      const ContactSurface<dim>  &surface,
+                      const AdaptivityParameters &parameters,
+                      double                      first_step_size);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 
   private:
     const Discretization<dim> &discretization;
     const ContactSurface<dim> &surface;
+    const AdaptivityParameters parameters;
+    const double               first_step_size;
   };
 } // namespace signorini
 

@@ -5,10 +5,18 @@
 #define signorini_adaptivity_error_indicator_h
 
 #include <signorini/contact/contact_surface.h>
-#include <signorini/time/state.h>
+#include <signorini/model/adaptivity_parameters.h>
+#include <signorini/time/time_scheme.h>
 
 namespace signorini
 {
+  /** What an estimate of the error of a step has to know of the time integration. */
+  struct TimeIntegration
+  {
+    StepBalance balance   = StepBalance::middle; ///< of the forces of a step
+    double      step_size = 0.;                  ///< of the first step
+  };
+
   /** A step that was just made, both states on the present mesh. Before the first step both are the initial one and the step size is 0. */
   struct StepRecord
   {
@@ -31,11 +39,14 @@ namespace signorini
     virtual dealii::Vector<double> evaluate(const StepRecord &step) const = 0;
   };
 
-  /** The indicator that the scene asks for; null for none. The arguments must outlive it. */
+  /** The indicator that is asked for; null for none. What is of a mesh must outlive it. */
   template <int dim>
-  std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(const Discretization<dim> &discretization,
-                                                            const ContactSurface<dim> &surface,
-                                                            const Supports<dim>       &supports);
+  std::unique_ptr<ErrorIndicator<dim>>
+  make_error_indicator(const AdaptivityParameters &parameters,
+                       const TimeIntegration      &time,
+                       const Discretization<dim>  &discretization,
+                       const ContactSurface<dim>  &surface,
+                       const Supports<dim>        &supports);
 
   /** Put indicators to zero if all of them together are round-off compared with the energy of the motion. Collective. */
   void remove_round_off(const State &state, dealii::Vector<double> &indicator);

@@ -40,13 +40,15 @@ namespace signorini
     };
 
     /**
-     * Take the fields. The mesh must carry its final flags, and must change next.
+     * Take the fields. The mesh must carry its final flags, and must change next; what was before must live until then.
      * Collective.
      */
-    FieldTransfer(Discretization<dim> &discretization, const std::vector<Source> &old_fields);
+    FieldTransfer(Mesh<dim>                 &mesh,
+                  const Discretization<dim> &before,
+                  const std::vector<Source> &old_fields);
 
-    /** The fields on the new mesh, in the order of the sources; needs numbered degrees of freedom and matrices. Once. Collective. */
-    std::vector<Result> unpack();
+    /** The fields on the new mesh, in the order of the sources. Once. Collective. */
+    std::vector<Result> unpack(const Discretization<dim> &after);
 
   private:
     using CellStatus = typename dealii::Triangulation<dim>::CellStatus;
@@ -56,9 +58,10 @@ namespace signorini
     /** The old functions on a cell: the values of each source, and on coarsened cells also the moments of each. */
     using CellFields = std::vector<double>;
 
-    Discretization<dim> &discretization;
-    std::vector<Source>  sources;
-    unsigned int         handle;
+    Mesh<dim>                 &mesh;
+    const Discretization<dim> *discretization; ///< of the old mesh, from unpack() on of the new one
+    std::vector<Source>        sources;
+    unsigned int               handle;
 
     bool is_coarsened(const CellFields &fields) const { return fields.size() > n_values * sources.size(); }
 

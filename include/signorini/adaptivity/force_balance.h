@@ -4,8 +4,8 @@
 #ifndef signorini_adaptivity_force_balance_h
 #define signorini_adaptivity_force_balance_h
 
-#include <signorini/finite_elements/body_force.h>
 #include <signorini/adaptivity/error_indicator.h>
+#include <signorini/discretization/loads.h>
 
 namespace signorini
 {
@@ -32,16 +32,17 @@ namespace signorini
    * with weights of their own (hht-alpha, generalized-alpha) differ from it by the order of their damping.
    */
   template <int dim>
-  ForceBalance balance_of_step(const Discretization<dim> &discretization,
-                               const ContactSurface<dim> &surface,
+  ForceBalance balance_of_step(const ContactSurface<dim> &surface,
                                const StepRecord          &step,
+                               const StepBalance          balance,
                                BodyForce<dim>            &body_force);
 
   /** The same for a single step. */
   template <int dim>
   ForceBalance balance_of_step(const Discretization<dim> &discretization,
                                const ContactSurface<dim> &surface,
-                               const StepRecord          &step);
+                               const StepRecord          &step,
+                               const StepBalance          balance);
 
   /** The balance of a static equilibrium of displacement and nodal contact forces under the loads of a time. */
   template <int dim>

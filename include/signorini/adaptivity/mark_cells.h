@@ -5,6 +5,7 @@
 #define signorini_adaptivity_mark_cells_h
 
 #include <signorini/contact/contact_surface.h>
+#include <signorini/model/adaptivity_parameters.h>
 
 namespace signorini
 {
@@ -21,8 +22,8 @@ namespace signorini
   };
 
   /**
-   * Set refine and coarsen flags of the cells of this process, ready for execute_coarsening_and_refinement(), as the section `Adaptivity` of the scene
-   * says; earlier flags are cleared. Without flags the mesh is good enough and should be kept. Collective.
+   * Set refine and coarsen flags of the cells of this process, ready for Mesh::carry_out_flags(), as the section `Adaptivity`
+   * of the scene says; earlier flags are cleared. Without flags the mesh is good enough and should be kept. Collective.
    *
    * Kept as they are: cells at the limits of levels, and protected cells are not coarsened. A family is coarsened only if the cell that replaces it would, by
    * the order of the method, be well below the threshold of refinement. Refinement that concerns less than the part `Hysteresis` of the
@@ -33,11 +34,11 @@ namespace signorini
    * @param to_refine       cells that are refined whatever their indicator is, within the limits; empty: none
    */
   template <int dim>
-  MeshChange mark_cells(dealii::parallel::distributed::Triangulation<dim> &triangulation,
-                        const Scene<dim>                                  &scene,
-                        const dealii::Vector<double>                      &indicator,
-                        const std::vector<bool>                           &not_to_coarsen = {},
-                        const std::vector<bool>                           &to_refine      = {});
+  MeshChange mark_cells(Mesh<dim>                    &mesh,
+                        const AdaptivityParameters   &parameters,
+                        const dealii::Vector<double> &indicator,
+                        const std::vector<bool>      &not_to_coarsen = {},
+                        const std::vector<bool>      &to_refine      = {});
 
   /** The cells of this process with a closed contact node, or with a node that one presses on. Collective. */
   template <int dim>

@@ -16,12 +16,15 @@ namespace signorini
 
   /** Stress on the slave surfaces (Cartesian) from nodal forces; zero elsewhere. Collective. */
   template <int dim>
-  Vector stress_at_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, Vector forces);
+  Vector stress_at_nodes(const ContactSurface<dim>     &surface,
+                         const ContactCoordinates<dim> &coordinates,
+                         Vector                         forces);
 
   /** Nodal forces of a stress on the slave surfaces, with their opposites on the other bodies. Nothing pulls. Collective. */
   template <int dim>
-  Vector
-  forces_of_nodes(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, const Vector &stress);
+  Vector forces_of_nodes(const ContactSurface<dim>     &surface,
+                         const ContactCoordinates<dim> &coordinates,
+                         const Vector                  &stress);
 
   /** Length of the way of slip in the first component, a mark of the status in the second. */
   template <int dim>
@@ -29,7 +32,9 @@ namespace signorini
 
   /** The inverse. A node between others has the status that all of them share, otherwise it is open. */
   template <int dim>
-  void set_path_and_status(const ContactSurface<dim> &surface, const Vector &values, FrictionState &friction);
+  void set_path_and_status(const ContactSurface<dim> &surface,
+                           const Vector              &values,
+                           FrictionState             &friction);
 } // namespace signorini
 
 #endif

@@ -18,13 +18,15 @@ namespace signorini
   public:
     ResidualIndicator(const Discretization<dim> &discretization,
                       const ContactSurface<dim> &surface,
-                      const Supports<dim>       &supports);
+                      const Supports<dim>       &supports,
+                      const StepBalance          balance);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 
   private:
     const Discretization<dim>  &discretization;
     const ContactSurface<dim>  &surface;
+    const StepBalance           balance;
     const ResidualEstimate<dim> estimate;
     mutable BodyForce<dim>      body_force; ///< keeps what it has evaluated
   };

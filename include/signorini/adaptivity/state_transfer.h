@@ -6,6 +6,7 @@
 
 #include <signorini/adaptivity/field_transfer.h>
 #include <signorini/contact/contact_coordinates.h>
+#include <signorini/model/run_parameters.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/time/state.h>
 
@@ -22,8 +23,12 @@ namespace signorini
   class StateTransfer
   {
   public:
-    /** Take the state. The mesh must carry its final flags, and must change next. Collective. */
-    StateTransfer(Discretization<dim>           &discretization,
+    /**
+     * Take the state. The mesh must carry its final flags, and must change next; the other arguments must live until then.
+     * Collective.
+     */
+    StateTransfer(Mesh<dim>                     &mesh,
+                  const Discretization<dim>     &discretization,
                   const ContactSurface<dim>     &surface,
                   const ContactCoordinates<dim> &coordinates,
                   const State                   &state);
@@ -31,12 +36,15 @@ namespace signorini
     /**
      * The state on the new mesh. Where the finer geometry of the contact surface shows that the displacement penetrates, the surface admits that,
      * see ContactSurface::admit(). Once. Collective.
-     * @param system of the new mesh
+     * All arguments are of the new mesh.
      */
-    State finish(ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, DynamicalSystem &system);
+    State finish(const Discretization<dim>     &discretization,
+                 ContactSurface<dim>           &surface,
+                 const ContactCoordinates<dim> &coordinates,
+                 DynamicalSystem               &system,
+                 const SolverParameters        &limits);
 
   private:
-    Discretization<dim> &discretization;
     const State          clock; ///< step and time
     const bool           has_acceleration, has_friction, has_last_step;
     const double         elastic_size; ///< energy norm of the old displacement

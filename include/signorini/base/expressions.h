@@ -7,6 +7,7 @@
 #include <deal.II/base/function_parser.h>
 
 #include <array>
+#include <map>
 #include <memory>
 #include <string>
 
@@ -20,6 +21,23 @@ namespace signorini
   template <int dim, std::size_t n_components>
   std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions,
                                                              const std::string &further_variable = "t");
+
+  /** Functions of x, y, (z) and t that were made before: to parse an expression takes as long as a step in 2d. */
+  template <int dim>
+  class FunctionCache
+  {
+  public:
+    dealii::FunctionParser<dim> &get(const std::array<std::string, dim> &expressions)
+    {
+      auto &function = functions[expressions];
+      if (!function)
+        function = make_function<dim, dim>(expressions);
+      return *function;
+    }
+
+  private:
+    std::map<std::array<std::string, dim>, std::unique_ptr<dealii::FunctionParser<dim>>> functions;
+  };
 
   /** Whether any of the expressions may be something else than zero. */
   template <std::size_t n_components>

@@ -10,8 +10,8 @@
 namespace signorini
 {
   /**
-   * A mistake in the command line or in the scene. The message is complete: it names file, key, value and remedy.
-   * main() prints it once (rank 0) and exits with status 2.
+   * A mistake in the command line or in the scene. The message names key, value and remedy; what reads or runs a scene
+   * adds the name of its file, see naming_file(). main() prints it once (rank 0) and exits with status 2.
    */
   class UserError : public std::runtime_error
   {
@@ -34,6 +34,20 @@ namespace signorini
     {
     }
   };
+
+  /** Call a function, and put the name of a file in front of the message of an error that leaves it. */
+  template <typename Error, typename Action>
+  auto naming_file(const std::string &file_name, const Action &action)
+  {
+    try
+      {
+        return action();
+      }
+    catch (const Error &error)
+      {
+        throw Error(file_name + ": " + error.what());
+      }
+  }
 } // namespace signorini
 
 #endif

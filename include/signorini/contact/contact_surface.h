@@ -19,7 +19,13 @@ namespace signorini
   {
   public:
     /** @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs share a node */
-    ContactSurface(const Discretization<dim> &discretization, const Supports<dim> &supports);
+    ContactSurface(const Discretization<dim>                   &discretization,
+                   const Supports<dim>                         &supports,
+                   const std::vector<ObstacleDescription<dim>> &obstacles,
+                   const std::vector<PairDescription>          &pairs);
+
+    /** What was asked to be in contact; ContactNode::pair is an index into this. */
+    const std::vector<PairDescription> &pairs() const { return descriptions; }
 
     /** Nodes that this process owns. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
@@ -83,6 +89,7 @@ namespace signorini
 
   private:
     const Discretization<dim>         &discretization;
+    const std::vector<PairDescription> descriptions;
     ObstacleContact<dim>               obstacle_contact;
     std::vector<ContactNode<dim>>      contact_nodes;
     std::unique_ptr<NodeCoupling<dim>> node_coupling;

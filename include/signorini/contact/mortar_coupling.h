@@ -34,10 +34,13 @@ namespace signorini
   {
   public:
     /**
-     * Collective. @param pair index of a pair of two bodies in the scene
+     * Collective. @param pair index of a pair of two bodies
      * @throws UserError if a support holds a direction that is neither normal nor tangential to the contact surface
      */
-    MortarCoupling(const Discretization<dim> &discretization, const Supports<dim> &supports, unsigned int pair);
+    MortarCoupling(const Discretization<dim>          &discretization,
+                   const Supports<dim>                &supports,
+                   const std::vector<PairDescription> &pairs,
+                   unsigned int                        pair);
 
     /** The owned nodes that carry a multiplier, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
@@ -75,6 +78,7 @@ namespace signorini
 
     const Discretization<dim>    &discretization;
     const unsigned int            pair;
+    const std::string             pair_name;
     std::vector<ContactNode<dim>> contact_nodes;
     double                        total_area = 0., total_covered_area = 0.;
     unsigned int                  n_left_to_supports = 0, n_global = 0;

@@ -15,9 +15,10 @@ namespace signorini
    * @throws UserError where a coefficient or a bound is negative or not finite
    */
   template <int dim>
-  void assign_friction(const Discretization<dim>     &discretization,
-                       const Supports<dim>           &supports,
-                       std::vector<ContactNode<dim>> &nodes);
+  void assign_friction(const Discretization<dim>          &discretization,
+                       const Supports<dim>                &supports,
+                       const std::vector<PairDescription> &pairs,
+                       std::vector<ContactNode<dim>>      &nodes);
 } // namespace signorini
 
 #endif

@@ -20,7 +20,11 @@ namespace signorini
   class ObstacleContact
   {
   public:
-    ObstacleContact(const Discretization<dim> &discretization, const Supports<dim> &supports);
+    /** The pairs of two bodies among @p pairs are left out. */
+    ObstacleContact(const Discretization<dim>                   &discretization,
+                    const Supports<dim>                         &supports,
+                    const std::vector<ObstacleDescription<dim>> &obstacles,
+                    const std::vector<PairDescription>          &pairs);
 
     /** The owned nodes that may touch an obstacle, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
@@ -36,6 +40,8 @@ namespace signorini
 
   private:
     const Discretization<dim>                       &discretization;
+    const std::vector<PairDescription>               pairs;
+    std::vector<std::string>                         obstacle_names;
     std::vector<std::unique_ptr<RigidObstacle<dim>>> obstacles;
     std::vector<ContactNode<dim>>                    contact_nodes;
     unsigned int                                     n_left_to_supports = 0;

@@ -5,6 +5,7 @@
 #define signorini_contact_surface_face_h
 
 #include <signorini/discretization/discretization.h>
+#include <signorini/model/contact_description.h>
 
 #include <deal.II/base/bounding_box.h>
 

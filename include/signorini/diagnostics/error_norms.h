@@ -5,11 +5,12 @@
 #define signorini_diagnostics_error_norms_h
 
 #include <signorini/discretization/discretization.h>
+#include <signorini/model/exact_solution.h>
 #include <signorini/time/state.h>
 
 namespace signorini
 {
-  /** Errors against the exact solution of the scene, in the norm of the mass matrix. */
+  /** Errors against an exact solution, in the norm of the mass matrix. */
   struct ErrorNorms
   {
     double displacement      = 0.; ///< norm of u - I u(t), I the nodal interpolation
@@ -21,18 +22,19 @@ namespace signorini
     double relative_velocity     = 0.;
   };
 
-  /** Evaluates the exact solution of a scene step by step. */
+  /** Evaluates an exact solution step by step. */
   template <int dim>
   class ErrorEvaluation
   {
   public:
-    explicit ErrorEvaluation(const Discretization<dim> &discretization)
-      : discretization(discretization)
+    explicit ErrorEvaluation(const ExactSolutionDescription<dim> &exact)
+      : exact(exact)
     {
     }
 
     /** @param step_size of the step that has ended; 0 for the initial state */
-    ErrorNorms evaluate(const State &state, double step_size);
+    ErrorNorms
+    evaluate(const Discretization<dim> &discretization, const State &state, double step_size);
 
   private:
     /** Squared norms at one instant, and their integral over time. */
@@ -44,12 +46,14 @@ namespace signorini
       double relative() const;
     };
 
-    const Discretization<dim> &discretization;
-    Squares                    displacement, velocity;
+    const ExactSolutionDescription<dim> exact;
+    Squares                             displacement, velocity;
 
     /** Squared norms of the error of a field and of its exact interpolant. */
-    std::pair<double, double>
-    squares(const std::array<std::string, dim> &exact, const Vector &field, double time) const;
+    static std::pair<double, double> squares(const Discretization<dim>          &discretization,
+                                             const std::array<std::string, dim> &exact,
+                                             const Vector                       &field,
+                                             double                              time);
   };
 } // namespace signorini
 

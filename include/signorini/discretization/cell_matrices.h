@@ -6,7 +6,7 @@
 
 #include <signorini/discretization/cell_id_hash.h>
 #include <signorini/linear_algebra/elastic_matrices.h>
-#include <signorini/scene/scene.h>
+#include <signorini/model/body_description.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -66,10 +66,10 @@ namespace signorini
      * @param n_quadrature_points per direction
      * @param capacity            largest number of cells that are kept by their CellId
      */
-    CellMatrices(const Scene<dim>           &scene,
-                 const dealii::Mapping<dim> &mapping,
-                 unsigned int                n_quadrature_points,
-                 std::size_t                 capacity = 20000);
+    CellMatrices(const std::vector<BodyDescription<dim>> &bodies,
+                 const dealii::Mapping<dim>              &mapping,
+                 unsigned int                             n_quadrature_points,
+                 std::size_t                              capacity = 20000);
 
     /** Of a cell that is not artificial. */
     ScaledCellMatrix<dim> of(const Cell &cell) const;
@@ -102,7 +102,7 @@ namespace signorini
       unsigned int    last_mesh; ///< that used it, see forget_unused()
     };
 
-    const Scene<dim>                                                    &scene;
+    std::vector<Material> materials; ///< by material id
     const dealii::Mapping<dim>                                          &mapping;
     const bool                                                           all_straight;
     const std::size_t                                                    capacity;

@@ -4,15 +4,8 @@
 #ifndef signorini_discretization_discretization_h
 #define signorini_discretization_discretization_h
 
-#include <signorini/discretization/cell_matrices.h>
 #include <signorini/discretization/mass_change.h>
-#include <signorini/discretization/mesh_geometry.h>
-#include <signorini/scene/scene.h>
-
-#include <deal.II/base/bounding_box.h>
-#include <deal.II/base/function_parser.h>
-
-#include <deal.II/distributed/tria.h>
+#include <signorini/discretization/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
 
@@ -20,59 +13,48 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
-#include <map>
-
 namespace signorini
 {
   /**
-   * Mesh, Q1 displacements, hanging nodes and matrices of all bodies of a scene.
+   * Q1 displacements, hanging nodes and matrices of all bodies on one state of the mesh: build another one when the cells
+   * have changed.
    *
-   * A node is a vertex with dim consecutive degrees of freedom. Vectors live on the nodes of `matrices.pattern`: owned ones
-   * first, then ghosts. Hanging nodes are eliminated: their entries in vectors are zero but for interpolate_hanging_nodes().
+   * A node is a vertex with dim consecutive degrees of freedom. Vectors live on the nodes of `matrices().pattern`: owned
+   * ones first, then ghosts. Hanging nodes are eliminated: their entries in vectors are zero but for
+   * interpolate_hanging_nodes().
    */
   template <int dim>
   class Discretization
   {
   public:
-    /**
-     * Builds the mesh and numbers the degrees of freedom; no matrices yet.
-     * @param mesh_changes whether the mesh is going to change; then the bodies keep the geometry of their uniform refinements, see MeshGeometry
-     */
-    Discretization(const Scene<dim> &scene, MPI_Comm communicator, bool mesh_changes = false);
+    /** Numbers the degrees of freedom and assembles mass and stiffness. The mesh must outlive the object. Collective. */
+    explicit Discretization(const Mesh<dim> &mesh);
 
     /**
-     * Number the degrees of freedom of the mesh as it is, after the triangulation has changed. All vectors, and everything that was built
-     * from this object, are of no use then; matrices have to be assembled anew. Collective.
+     * Assemble anew with changes of the mass of the time discretisation, see assemble_matrices(). New couplings enter the
+     * pattern: vectors made before are of no use then. Collective.
      */
-    void distribute();
+    void change_mass(const MassChange &change);
 
-    /**
-     * Assemble mass and stiffness; needed before vectors can be made.
-     * @param change added to the mass of the time discretisation, see assemble_matrices(). Vectors made before are of no use then.
-     */
-    void assemble(const MassChange &change = {});
+    const Mesh<dim>                         &mesh() const { return all_cells; }
+    const dealii::FESystem<dim>             &fe() const { return element; }
+    const dealii::DoFHandler<dim>           &dof_handler() const { return numbering; }
+    const dealii::AffineConstraints<double> &hanging_node_constraints() const
+    {
+      return hanging_nodes;
+    }
+    const dealii::IndexSet &locally_owned() const { return numbering.locally_owned_dofs(); }
+    const dealii::IndexSet &locally_relevant() const { return relevant; }
 
-    const Scene<dim>                                 &scene;
-    dealii::parallel::distributed::Triangulation<dim> triangulation;
-    dealii::FESystem<dim>                             fe;
-    MeshGeometry<dim>                                 geometry;
-    const dealii::MappingQ<dim>                      &mapping; ///< of the geometry
-    dealii::DoFHandler<dim>                           dof_handler;
-    dealii::AffineConstraints<double>                 hanging_node_constraints;
-    dealii::IndexSet                                  locally_owned, locally_relevant;
-    ElasticMatrices<dim>                              matrices;
-    CellMatrices<dim>                                 cell_matrices; ///< of single cells; survive a change of the mesh
+    const ElasticMatrices<dim> &matrices() const { return elastic_matrices; }
+    /** For those who give the time discretisation another mass of the same couplings. */
+    ElasticMatrices<dim> &matrices() { return elastic_matrices; }
+
     /** Positions of the local nodes of the pattern, ghosts included. */
-    std::vector<dealii::Point<dim>> node_positions;
-
-    /** Number of steps that will probably be made on this mesh: what it pays to build depends on it. */
-    unsigned int mesh_life_time; ///< all of them unless the mesh changes
-
-    /** Points per direction of the quadrature formula for cells and faces. */
-    unsigned int n_quadrature_points() const { return mapping.get_degree() + 1; }
+    const std::vector<dealii::Point<dim>> &node_positions() const { return positions; }
 
     /** A vector of zeros. */
-    Vector make_vector() const { return Vector(matrices.pattern.partitioner); }
+    Vector make_vector() const { return Vector(elastic_matrices.pattern.partitioner); }
 
     /** Nodal interpolation of expressions given per body (empty: zero), hanging nodes left zero. */
     Vector interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body, double time = 0.) const;
@@ -80,28 +62,18 @@ namespace signorini
     /** Copy with ghosts for output: hanging nodes filled by interpolation. */
     Vector interpolate_hanging_nodes(const Vector &vector) const;
 
-    /** Box around the coarse mesh of a body; the same on all processes. */
-    dealii::BoundingBox<dim> bounding_box(unsigned int body) const;
-
-    /** Largest extent of a body: the unit of length for tolerances. */
-    double body_size() const { return largest_extent; }
-
-    /** Courant number c_p tau / h of the smallest cell. */
-    double courant_number(double step_size) const;
-
-    MPI_Comm communicator() const { return triangulation.get_communicator(); }
+    MPI_Comm communicator() const { return all_cells.communicator(); }
 
   private:
-    double largest_extent = 0.;
+    const Mesh<dim>                  &all_cells;
+    const dealii::FESystem<dim>       element;
+    dealii::DoFHandler<dim>           numbering;
+    dealii::AffineConstraints<double> hanging_nodes;
+    dealii::IndexSet                  relevant;
+    ElasticMatrices<dim>              elastic_matrices;
+    std::vector<dealii::Point<dim>>   positions;
 
-    /** Functions that were interpolated; to parse an expression takes as long as a step in 2d. */
-    mutable std::map<std::array<std::string, dim>, std::unique_ptr<dealii::FunctionParser<dim>>> parsed;
-
-    /**
-     * Move hanging vertices of round bodies onto the straight edges and faces of their coarser neighbours: the mesh has no gaps
-     * then, and the elements represent every linear function.
-     */
-    void straighten_hanging_vertices();
+    void assemble(const MassChange &change);
   };
 } // namespace signorini
 

@@ -6,9 +6,48 @@
 
 #include <signorini/discretization/discretization.h>
 
+#include <functional>
+
 namespace signorini
 {
-  /** Nodal forces f(t) of body forces and tractions. Loads that do not depend on time are assembled once. */
+  /**
+   * A vector as a function of time, evaluated once if it does not depend on time. The two latest times are kept: the end of
+   * a step is the start of the next.
+   */
+  class VectorInTime
+  {
+  public:
+    /** @param evaluate is called where the vector of a time is not known */
+    const Vector &at(double time, bool depends_on_time, const std::function<Vector()> &evaluate);
+
+  private:
+    std::array<std::pair<double, Vector>, 2> kept;
+    unsigned int                             latest = 0;
+  };
+
+
+  /** The force per mass on the bodies, interpolated at the nodes of one mesh. */
+  template <int dim>
+  class BodyForce
+  {
+  public:
+    explicit BodyForce(const Discretization<dim> &discretization);
+
+    /** False if there is none on any body. */
+    bool any() const { return is_given; }
+    bool depends_on_time() const { return has_time; }
+
+    const Vector &at(double time);
+
+  private:
+    const Discretization<dim>                &discretization;
+    std::vector<std::array<std::string, dim>> expressions; ///< by body
+    bool                                      is_given = false, has_time = false;
+    VectorInTime                              values;
+  };
+
+
+  /** Nodal forces f(t) of body forces and tractions. */
   template <int dim>
   class Loads
   {
@@ -18,16 +57,20 @@ namespace signorini
     /** False if no body has any load: then there is nothing to add and no energy of loads. */
     bool any() const { return has_loads; }
 
-    /** f at a time. The two latest times are kept, so that consecutive steps evaluate each time once. */
     const Vector &at(double time);
 
   private:
-    const Discretization<dim>               &discretization;
-    bool                                     has_loads = false, depends_on_time = false;
-    std::array<std::pair<double, Vector>, 2> kept;
-    unsigned int                             latest = 0;
+    const Discretization<dim> &discretization;
+    BodyForce<dim>             body_force;
+    bool                       has_loads, depends_on_time;
+    VectorInTime               values;
 
-    Vector assemble(double time) const;
+    Vector assemble(double time);
+    /** Add the nodal forces of a condition on the surface of a body. */
+    void add_traction(unsigned int                  body,
+                      const BoundaryCondition<dim> &condition,
+                      double                        time,
+                      Vector                       &forces) const;
   };
 } // namespace signorini
 

@@ -4,18 +4,84 @@
 #ifndef signorini_discretization_mesh_h
 #define signorini_discretization_mesh_h
 
-#include <signorini/scene/scene.h>
+#include <signorini/base/expressions.h>
+#include <signorini/discretization/cell_matrices.h>
+#include <signorini/discretization/mesh_geometry.h>
+#include <signorini/model/cell_geometry.h>
 
-#include <deal.II/distributed/tria.h>
+#include <deal.II/base/bounding_box.h>
 
 namespace signorini
 {
   /**
-   * Mesh all bodies of a scene as disconnected parts of one triangulation. Material id: index of the body; boundary ids:
-   * those of the shape (a face belongs to the body of its cell).
+   * The bodies and their mesh; lives as long as the run. The cells may change, and what is numbered on them is then built
+   * anew (Discretization); geometry and the matrices of single cells survive.
    */
   template <int dim>
-  void make_mesh(const Scene<dim> &scene, dealii::parallel::distributed::Triangulation<dim> &triangulation);
+  class Mesh
+  {
+  public:
+    using Triangulation = dealii::parallel::distributed::Triangulation<dim>;
+
+    /**
+     * Collective.
+     * @param changes whether the cells are going to change; then the bodies keep the geometry of their uniform
+     *                refinements, see MeshGeometry
+     */
+    Mesh(std::vector<BodyDescription<dim>> bodies,
+         MPI_Comm                          communicator,
+         CellGeometry                      cells   = CellGeometry::linear,
+         bool                              changes = false);
+
+    /** Refine and coarsen the cells that are flagged, and share them among the processes. Collective. */
+    void carry_out_flags();
+
+    /** To be called when vertices were moved. Collective. */
+    void update();
+
+    /** Material ids of cells are indices of bodies. */
+    const std::vector<BodyDescription<dim>> &bodies() const { return descriptions; }
+
+    Triangulation       &triangulation() { return cells; }
+    const Triangulation &triangulation() const { return cells; }
+
+    const dealii::MappingQ<dim> &mapping() const { return geometry.mapping(); }
+    const CellMatrices<dim>     &cell_matrices() const { return matrices_of_cells; }
+
+    /** The function of expressions that belong to the bodies, kept from the first call on. */
+    dealii::FunctionParser<dim> &function(const std::array<std::string, dim> &expressions) const
+    {
+      return functions.get(expressions);
+    }
+
+    /** Points per direction of the quadrature formula for cells and faces. */
+    unsigned int n_quadrature_points() const { return mapping().get_degree() + 1; }
+
+    /** Box around the coarse mesh of a body; the same on all processes. */
+    dealii::BoundingBox<dim> bounding_box(unsigned int body) const;
+
+    /** Largest extent of a body: the unit of length for tolerances. */
+    double body_size() const { return largest_extent; }
+
+    /** Courant number c_p tau / h of the smallest cell. Collective. */
+    double courant_number(double step_size) const;
+
+    MPI_Comm communicator() const { return cells.get_communicator(); }
+
+  private:
+    const std::vector<BodyDescription<dim>> descriptions;
+    Triangulation                           cells;
+    MeshGeometry<dim>                       geometry;
+    CellMatrices<dim>                       matrices_of_cells;
+    double                                  largest_extent = 0.;
+    mutable FunctionCache<dim>              functions;
+
+    /**
+     * Move hanging vertices of round bodies onto the straight edges and faces of their coarser neighbours: the mesh has no
+     * gaps then, and the elements represent every linear function.
+     */
+    void straighten_hanging_vertices();
+  };
 } // namespace signorini
 
 #endif

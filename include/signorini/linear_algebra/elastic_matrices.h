@@ -53,6 +53,13 @@ namespace signorini
     void lump_mass();
 
     const ProductCount &products() const { return count; }
+    /** Count on from what was done with the matrices of an earlier mesh. */
+    void add_products(const ProductCount &earlier)
+    {
+      count.stiffness += earlier.stiffness;
+      count.mass += earlier.mass;
+      count.combined += earlier.combined;
+    }
 
   private:
     mutable ProductCount        count;

@@ -4,17 +4,51 @@
 #ifndef signorini_model_adaptivity_parameters_h
 #define signorini_model_adaptivity_parameters_h
 
-#include <string>
+#include <signorini/base/enum_names.h>
 
 namespace signorini
 {
+  /** What tells where the mesh is too coarse or too fine. */
+  enum class IndicatorKind
+  {
+    none, ///< the mesh stays as it is
+    residual,
+    kelly,
+    distance
+  };
+
+  template <>
+  struct EnumNames<IndicatorKind>
+  {
+    static constexpr EnumName<IndicatorKind> table[] = {{IndicatorKind::none, "none"},
+                                                        {IndicatorKind::residual, "residual"},
+                                                        {IndicatorKind::kelly, "kelly"},
+                                                        {IndicatorKind::distance, "distance"}};
+  };
+
+  /** Which cells an estimate of the error has changed; of no use with the indicator `distance`. */
+  enum class MarkingKind
+  {
+    fixed_fraction,
+    tolerance
+  };
+
+  template <>
+  struct EnumNames<MarkingKind>
+  {
+    static constexpr EnumName<MarkingKind> table[] = {
+      {MarkingKind::fixed_fraction, "fixed fraction"},
+      {MarkingKind::tolerance, "tolerance"}};
+  };
+
   /** Section `Adaptivity`: how the mesh follows the motion. Levels count refinements of the coarse mesh, as `Refinements` of a body does. */
   struct AdaptivityParameters
   {
-    std::string  indicator        = "none";           ///< none | residual | kelly | distance
-    std::string  marking          = "fixed fraction"; ///< fixed fraction | tolerance; of no use with distance
-    double       refine_fraction  = 0.5;              ///< of the squared estimate, fixed fraction
-    double       coarsen_fraction = 0.02;             ///< of the squared estimate, fixed fraction
+    IndicatorKind indicator = IndicatorKind::none;
+    MarkingKind   marking   = MarkingKind::fixed_fraction;
+
+    double refine_fraction  = 0.5;       ///< of the squared estimate, fixed fraction
+    double coarsen_fraction = 0.02;      ///< of the squared estimate, fixed fraction
     double       coarsen_ratio    = 0.;  ///< of thresholds for squared indicators; 0: what smooth solutions allow
     double       tolerance        = 0.;  ///< root of an energy; below, nothing is refined. 0: none
     double       hysteresis       = 0.1; ///< part of the squared estimate or of the cells that is worth a change
@@ -26,10 +60,13 @@ namespace signorini
     double       distance = 0.; ///< of distance; 0: three times the size of each cell. Of others: see refines_contact()
 
     /** Whether the mesh may change at all. */
-    bool any() const { return indicator != "none"; }
+    bool any() const { return indicator != IndicatorKind::none; }
 
     /** Whether cells closer to contact than `distance` are refined whatever the estimate of an error says. */
-    bool refines_contact() const { return any() && indicator != "distance" && distance > 0.; }
+    bool refines_contact() const
+    {
+      return any() && indicator != IndicatorKind::distance && distance > 0.;
+    }
   };
 } // namespace signorini
 

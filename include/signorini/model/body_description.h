@@ -4,12 +4,14 @@
 #ifndef signorini_model_body_description_h
 #define signorini_model_body_description_h
 
+#include <signorini/base/enum_names.h>
 #include <signorini/model/placement.h>
 
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
 #include <array>
+#include <cmath>
 #include <map>
 #include <string>
 #include <vector>
@@ -30,7 +32,7 @@ namespace signorini
     /** Shear modulus. */
     double mu() const { return youngs_modulus / (2. * (1. + poissons_ratio)); }
     /** Speed of pressure waves, sqrt((lambda + 2 mu) / rho). */
-    double pressure_wave_speed() const;
+    double pressure_wave_speed() const { return std::sqrt((lambda() + 2. * mu()) / density); }
   };
 
   /**
@@ -56,12 +58,30 @@ namespace signorini
     std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>> boundary_vertices;
   };
 
+  /** What a body is before it is placed. */
+  enum class BodyShape
+  {
+    ball, ///< in 2d a disc
+    box,
+    cylinder, ///< in 3d only
+    file      ///< a mesh from a file
+  };
+
+  template <>
+  struct EnumNames<BodyShape>
+  {
+    static constexpr EnumName<BodyShape> table[] = {{BodyShape::ball, "ball"},
+                                                    {BodyShape::box, "box"},
+                                                    {BodyShape::cylinder, "cylinder"},
+                                                    {BodyShape::file, "file"}};
+  };
+
   /** Section `Bodies/<name>`: shape, mesh, material, initial state, loads and supports of one body. */
   template <int dim>
   struct BodyDescription
   {
     std::string name;
-    std::string shape = "ball"; ///< ball | box | cylinder | file
+    BodyShape   shape = BodyShape::ball;
 
     // The shape before it is placed.
     dealii::Point<dim>            centre; ///< ball, cylinder

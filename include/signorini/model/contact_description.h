@@ -4,6 +4,8 @@
 #ifndef signorini_model_contact_description_h
 #define signorini_model_contact_description_h
 
+#include <signorini/base/enum_names.h>
+
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
@@ -12,12 +14,26 @@
 
 namespace signorini
 {
+  /** What the tangential stress can reach. */
+  enum class FrictionKind
+  {
+    coulomb, ///< a part of the pressure
+    tresca   ///< a given bound
+  };
+
+  template <>
+  struct EnumNames<FrictionKind>
+  {
+    static constexpr EnumName<FrictionKind> table[] = {{FrictionKind::coulomb, "coulomb"},
+                                                       {FrictionKind::tresca, "tresca"}};
+  };
+
   /** The law of friction of a pair, see FrictionLaw. Coefficient and bound are expressions in x, y, z of the reference configuration. */
   struct FrictionDescription
   {
-    std::string law         = "coulomb"; ///< coulomb | tresca
-    std::string coefficient = "0";       ///< mu (coulomb)
-    std::string bound;                   ///< largest tangential stress; empty: none (coulomb only)
+    FrictionKind law         = FrictionKind::coulomb;
+    std::string  coefficient = "0"; ///< mu (coulomb)
+    std::string  bound;             ///< largest tangential stress; empty: none (coulomb only)
 
     /** Whether any node of the pair may bear tangential forces: false for coulomb with the coefficient 0. */
     bool any = false;

@@ -4,14 +4,33 @@
 #ifndef signorini_model_run_parameters_h
 #define signorini_model_run_parameters_h
 
-#include <string>
+#include <signorini/base/enum_names.h>
 
 namespace signorini
 {
+  /** Preconditioners of the conjugate gradients. */
+  enum class PreconditionerKind
+  {
+    automatic, ///< chosen from the Courant number
+    jacobi,
+    incomplete_cholesky,
+    ml ///< algebraic multigrid
+  };
+
+  template <>
+  struct EnumNames<PreconditionerKind>
+  {
+    static constexpr EnumName<PreconditionerKind> table[] = {
+      {PreconditionerKind::automatic, "automatic"},
+      {PreconditionerKind::jacobi, "jacobi"},
+      {PreconditionerKind::incomplete_cholesky, "incomplete-cholesky"},
+      {PreconditionerKind::ml, "ml"}};
+  };
+
   /** Section `Solver`: the inequality of a step and the linear systems in it. */
   struct SolverParameters
   {
-    std::string preconditioner = "automatic"; ///< automatic | jacobi | incomplete-cholesky | ml
+    PreconditionerKind preconditioner = PreconditionerKind::automatic;
     /**
      * Solutions are accepted when their error in the energy norm of the velocity is below `tolerance` times the root of the
      * largest energy of the run so far; the energy ledger then closes to this accuracy.

@@ -20,21 +20,26 @@ namespace signorini
   {
   public:
     /** Collective. The .pvd files of an earlier run in this directory are removed. */
-    FieldOutput(const Discretization<dim> &discretization, const std::string &directory);
+    FieldOutput(const std::string &directory, MPI_Comm communicator);
 
     /**
-     * Write the fields of a moment. @param surface of the mesh as it is @param indicators of the error per cell, empty for none. A second call for the same step does nothing. Collective.
+     * Write the fields of a moment; a second call for the same step does nothing. Collective.
+     * @param discretization, surface of the mesh as it is
+     * @param indicators              of the error per cell, empty for none
      * @throws RunError on all processes if a file cannot be written
      */
-    void write(const State &state, const ContactSurface<dim> &surface, const dealii::Vector<double> &indicators = {});
+    void write(const State                  &state,
+               const Discretization<dim>    &discretization,
+               const ContactSurface<dim>    &surface,
+               const dealii::Vector<double> &indicators = {});
 
   private:
-    const Discretization<dim>    &discretization;
     FieldSeries                   volume_series, surface_series;
     static constexpr unsigned int none      = static_cast<unsigned int>(-1);
     unsigned int                  last_step = none;
 
     void write_volume(const State                  &state,
+                      const Discretization<dim>    &discretization,
                       const Vector                 &displacement,
                       const Vector                 &velocity,
                       const dealii::Vector<double> &indicators);

@@ -5,6 +5,7 @@
 #define signorini_preconditioners_preconditioners_h
 
 #include <signorini/linear_algebra/incomplete_cholesky.h>
+#include <signorini/model/run_parameters.h>
 #include <signorini/preconditioners/step_operator.h>
 
 #include <memory>
@@ -20,15 +21,16 @@ namespace signorini
    * @param courant_number   c_p tau / h
    * @param matrix_life_time number of steps that will use the matrix
    */
-  std::string choose_preconditioner(double courant_number, unsigned int matrix_life_time);
+  PreconditionerKind choose_preconditioner(double courant_number, unsigned int matrix_life_time);
 
-  /** The masked preconditioner of a name (jacobi | incomplete-cholesky | ml) for a M + b A in contact coordinates. */
+  /** The masked preconditioner for a M + b A in contact coordinates. @param kind not automatic */
   template <int dim>
-  std::unique_ptr<MaskedPreconditioner> make_preconditioner(const std::string             &name,
-                                                            const ElasticMatrices<dim>    &matrices,
-                                                            const ContactCoordinates<dim> &coordinates,
-                                                            double                         mass_factor,
-                                                            double                         stiffness_factor);
+  std::unique_ptr<MaskedPreconditioner>
+  make_preconditioner(PreconditionerKind             kind,
+                      const ElasticMatrices<dim>    &matrices,
+                      const ContactCoordinates<dim> &coordinates,
+                      double                         mass_factor,
+                      double                         stiffness_factor);
 
   /** Incomplete factor of the block-scalar mass. */
   template <int dim>

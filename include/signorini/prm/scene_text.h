@@ -4,14 +4,17 @@
 #ifndef signorini_prm_scene_text_h
 #define signorini_prm_scene_text_h
 
-#include <signorini/scene/read_scene.h>
 
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace signorini
 {
+  /** `--set "Section/Subsection/Key=value"`: path of the key and the value. */
+  using Override = std::pair<std::string, std::string>;
+
   /** `set key = value`, or with an empty key: `subsection` of the last name in @p section. */
   struct Statement
   {

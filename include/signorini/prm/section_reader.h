@@ -4,8 +4,11 @@
 #ifndef signorini_prm_section_reader_h
 #define signorini_prm_section_reader_h
 
+#include <signorini/base/enum_names.h>
+#include <signorini/base/spelling.h>
 #include <signorini/prm/scene_text.h>
 
+#include <deal.II/base/patterns.h>
 #include <deal.II/base/point.h>
 
 #include <limits>
@@ -37,6 +40,12 @@ namespace signorini
     bool given() const;
 
     std::string text(const std::string &key) const;
+    /** The value of an enumeration; the key is declared with choices_of(). */
+    template <typename Enum>
+    Enum choice(const std::string &key) const
+    {
+      return *value_named<Enum>(text(key));
+    }
     /** A path: an absolute one as it is, a relative one from the folder of the scene. */
     std::string path(const std::string &key) const;
     double      number(const std::string &key) const;
@@ -59,6 +68,13 @@ namespace signorini
     const SceneText                *scene_text;
     std::vector<std::string>        names; ///< of the sections, outermost first
   };
+
+  /** The pattern of a key whose value is one of an enumeration. */
+  template <typename Enum>
+  dealii::Patterns::Selection choices_of()
+  {
+    return dealii::Patterns::Selection(join(all_names<Enum>(), "|"));
+  }
 } // namespace signorini
 
 #endif

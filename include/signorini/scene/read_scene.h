@@ -4,6 +4,7 @@
 #ifndef signorini_scene_read_scene_h
 #define signorini_scene_read_scene_h
 
+#include <signorini/prm/scene_text.h>
 #include <signorini/scene/scene.h>
 
 #include <iosfwd>
@@ -13,9 +14,6 @@
 
 namespace signorini
 {
-  /** `--set "Section/Subsection/Key=value"`: path of the key and the value. */
-  using Override = std::pair<std::string, std::string>;
-
   /** The value of `Dimension`, 2 or 3. @throws UserError for anything else, also when the file cannot be read. */
   unsigned int read_dimension(const std::string &file_name, const std::vector<Override> &overrides);
 

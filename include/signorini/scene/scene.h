@@ -6,34 +6,26 @@
 
 #include <signorini/model/adaptivity_parameters.h>
 #include <signorini/model/body_description.h>
+#include <signorini/model/cell_geometry.h>
 #include <signorini/model/contact_description.h>
+#include <signorini/model/exact_solution.h>
 #include <signorini/model/obstacle_description.h>
 #include <signorini/model/run_parameters.h>
 #include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace signorini
 {
-  /** Section `Exact solution`: expressions in x, y, z, t, per component; empty displacement: none given. */
-  template <int dim>
-  struct ExactSolutionDescription
-  {
-    bool                         given = false;
-    std::array<std::string, dim> displacement;
-    std::array<std::string, dim> velocity;
-  };
-
-  /** All that a scene file says, checked. Plain data: built by read_scene(), read by everybody else. */
+  /** All that a scene file says, checked. Plain data: built by read_scene(), and taken apart by the simulation: nobody else sees it. */
   template <int dim>
   struct Scene
   {
     std::string                           file_name;
     std::string                           output_directory;
-    std::string                           mapping = "linear"; ///< linear | curved (quadratic geometry on the manifolds)
+    CellGeometry                          mapping = CellGeometry::linear;
     TimeParameters                        time;
     AdaptivityParameters                  adaptivity;
     std::vector<BodyDescription<dim>>     bodies;

@@ -23,6 +23,9 @@ namespace signorini
   TimeParameters parse_time(const SectionReader &in);
 
   // More keys of the section Time.
+  void declare_scheme_parameters(dealii::ParameterHandler &prm);
+  /** Needs the name of the scheme. */
+  void parse_scheme_parameters(const SectionReader &in, TimeParameters &time);
   void               declare_step_sizes(dealii::ParameterHandler &prm);
   StepSizeParameters parse_step_sizes(const SectionReader &in, const TimeParameters &time);
 

@@ -4,30 +4,52 @@
 #ifndef signorini_scene_time_parameters_h
 #define signorini_scene_time_parameters_h
 
+#include <signorini/model/mass_parameters.h>
+#include <signorini/schemes/scheme_table.h>
+
 #include <string>
 
 namespace signorini
 {
+  /** How lost energy is given back, by schemes that do so. */
+  enum class ImpulseKind
+  {
+    common,  ///< along the contact forces
+    per_node ///< each contact node gets back what it has lost
+  };
+
+  template <>
+  struct EnumNames<ImpulseKind>
+  {
+    static constexpr EnumName<ImpulseKind> table[] = {{ImpulseKind::common, "common"},
+                                                      {ImpulseKind::per_node, "per node"}};
+  };
+
+  /** What the displacement is at time 0. */
+  enum class StartKind
+  {
+    given,
+    equilibrium ///< static, under the loads and the contact of that time
+  };
+
+  template <>
+  struct EnumNames<StartKind>
+  {
+    static constexpr EnumName<StartKind> table[] = {{StartKind::given, "given"},
+                                                    {StartKind::equilibrium, "equilibrium"}};
+  };
+
   /** Section `Time`: which scheme, which mass matrix, which steps. */
   struct TimeParameters
   {
-    std::string scheme         = "contact-stabilized"; ///< see declare_time()
-    std::string mass           = "consistent";    ///< consistent | lumped | redistributed | zero on contact boundary
-    std::string redistribution = "extrapolation"; ///< extrapolation | minimisation | macro-elements
-    std::string predictor      = "consistent"; ///< mass of the L2 projection of contact-stabilized: consistent | lumped
-    double      hht_alpha      = -0.1;         ///< parameter of hht-alpha
-    double      spectral_radius     = 0.8;     ///< parameter of generalized-alpha
-    double      newmark_beta        = 0.5;     ///< parameters of khenous-laborde-renard
-    double      newmark_gamma       = 0.5;
-    double      reference_tolerance = 1e-8;     ///< parameter of reference
-    std::string impulses            = "common"; ///< of laursen-love: common | per node
-    bool        stop_sticking_nodes = true;     ///< of contact-stabilized(-projected): see doc/friction.md
-    std::string start               = "given";  ///< given | equilibrium
-    double      step_size           = 0.;       ///< tau > 0
-    double      end_time            = 0.;       ///< T > 0; the number of steps is T/tau rounded to the nearest integer
-    /** Whether the mass has no entries at contact nodes. */
-    bool has_massless_contact_nodes() const;
-    /** Number of steps, at least one. */
+    std::string      scheme = scheme_table().front().name;
+    SchemeParameters parameters; ///< of single schemes
+    MassParameters   mass;
+    StartKind        start     = StartKind::given;
+    double           step_size = 0.; ///< tau > 0
+    double           end_time  = 0.; ///< T > 0
+
+    /** T/tau rounded to the nearest integer, at least one. */
     unsigned int n_steps() const;
   };
 } // namespace signorini

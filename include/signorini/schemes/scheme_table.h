@@ -6,6 +6,7 @@
 
 #include <signorini/time/time_scheme.h>
 
+#include <algorithm>
 #include <iosfwd>
 #include <memory>
 #include <string>
@@ -62,12 +63,17 @@ namespace signorini
      */
     std::string force_before_end;
     std::string parameter;
+    std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
     bool        mean_velocity;  ///< velocities of contact nodes are means over the step
     bool        changing_mesh;  ///< the mesh may change between steps
     std::string own_tolerance;  ///< the key with which a scheme controls its own error; then steps have equal sizes
     std::unique_ptr<TimeScheme> (*make)(const SchemeParameters &parameters);
 
     bool variable_step() const { return own_tolerance.empty(); }
+    bool has_parameter(const std::string &key) const
+    {
+      return std::find(keys.begin(), keys.end(), key) != keys.end();
+    }
   };
 
   /** Every scheme there is, in the order of documents. The one place where names of schemes are written. */

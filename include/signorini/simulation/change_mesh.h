@@ -10,11 +10,21 @@
 namespace signorini
 {
   /**
-   * Refine and coarsen what is flagged, share the cells among the processes, build everything anew on the new mesh, and carry the state there.
-   * Both @p meshed and @p state are replaced. Collective.
+   * Refine and coarsen what is flagged, share the cells among the processes, and build everything anew on the new mesh; the
+   * energy of the motion is known there. Collective.
    */
   template <int dim>
-  void change_mesh(Discretization<dim>               &discretization,
+  void build_on_changed_mesh(Mesh<dim>                         &mesh,
+                             const Scene<dim>                  &scene,
+                             unsigned int                       mesh_life_time,
+                             std::unique_ptr<MeshedScene<dim>> &meshed,
+                             dealii::TimerOutput               &timer);
+
+  /** The same, and carry the state to the new mesh. Collective. */
+  template <int dim>
+  void change_mesh(Mesh<dim>                         &mesh,
+                   const Scene<dim>                  &scene,
+                   unsigned int                       mesh_life_time,
                    std::unique_ptr<MeshedScene<dim>> &meshed,
                    State                             &state,
                    dealii::TimerOutput               &timer);

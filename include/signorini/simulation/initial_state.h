@@ -9,7 +9,7 @@
 
 namespace signorini
 {
-  /** The initial displacements and velocities of the bodies of a scene, without any force. Momentum and internal force are still zero. Collective. */
+  /** The initial displacements and velocities of the bodies, without any force. Momentum and internal force are still zero. Collective. */
   template <int dim>
   State initial_state(const Discretization<dim> &discretization);
 } // namespace signorini

@@ -10,20 +10,21 @@
 
 namespace signorini
 {
-  /** Judges the mesh after each step by the indicator of the scene, and flags the cells that should change. */
+  /** Judges the mesh after each step by an indicator, and flags the cells that should change. */
   template <int dim>
   class MeshControl
   {
   public:
-    explicit MeshControl(Discretization<dim> &discretization)
-      : discretization(discretization)
-    {
-    }
+    /** @param n_steps of the run: the life time of a mesh that does not change */
+    MeshControl(Mesh<dim>                  &mesh,
+                const AdaptivityParameters &parameters,
+                const TimeIntegration      &time,
+                unsigned int                n_steps);
 
-    /** Whether the scene lets the mesh change at all. */
-    bool any() const { return discretization.scene.adaptivity.any(); }
+    /** Whether the mesh may change at all. */
+    bool any() const { return parameters.any(); }
 
-    /** @throws UserError if the mesh that the scene begins with has more cells than it allows */
+    /** @throws UserError if the mesh that the run begins with has more cells than allowed */
     void check_first_mesh() const;
 
     /** Flag cells by a step that was made on the present mesh; without any flag the mesh is good enough. Collective. */
@@ -32,20 +33,26 @@ namespace signorini
     /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
     bool is_due(unsigned int step) const
     {
-      return any() && step >= last_judgement + discretization.scene.adaptivity.steps_between;
+      return any() && step >= last_judgement + parameters.steps_between;
     }
 
     /** How often a step may be repeated on a refined mesh. */
-    unsigned int repetitions() const { return any() ? discretization.scene.adaptivity.repetitions : 0; }
+    unsigned int repetitions() const { return any() ? parameters.repetitions : 0; }
 
     /** The mesh is going to change after a step. What is built on the next one is told to expect the same life. */
     void mesh_changes(unsigned int step);
+
+    /** Number of steps that will probably be made on the mesh that is built next. */
+    unsigned int mesh_life_time() const { return life_time; }
 
     /** The latest indicators by active_cell_index; empty on a mesh that was not yet judged. */
     const dealii::Vector<double> &indicators() const { return latest; }
 
   private:
-    Discretization<dim>                 &discretization;
+    Mesh<dim>                           &mesh;
+    const AdaptivityParameters           parameters;
+    const TimeIntegration                time;
+    unsigned int                         life_time;
     std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
     dealii::Vector<double>               latest;
     unsigned int                         last_change = 0, last_judgement = 0; ///< after which step

@@ -4,20 +4,39 @@
 #ifndef signorini_simulation_meshed_scene_h
 #define signorini_simulation_meshed_scene_h
 
+#include <signorini/scene/scene.h>
 #include <signorini/system/elastic_contact_system.h>
 
 namespace signorini
 {
+  /** What a scene says to a system. */
+  template <int dim>
+  SystemParameters system_parameters(const Scene<dim> &scene, const unsigned int mesh_life_time)
+  {
+    return {scene.solver, scene.time.mass, mesh_life_time};
+  }
+
+  /** On a mesh that stays. */
+  template <int dim>
+  SystemParameters system_parameters(const Scene<dim> &scene)
+  {
+    return system_parameters(scene, scene.time.n_steps());
+  }
+
   /**
-   * All that is built on a mesh, and built anew when the mesh changes, in the order in which one needs the other. Matrices are part of the
-   * discretisation.
+   * All that is built on one state of the mesh, and built anew when the mesh changes, in the order in which one needs the
+   * other.
    */
   template <int dim>
   struct MeshedScene
   {
-    /** Assembles the matrices of the discretisation first. Collective. @throws UserError see ContactSurface */
-    MeshedScene(Discretization<dim> &discretization, dealii::TimerOutput &timer);
+    /** Collective. @param mesh_life_time see SystemParameters @throws UserError see ContactSurface, redistribute_mass() */
+    MeshedScene(const Mesh<dim>     &mesh,
+                const Scene<dim>    &scene,
+                unsigned int         mesh_life_time,
+                dealii::TimerOutput &timer);
 
+    Discretization<dim>       discretization;
     Supports<dim>             supports;
     ContactSurface<dim>       surface;
     std::string               mass_note; ///< what became of the mass, if that is not the consistent one

@@ -17,7 +17,8 @@ namespace signorini
   class Observation
   {
   public:
-    Observation(const Discretization<dim> &discretization, MeshedScene<dim> &meshed);
+    /** The scene must outlive the observation. */
+    Observation(const Scene<dim> &scene, MeshedScene<dim> &meshed);
 
     void start(const State &state);
 
@@ -42,18 +43,19 @@ namespace signorini
     std::string summary() const;
 
   private:
-    const Discretization<dim> &discretization;
-    MeshedScene<dim>          *meshed;
-    std::vector<Probe<dim>>    probes;
-    History<dim>               history;
-    EnergyLedger               ledger;
-    ErrorEvaluation<dim>       errors;
-    ContactSummary             contact_now;
-    Momentum                   initial_momentum;
-    TotalVariation             force_variation;
-    std::vector<Zigzag>        velocity_zigzags;
-    dealii::Timer              clock;
-    ProductCount               products_before; ///< at the end of the last observation, whose own products do not count
+    const Scene<dim>       &scene;
+    MeshedScene<dim>       *meshed;
+    std::vector<Probe<dim>> probes;
+    History<dim>            history;
+    EnergyLedger            ledger;
+    ErrorEvaluation<dim>    errors;
+    ContactSummary          contact_now;
+    Momentum                initial_momentum;
+    TotalVariation          force_variation;
+    std::vector<Zigzag>     velocity_zigzags;
+    dealii::Timer           clock;
+    ProductCount
+      products_before; ///< at the end of the last observation, whose own products do not count
 
     double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
            farthest_sliding = 0., impulse = 0.;
@@ -71,8 +73,8 @@ namespace signorini
     double relative_scale() const;
     /** Products since the last observation. */
     ProductCount                   products_of_step() const;
-    static std::vector<Probe<dim>> make_probes(const Discretization<dim> &discretization,
-                                               const ContactSurface<dim> &surface);
+    static std::vector<Probe<dim>> make_probes(const Scene<dim>       &scene,
+                                               const MeshedScene<dim> &meshed);
   };
 } // namespace signorini
 

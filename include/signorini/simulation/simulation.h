@@ -41,7 +41,7 @@ namespace signorini
     const bool          quiet;
     std::ostringstream  timer_table;
     dealii::TimerOutput timer;
-    Discretization<dim> discretization;
+    Mesh<dim>           mesh;
     State               state;
     unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 

@@ -15,6 +15,14 @@
 
 namespace signorini
 {
+  /** What a system is told besides mesh, contact and loads. */
+  struct SystemParameters
+  {
+    SolverParameters solver;
+    MassParameters   mass;
+    unsigned int     mesh_life_time = 1; ///< see PreconditionerChoice
+  };
+
   /**
    * Elastic bodies, their contact and the solver, as a time scheme sees them. The only place where discretisation, contact,
    * inequalities and time meet.
@@ -31,6 +39,7 @@ namespace signorini
                          const ContactSurface<dim>     &surface,
                          const ContactCoordinates<dim> &coordinates,
                          Loads<dim>                    &loads,
+                         const SystemParameters        &parameters,
                          dealii::TimerOutput           &timer);
 
     Vector      make_vector() const override { return discretization.make_vector(); }
@@ -39,7 +48,7 @@ namespace signorini
     void        add_load(Vector &destination, double factor, double time) override;
     NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
     NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
-    double      length() const override { return discretization.body_size(); }
+    double      length() const override { return discretization.mesh().body_size(); }
     void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     Vector      solve_mass(const Vector &force) override { return mass_problems.solve(force); }
     Capabilities capabilities() override { return {this, this, this, this}; }
@@ -58,6 +67,7 @@ namespace signorini
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
     Loads<dim>                    &loads;
+    const SystemParameters         parameters;
     dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
     double                                    energy_scale = 0.;

@@ -5,6 +5,7 @@
 #define signorini_system_energy_projection_h
 
 #include <signorini/contact/contact_coordinates.h>
+#include <signorini/model/run_parameters.h>
 
 namespace signorini
 {
@@ -23,7 +24,8 @@ namespace signorini
                            const ContactCoordinates<dim> &coordinates,
                            const Vector                  &error_moments,
                            const std::vector<double>     &bounds,
-                           double                         size);
+                           double                         size,
+                           const SolverParameters        &limits);
 } // namespace signorini
 
 #endif

@@ -4,6 +4,7 @@
 #ifndef signorini_system_mass_problems_h
 #define signorini_system_mass_problems_h
 
+#include <signorini/model/mass_parameters.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
@@ -23,6 +24,8 @@ namespace signorini
     MassProblems(const Discretization<dim>     &discretization,
                  const ContactSurface<dim>     &surface,
                  const ContactCoordinates<dim> &coordinates,
+                 const SolverParameters        &parameters,
+                 const MassParameters          &mass_parameters,
                  dealii::TimerOutput           &timer);
 
     /** @param energy_scale of the motion: the kinetic energy of an error is small compared with it */
@@ -45,6 +48,8 @@ namespace signorini
     const Discretization<dim>     &discretization;
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
+    const double                   tolerance; ///< see SolverParameters
+    const MassParameters           mass_parameters;
     dealii::TimerOutput           &timer;
 
     std::unique_ptr<StepOperator<dim>>    mass;

@@ -20,7 +20,8 @@ namespace signorini
   public:
     MasslessEquilibrium(const Discretization<dim>     &discretization,
                         const ContactSurface<dim>     &surface,
-                        const ContactCoordinates<dim> &coordinates);
+                        const ContactCoordinates<dim> &coordinates,
+                        const SolverParameters        &parameters);
 
     /**
      * @param displacement  u: that of nodes with mass is given, that of the others a first guess and then the solution

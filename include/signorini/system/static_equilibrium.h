@@ -5,6 +5,7 @@
 #define signorini_system_static_equilibrium_h
 
 #include <signorini/discretization/loads.h>
+#include <signorini/model/run_parameters.h>
 #include <signorini/system/rigid_modes.h>
 #include <signorini/system/step_friction.h>
 #include <signorini/time/state.h>
@@ -31,7 +32,8 @@ namespace signorini
   public:
     StaticEquilibrium(const Discretization<dim>     &discretization,
                       const ContactSurface<dim>     &surface,
-                      const ContactCoordinates<dim> &coordinates);
+                      const ContactCoordinates<dim> &coordinates,
+                      const SolverParameters        &parameters);
 
     /**
      * Put displacement, contact force and friction of the state to the equilibrium; the velocity is only read. Collective.
@@ -44,6 +46,7 @@ namespace signorini
     const Discretization<dim>     &discretization;
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
+    const SolverParameters         parameters;
     const StepFriction<dim>        friction;
 
     /** The law of each contact node; its past slip points along the initial velocity. */

@@ -4,7 +4,6 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
-#include <signorini/discretization/discretization.h>
 #include <signorini/system/increment_forecast.h>
 #include <signorini/preconditioners/preconditioners.h>
 
@@ -22,9 +21,18 @@ namespace signorini
     std::unique_ptr<StepOperator<dim>>    product;          ///< M + s A
     std::unique_ptr<MaskedPreconditioner> preconditioner;
     IncrementForecast                     forecast;
-    std::string                           preconditioner_name;
+    /** Of the preconditioner; automatic: there is none yet. */
+    PreconditionerKind                    kind     = PreconditionerKind::automatic;
     unsigned int                          last_use = 0; ///< counted in solutions
     unsigned int                          n_uses   = 0;
+  };
+
+  /** What decides about the preconditioner of a step. */
+  struct PreconditionerChoice
+  {
+    PreconditionerKind kind = PreconditionerKind::automatic;
+    unsigned int       mesh_life_time =
+      1; ///< steps that will probably be made on the mesh: what it pays to build
   };
 
   /**
@@ -37,13 +45,17 @@ namespace signorini
   public:
     StepMatrices(const Discretization<dim>     &discretization,
                  const ContactCoordinates<dim> &coordinates,
+                 const PreconditionerChoice    &preconditioner,
                  dealii::TimerOutput           &timer);
 
     /** The matrix of a factor s; valid until the next call. @param step_size decides about the preconditioner */
     StepMatrix<dim> &get(double stiffness_factor, double step_size);
 
-    /** Of the last matrix. */
-    std::string preconditioner_name() const { return recent.empty() ? "" : recent.front().preconditioner_name; }
+    /** Of the last matrix; empty if there was none. */
+    std::string preconditioner_name() const
+    {
+      return recent.empty() ? "" : name_of(recent.front().kind);
+    }
 
     /** Number of preconditioners built so far. */
     unsigned int n_built() const { return built; }
@@ -51,6 +63,7 @@ namespace signorini
   private:
     const Discretization<dim>     &discretization;
     const ContactCoordinates<dim> &coordinates;
+    const PreconditionerChoice     preconditioner;
     dealii::TimerOutput           &timer;
     std::list<StepMatrix<dim>>     recent; ///< latest first
     unsigned int                   uses = 0, built = 0;

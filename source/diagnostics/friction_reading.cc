@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/diagnostics/node_friction.h>
+#include <signorini/diagnostics/friction_reading.h>
 
 namespace signorini
 {
   template <int dim>
-  NodeFriction<dim>
-  node_friction(const ContactSurface<dim> &surface, const FrictionState &friction, const unsigned int k)
+  FrictionReading<dim> friction_at(const ContactSurface<dim> &surface,
+                                   const FrictionState       &friction,
+                                   const unsigned int         k)
   {
-    NodeFriction<dim> result;
+    FrictionReading<dim> result;
     if (!friction.any())
       return result;
     const ContactNode<dim> &node  = surface.nodes()[k];
@@ -27,6 +28,8 @@ namespace signorini
   }
 
 
-  template NodeFriction<2> node_friction(const ContactSurface<2> &, const FrictionState &, unsigned int);
-  template NodeFriction<3> node_friction(const ContactSurface<3> &, const FrictionState &, unsigned int);
+  template FrictionReading<2>
+  friction_at(const ContactSurface<2> &, const FrictionState &, unsigned int);
+  template FrictionReading<3>
+  friction_at(const ContactSurface<3> &, const FrictionState &, unsigned int);
 } // namespace signorini

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/expressions.h>
+#include <signorini/base/user_error.h>
+#include <signorini/discretization/coarse_mesh.h>
+#include <signorini/discretization/make_triangulation.h>
+
+#include <deal.II/grid/grid_tools.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold ids by `offset`. */
+    template <int dim>
+    void append(const Triangulation<dim>   &mesh,
+                const types::material_id    material_id,
+                const types::manifold_id    offset,
+                std::vector<Point<dim>>    &vertices,
+                std::vector<CellData<dim>> &cells,
+                SubCellData                &faces)
+    {
+      auto [new_vertices, new_cells, new_faces] = GridTools::get_coarse_mesh_description(mesh);
+      const unsigned int first_vertex           = vertices.size();
+      vertices.insert(vertices.end(), new_vertices.begin(), new_vertices.end());
+      const auto shift = [&](auto &list) {
+        for (auto &item : list)
+          {
+            for (unsigned int &vertex : item.vertices)
+              vertex += first_vertex;
+            if (item.manifold_id != numbers::flat_manifold_id)
+              item.manifold_id += offset;
+          }
+      };
+      shift(new_cells);
+      shift(new_faces.boundary_lines);
+      shift(new_faces.boundary_quads);
+      for (CellData<dim> &cell : new_cells)
+        cell.material_id = material_id;
+      cells.insert(cells.end(), new_cells.begin(), new_cells.end());
+      faces.boundary_lines.insert(faces.boundary_lines.end(),
+                                  new_faces.boundary_lines.begin(),
+                                  new_faces.boundary_lines.end());
+      faces.boundary_quads.insert(faces.boundary_quads.end(),
+                                  new_faces.boundary_quads.begin(),
+                                  new_faces.boundary_quads.end());
+    }
+
+
+    /** Refine all cells for which the predicate holds, `times` times (a child asks again). */
+    template <int dim, typename Predicate>
+    void refine(Triangulation<dim> &mesh, const Predicate &predicate)
+    {
+      for (const auto &cell : mesh.active_cell_iterators())
+        if (cell->is_locally_owned() && predicate(cell))
+          cell->set_refine_flag();
+      mesh.execute_coarsening_and_refinement();
+    }
+
+
+    /** Refuse meshes that no computer at hand can hold, before an attempt to make them. */
+    template <int dim>
+    void check_size(const std::vector<BodyDescription<dim>> &bodies,
+                    const std::vector<Triangulation<dim>>   &coarse_meshes,
+                    const unsigned int                       n_processes)
+    {
+      constexpr double most_coarse = 2e4, most_per_process = 1e7;
+      for (unsigned int b = 0; b < bodies.size(); ++b)
+        {
+          const auto  &body  = bodies[b];
+          const double cells = coarse_meshes[b].n_active_cells()
+                               * std::pow(2., static_cast<double>(dim * body.refinements));
+          std::ostringstream message;
+          message << "Bodies/" << body.name;
+          if (coarse_meshes[b].n_active_cells() > most_coarse)
+            throw UserError(message.str()
+                            + (body.shape == BodyShape::file
+                                 ? "/File has more than 20000 cells, which every process must "
+                                   "keep. Make a coarser mesh "
+                                   "and use Refinements."
+                                 : "/Repetitions gives more than 20000 coarse cells, which every "
+                                   "process must keep. Use "
+                                   "fewer repetitions and more Refinements."));
+          message << "/Refinements = " << body.refinements << " gives " << cells
+                  << " cells, too many for " << n_processes
+                  << " process(es). Use fewer refinements or more processes.";
+          if (cells > most_per_process * n_processes)
+            throw UserError(message.str());
+        }
+    }
+  } // namespace
+
+
+  template <int dim>
+  void make_triangulation(const std::vector<BodyDescription<dim>>   &bodies,
+                          parallel::distributed::Triangulation<dim> &triangulation)
+  {
+    std::vector<Point<dim>>         vertices;
+    std::vector<CellData<dim>>      cells;
+    SubCellData                     faces;
+    constexpr types::manifold_id    ids_per_body = 4;
+    std::vector<Triangulation<dim>> coarse_meshes(bodies.size());
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      make_coarse_mesh(bodies[b], coarse_meshes[b]);
+    check_size(
+      bodies, coarse_meshes, Utilities::MPI::n_mpi_processes(triangulation.get_communicator()));
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      append(coarse_meshes[b], b, ids_per_body * b, vertices, cells, faces);
+    triangulation.create_triangulation(vertices, cells, faces);
+    for (unsigned int b = 0; b < bodies.size(); ++b)
+      for (const types::manifold_id id : coarse_meshes[b].get_manifold_ids())
+        if (id != numbers::flat_manifold_id)
+          triangulation.set_manifold(ids_per_body * b + id, coarse_meshes[b].get_manifold(id));
+
+    unsigned int most = 0, most_local = 0;
+    for (const auto &body : bodies)
+      {
+        most       = std::max(most, body.refinements);
+        most_local = std::max(most_local, body.local_refinements);
+      }
+    for (unsigned int level = 0; level < most; ++level)
+      refine(triangulation,
+             [&](const auto &cell) { return bodies[cell->material_id()].refinements > level; });
+
+    std::vector<std::unique_ptr<FunctionParser<dim>>> selections;
+    for (const auto &body : bodies)
+      selections.push_back(make_function<dim, 1>({{body.refine_where}}, "h"));
+    for (unsigned int level = 0; level < most_local; ++level)
+      refine(triangulation, [&](const auto &cell) {
+        const unsigned int b = cell->material_id();
+        selections[b]->set_time(cell->diameter() / std::sqrt(dim));
+        return bodies[b].local_refinements > level && selections[b]->value(cell->center()) > 0.;
+      });
+  }
+
+
+  template void make_triangulation(const std::vector<BodyDescription<2>> &,
+                                   parallel::distributed::Triangulation<2> &);
+  template void make_triangulation(const std::vector<BodyDescription<3>> &,
+                                   parallel::distributed::Triangulation<3> &);
+} // namespace signorini
