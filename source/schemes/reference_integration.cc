@@ -53,7 +53,7 @@ namespace signorini
         return guess;
       }
 
-      SolveEffort effort; ///< of the last equilibrium
+      SolveReport effort; ///< of the last equilibrium
 
     private:
       DynamicalSystem                &system;

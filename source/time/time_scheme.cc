@@ -18,10 +18,10 @@
 
 namespace signorini
 {
-  SolveEffort DynamicalSystem::equilibrate_massless(Vector &, const Vector &, Vector &contact_force)
+  SolveReport DynamicalSystem::equilibrate_massless(Vector &, const Vector &, Vector &contact_force)
   {
     contact_force = make_vector(); // nothing is massless
-    return SolveEffort();
+    return SolveReport();
   }
 
 

@@ -128,7 +128,7 @@ namespace signorini
         solution.support_reaction(middle) = reaction[middle];
     }
 
-    SolveEffort project(const Vector    &free_increment,
+    SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double,
                         Vector &correction,
@@ -139,12 +139,12 @@ namespace signorini
       const NormalGap left         = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
       view(correction) = minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
       apply_mass(mass_correction, correction);
-      SolveEffort effort;
+      SolveReport effort;
       effort.n_active = correction.linfty_norm() > 0.;
       return effort;
     }
 
-    SolveEffort stop_relative_motion(const Vector    &velocity,
+    SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      Vector          &correction,
                                      Vector          &mass_correction) override
