@@ -19,6 +19,11 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
   # the compiler; the loops that matter are unrolled by hand.
   list(APPEND candidates -g0 -fno-unroll-loops -fno-unroll-all-loops)
 endif()
+if(CMAKE_BUILD_TYPE STREQUAL "Debug")
+  # Assertions are wanted, not a debugger: without its information the compiler needs an eighth less, and with a
+  # little optimisation the tests take a third of the time that -O0 would save.
+  list(APPEND candidates -O1 -g0)
+endif()
 if(SIGNORINI_UNITY)
   # GCC takes the sources of a unity build for headers, where unnamed namespaces would be a mistake.
   list(APPEND candidates -Wno-subobject-linkage)

@@ -3,6 +3,8 @@
 
 #include <signorini/friction/slip_condition.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -11,6 +13,7 @@ namespace signorini
 {
   bool sticks(const FrictionLaw &law, const NodeForces &node, const double stiffness)
   {
+    Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
     // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
     constexpr double round_off = 1e-13;
     const double     bound     = law.bound(node.normal);
@@ -24,6 +27,8 @@ namespace signorini
   SlipCondition
   linearise_slip(const FrictionLaw &law, const NodeForces &node, const double stiffness, const unsigned int n_tangents)
   {
+    Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
+    Assert(n_tangents == 1 || n_tangents == 2, dealii::ExcIndexRange(n_tangents, 1, 3));
     const double        bound = law.bound(node.normal);
     const TangentVector y     = node.tangential + stiffness * node.slip;
     const double        size  = y.norm();

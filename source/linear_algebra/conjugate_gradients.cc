@@ -24,6 +24,9 @@ namespace signorini
                                                        const unsigned int          maximum_iterations,
                                                        const bool                  is_guess)
   {
+    AssertDimension(solution.locally_owned_size(), residual.locally_owned_size());
+    Assert(tolerance >= 0. && reduction >= 0. && reduction < 1.,
+           dealii::ExcMessage("An accepted error is not negative, and a reduction less than one."));
     if (preconditioned.get_partitioner() != solution.get_partitioner() || preconditioned.size() == 0)
       {
         preconditioned.reinit(solution, true);

@@ -65,6 +65,12 @@ namespace signorini
                                         const double               mass_factor,
                                         const double               stiffness_factor) const
   {
+    AssertDimension(source.locally_owned_size(), dim * pattern.n_owned);
+    AssertDimension(destination.locally_owned_size(), dim * pattern.n_owned);
+    AssertDimension(mass_values.size(), pattern.columns.size());
+    Assert(&destination != &source, dealii::ExcMessage("The result must not overwrite its source."));
+    AssertIsFinite(mass_factor);
+    AssertIsFinite(stiffness_factor);
     const bool had_ghosts = source.has_ghost_elements();
     if (!had_ghosts)
       source.update_ghost_values();
@@ -129,6 +135,7 @@ namespace signorini
                                                                             const double       mass_factor,
                                                                             const double       stiffness_factor) const
   {
+    AssertIndexRange(position, mass.size());
     Block block = stiffness[position];
     for (double &entry : block)
       entry *= stiffness_factor;

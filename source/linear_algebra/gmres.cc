@@ -40,6 +40,7 @@ namespace signorini
     double       norm   = std::sqrt(std::max(0., square));
     norm_at_start       = norm;
     const double goal   = goal_of(norm);
+    Assert(!(goal < 0.), dealii::ExcMessage("The accepted norm of a residual is not negative."));
     if (square < -goal * goal) // the preconditioner is not positive definite, and this is no norm
       return report;
     while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)

@@ -4,8 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/cuthill_mckee.h>
 #include <signorini/linear_algebra/incomplete_cholesky.h>
-
-#include <Eigen/Dense>
+#include <signorini/linear_algebra/small_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,31 +15,19 @@ namespace signorini
 {
   namespace
   {
-    template <int n>
-    using Small = Eigen::Matrix<double, n, n>;
+    using dealii::Tensor;
 
     /** The block that the factor sees at a position of the pattern: dim x dim, or one number for the mass. */
     template <int dim, int n>
-    Small<n> matrix_block(const ElasticMatrices<dim> &matrices, const unsigned int k, const double a, const double b)
+    Tensor<2, n> matrix_block(const ElasticMatrices<dim> &matrices,
+                              const unsigned int          k,
+                              const double                a,
+                              const double                b)
     {
       if constexpr (n == 1)
-        return Small<1>(a * matrices.mass[k]);
+        return to_tensor<1>(std::array<double, 1>{{a * matrices.mass[k]}});
       else
-        return Eigen::Map<const Small<n>>(matrices.combined_block(k, a, b).data());
-    }
-
-    template <int n>
-    Small<n> to_double(const std::array<float, n * n> &entry)
-    {
-      return Eigen::Map<const Eigen::Matrix<float, n, n>>(entry.data()).template cast<double>();
-    }
-
-    template <int n>
-    std::array<float, n * n> to_float(const Small<n> &entry)
-    {
-      std::array<float, n * n> result;
-      Eigen::Map<Eigen::Matrix<float, n, n>>(result.data()) = entry.template cast<float>();
-      return result;
+        return to_tensor<dim>(matrices.combined_block(k, a, b));
     }
   } // namespace
 
@@ -58,6 +45,12 @@ namespace signorini
     , work(4 * pattern.n_local, 0.f)
     , ghosted(pattern.partitioner)
   {
+    Assert(mass_factor >= 0. && stiffness_factor >= 0. && mass_factor + stiffness_factor > 0.,
+           dealii::ExcMessage("Only positive definite matrices have a factor."));
+    Assert(block_size == dim || stiffness_factor == 0.,
+           dealii::ExcMessage("The blocks of the stiffness are full."));
+    Assert(std::is_sorted(eliminate_last.begin(), eliminate_last.end()),
+           dealii::ExcMessage("The nodes that come last must be ascending."));
     build_pattern(eliminate_last);
     // The partition of unity: one over the number of processes that know a node.
     Vector multiplicity(pattern.partitioner);
@@ -88,7 +81,10 @@ namespace signorini
   {
     std::vector<char> is_last(pattern.n_local, 0);
     for (const unsigned int node : eliminate_last)
-      is_last[node] = 1;
+      {
+        AssertIndexRange(node, pattern.n_local);
+        is_last[node] = 1;
+      }
     const std::vector<unsigned int> numbering = cuthill_mckee(pattern);
     order.reserve(pattern.n_local);
     for (const char last : {0, 1})
@@ -151,54 +147,61 @@ namespace signorini
     double scale = 0.;
     for (unsigned int node = 0; node < pattern.n_local; ++node)
       if (!pattern.is_empty(node))
-        scale = std::max(scale, diagonal_block(node).trace());
+        scale = std::max(scale, trace(diagonal_block(node)));
     matrix_scale = scale = scale > 0. ? 1. / scale : 1.;
 
-    std::vector<Small<block_size>> inverse(pattern.n_local);
-    std::vector<Small<block_size>> row(pattern.n_local, Small<block_size>::Zero()), scaled_row(row);
+    std::vector<Block<block_size>> inverse(pattern.n_local), row(pattern.n_local), scaled_row(pattern.n_local);
     std::vector<char>              in_row(pattern.n_local, 0);
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
         for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           {
-            const Small<block_size> block =
+            const auto block =
               scale * matrix_block<dim, block_size>(matrices, origins[a].position, mass_factor, stiffness_factor);
-            row[columns[a]]    = origins[a].transposed ? Small<block_size>(block.transpose()) : block;
+            row[columns[a]]    = to_block(origins[a].transposed ? transpose(block) : block);
             in_row[columns[a]] = 1;
           }
         // An eliminated (hanging) node has no entries, and its own are never free.
-        Small<block_size> pivot = Small<block_size>::Identity();
+        Tensor<2, block_size> pivot = dealii::unit_symmetric_tensor<block_size>();
         if (!pattern.is_empty(order[i]))
           pivot = (1. + shift) * scale * diagonal_block(order[i]);
+        Block<block_size> remainder = to_block(pivot);
         for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           {
             const unsigned int j = columns[a];
             for (unsigned int b = row_start[j]; b < row_start[j + 1]; ++b)
               if (in_row[columns[b]])
-                row[j] -= scaled_row[columns[b]] * to_double<block_size>(lower[b]).transpose();
-            scaled_row[j] = row[j] * inverse[j];
-            pivot -= scaled_row[j] * row[j].transpose();
-            lower[a] = to_float<block_size>(row[j]);
+                subtract_product(row[j], scaled_row[columns[b]], lower[b]);
+            scaled_row[j] = product(row[j], inverse[j]);
+            subtract_product(remainder, scaled_row[j], row[j]);
+            lower[a] = to_float(to_tensor(row[j]));
           }
         for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           in_row[columns[a]] = 0;
-        const Eigen::LLT<Small<block_size>> cholesky(pivot);
-        if (cholesky.info() != Eigen::Success)
+        pivot = to_tensor(remainder);
+        if (!is_positive_definite(pivot))
           return false;
-        inverse[i] = cholesky.solve(Small<block_size>::Identity());
-        pivots[i]  = to_float<block_size>(pivot);
+        inverse[i] = to_block(invert(pivot));
+        pivots[i]  = to_float(pivot);
       }
     return true;
   }
 
 
   template <int dim, int block_size>
-  void IncompleteCholesky<dim, block_size>::invert_pivot(const unsigned int p)
+  dealii::Tensor<2, dim> IncompleteCholesky<dim, block_size>::full_pivot(const unsigned int p) const
   {
     if constexpr (block_size == 1)
-      inverse_pivots[p] = to_float<dim>(Small<dim>::Identity() / pivots[p][0]);
+      return static_cast<double>(pivots[p][0]) * Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>());
     else
-      inverse_pivots[p] = to_float<dim>(to_double<dim>(pivots[p]).inverse());
+      return to_tensor<dim>(pivots[p]);
+  }
+
+
+  template <int dim, int block_size>
+  void IncompleteCholesky<dim, block_size>::invert_pivot(const unsigned int p)
+  {
+    inverse_pivots[p] = to_float(invert(full_pivot(p)));
   }
 
 
@@ -214,27 +217,23 @@ namespace signorini
 
     for (const HeldNode<dim> &node : held)
       {
+        AssertIndexRange(node.node, pattern.n_local);
         const unsigned int p = position_of[node.node];
-        Small<dim>         pivot;
-        if constexpr (block_size == 1)
-          pivot = pivots[p][0] * Small<dim>::Identity();
-        else
-          pivot = to_double<dim>(pivots[p]);
         // In the frame of the node the held entries become unit rows, which leaves the inverse on the free ones.
-        const Eigen::Map<const Eigen::Matrix<double, dim, dim, Eigen::RowMajor>> frame(node.frame.data());
-        Small<dim> local = frame * pivot * frame.transpose();
+        const Tensor<2, dim> frame = transpose(to_tensor<dim>(node.frame));
+        Tensor<2, dim>       local = frame * full_pivot(p) * transpose(frame);
         for (unsigned int c = 0; c < dim; ++c)
           if (node.held[c])
             {
-              local.row(c).setZero();
-              local.col(c).setZero();
-              local(c, c) = 1.;
+              for (unsigned int d = 0; d < dim; ++d)
+                local[c][d] = local[d][c] = 0.;
+              local[c][c] = 1.;
             }
-        local = local.inverse().eval();
+        local = invert(local);
         for (unsigned int c = 0; c < dim; ++c)
           if (node.held[c])
-            local(c, c) = 0.;
-        inverse_pivots[p] = to_float<dim>(frame.transpose() * local * frame);
+            local[c][c] = 0.;
+        inverse_pivots[p] = to_float<dim>(transpose(frame) * local * frame);
         held_positions.push_back(p);
       }
   }
@@ -285,6 +284,8 @@ namespace signorini
   template <int dim, int block_size>
   void IncompleteCholesky<dim, block_size>::vmult(Vector &destination, const Vector &source) const
   {
+    AssertDimension(source.locally_owned_size(), dim * pattern.n_owned);
+    AssertDimension(destination.locally_owned_size(), dim * pattern.n_owned);
     ++applications;
     const double *input = source.begin();
     if (overlapping)

@@ -11,6 +11,7 @@ namespace signorini
 {
   double dot(const Vector &x, const Vector &y)
   {
+    AssertDimension(x.locally_owned_size(), y.locally_owned_size());
     // Several partial sums let the compiler use vector registers without changing the order of a sum.
     constexpr unsigned int      n_lanes = 16;
     std::array<double, n_lanes> sums{};
@@ -31,6 +32,9 @@ namespace signorini
 
   void advance(const double factor, const Vector &p, Vector &x, const Vector &q, Vector &r)
   {
+    AssertDimension(x.locally_owned_size(), p.locally_owned_size());
+    AssertDimension(r.locally_owned_size(), q.locally_owned_size());
+    AssertDimension(r.locally_owned_size(), x.locally_owned_size());
     // Without `restrict` the compiler would have to fear that one vector overwrites another.
     const double *__restrict direction = p.begin(), *__restrict product = q.begin();
     double *__restrict solution = x.begin(), *__restrict residual = r.begin();
@@ -45,6 +49,7 @@ namespace signorini
 
   void extend_direction(const Vector &z, const double factor, Vector &p)
   {
+    AssertDimension(p.locally_owned_size(), z.locally_owned_size());
     const double *__restrict source = z.begin();
     double *__restrict direction    = p.begin();
     const unsigned int n            = p.locally_owned_size();

@@ -28,6 +28,51 @@ namespace signorini
         result[node] = ranks[entries.index_within_set(dim * node)];
       return result;
     }
+
+
+    /** The contact nodes with partners that this process knows without asking others. */
+    template <int dim>
+    std::vector<ContactRow<dim>> known_rows(const NodePattern             &pattern,
+                                            const ContactCoordinates<dim> &coordinates)
+    {
+      const auto &partitioner = *pattern.partitioner;
+      const auto  global_node = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
+
+      std::vector<ContactRow<dim>>         rows;
+      std::map<unsigned int, unsigned int> row_of; // by local node
+      for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
+        if (!contact_node.partners.empty())
+          {
+            row_of[contact_node.node] = rows.size();
+            ContactRow<dim> &row      = rows.emplace_back();
+            row.node                  = global_node(contact_node.node);
+            row.partners              = contact_node.partners;
+            for (unsigned int k = 0; k < dim; ++k)
+              if (contact_node.relative[k])
+                std::copy_n(contact_node.frame.begin() + dim * k, dim, row.directions.emplace_back().begin());
+          }
+      for (unsigned int node = 0; node < pattern.n_owned; ++node)
+        for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
+          {
+            const unsigned int column = pattern.columns[k];
+            if (const auto row = row_of.find(node); row != row_of.end())
+              rows[row->second].neighbours.push_back(global_node(column));
+            if (const auto row = row_of.find(column); row != row_of.end() && column != node)
+              rows[row->second].neighbours.push_back(global_node(node));
+          }
+      return rows;
+    }
+
+
+    /** The partners and the neighbours of a contact node. */
+    template <int dim, typename Action>
+    void for_each_node(const ContactRow<dim> &row, const Action &action)
+    {
+      for (const auto &[partner, weight] : row.partners)
+        action(partner);
+      for (const auto neighbour : row.neighbours)
+        action(neighbour);
+    }
   } // namespace
 
 
@@ -36,59 +81,29 @@ namespace signorini
                                                    const ContactCoordinates<dim> &coordinates)
   {
     const auto &partitioner = *pattern.partitioner;
-    const auto  global_node = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
-
-    std::vector<ContactRow<dim>>         rows;
-    std::map<unsigned int, unsigned int> row_of; // by local node
-    for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
-      if (!contact_node.partners.empty())
-        {
-          row_of[contact_node.node] = rows.size();
-          ContactRow<dim> &row      = rows.emplace_back();
-          row.node                  = global_node(contact_node.node);
-          row.partners              = contact_node.partners;
-          for (unsigned int k = 0; k < dim; ++k)
-            if (contact_node.relative[k])
-              std::copy_n(contact_node.frame.begin() + dim * k, dim, row.directions.emplace_back().begin());
-        }
-    for (unsigned int node = 0; node < pattern.n_owned; ++node)
-      for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
-        {
-          const unsigned int column = pattern.columns[k];
-          if (const auto row = row_of.find(node); row != row_of.end())
-            rows[row->second].neighbours.push_back(global_node(column));
-          if (const auto row = row_of.find(column); row != row_of.end() && column != node)
-            rows[row->second].neighbours.push_back(global_node(node));
-        }
+    auto        rows        = known_rows<dim>(pattern, coordinates);
 
     std::set<types::global_dof_index> strangers;
-    const auto                        add_stranger = [&](const types::global_dof_index node) {
-      if (!partitioner.in_local_range(dim * node))
-        strangers.insert(node);
-    };
     for (const ContactRow<dim> &row : rows)
-      {
-        for (const auto &[partner, weight] : row.partners)
-          add_stranger(partner);
-        for (const auto neighbour : row.neighbours)
-          add_stranger(neighbour);
-      }
+      for_each_node(row, [&](const types::global_dof_index node) {
+        if (!partitioner.in_local_range(dim * node))
+          strangers.insert(node);
+      });
     const auto owners = owners_of<dim>(partitioner, strangers);
 
     std::map<unsigned int, std::vector<ContactRow<dim>>> outgoing;
     for (const ContactRow<dim> &row : rows)
       {
         std::set<unsigned int> recipients;
-        for (const auto &[partner, weight] : row.partners)
-          if (const auto owner = owners.find(partner); owner != owners.end())
+        for_each_node(row, [&](const types::global_dof_index node) {
+          if (const auto owner = owners.find(node); owner != owners.end())
             recipients.insert(owner->second);
-        for (const auto neighbour : row.neighbours)
-          if (const auto owner = owners.find(neighbour); owner != owners.end())
-            recipients.insert(owner->second);
+        });
         for (const unsigned int rank : recipients)
           outgoing[rank].push_back(row);
       }
-    for (const auto &[rank, received] : Utilities::MPI::some_to_some(partitioner.get_mpi_communicator(), outgoing))
+    for (const auto &[rank, received] :
+         Utilities::MPI::some_to_some(partitioner.get_mpi_communicator(), outgoing))
       rows.insert(rows.end(), received.begin(), received.end());
     return rows;
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/preconditioners/relative_matrix.h>
 #include <signorini/preconditioners/multilevel.h>
 #include <signorini/preconditioners/preconditioners.h>
+#include <signorini/preconditioners/relative_matrix.h>
 
 namespace signorini
 {
@@ -24,6 +24,7 @@ namespace signorini
 
       void set_mask(const Mask &mask) override
       {
+        AssertDimension(mask.size(), inverse.locally_owned_size());
         for (unsigned int i = 0; i < mask.size(); ++i)
           masked_inverse.local_element(i) = mask[i] ? 0. : inverse.local_element(i);
       }
@@ -71,6 +72,7 @@ namespace signorini
 
       void set_mask(const Mask &mask) override
       {
+        AssertDimension(mask.size(), turned.locally_owned_size());
         held_entries.clear();
         for (unsigned int i = 0; i < mask.size(); ++i)
           if (mask[i])
@@ -142,6 +144,7 @@ namespace signorini
                                       Vector(matrices.pattern.partitioner));
     if (kind == PreconditionerKind::ml)
       return std::make_unique<Multilevel<dim>>(matrices, coordinates, mass_factor, stiffness_factor);
+    Assert(name == "incomplete-cholesky", dealii::ExcMessage("No preconditioner has this name: " + name));
     return std::make_unique<ContactIncompleteCholesky<dim, dim>>(matrices, coordinates, mass_factor, stiffness_factor);
   }
 

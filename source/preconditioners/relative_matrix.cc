@@ -168,6 +168,56 @@ namespace signorini
           }
       return result;
     }
+
+
+    /** The rows of a M + b A in another numbering, with additions. @param sizes its sizes are given, its rows are not */
+    template <int dim>
+    ElasticMatrices<dim> merged_matrix(const ElasticMatrices<dim>      &matrices,
+                               const double                     mass_factor,
+                               const double                     stiffness_factor,
+                               const std::vector<unsigned int> &new_node,
+                               SparseBlocks<dim>                additions,
+                               const NodePattern               &sizes)
+    {
+      const NodePattern   &old = matrices.pattern;
+      ElasticMatrices<dim> result;
+      NodePattern         &pattern = result.pattern;
+      pattern                      = sizes;
+      std::vector<unsigned int> old_node(pattern.n_local, old.n_local);
+      for (unsigned int node = 0; node < old.n_local; ++node)
+        old_node[new_node[node]] = node;
+      pattern.row_start.assign(1, 0);
+      for (unsigned int node = 0; node < pattern.n_local; ++node)
+        {
+          std::map<unsigned int, SmallMatrix<dim>> row;
+          if (const auto addition = additions.find(node); addition != additions.end())
+            row = std::move(addition->second);
+          auto       next = row.begin();
+          const auto push = [&](const unsigned int column, const SmallMatrix<dim> &block) {
+            pattern.columns.push_back(column);
+            result.stiffness.emplace_back();
+            Eigen::Map<SmallMatrix<dim>>(result.stiffness.back().data()) = block;
+          };
+          if (const unsigned int source = old_node[node]; source < old.n_local)
+            for (unsigned int k = old.row_start[source]; k < old.row_start[source + 1]; ++k)
+              {
+                const unsigned int column = new_node[old.columns[k]];
+                for (; next != row.end() && next->first < column; ++next)
+                  push(next->first, next->second);
+                SmallMatrix<dim> block =
+                  Eigen::Map<const SmallMatrix<dim>>(matrices.combined_block(k, mass_factor, stiffness_factor).data());
+                if (next != row.end() && next->first == column)
+                  block += (next++)->second;
+                push(column, block);
+              }
+          for (; next != row.end(); ++next)
+            push(next->first, next->second);
+          pattern.row_start.push_back(pattern.columns.size());
+        }
+      result.mass.assign(pattern.columns.size(), 0.);
+      result.stiffness.emplace_back(); // a spare block, see Lanes
+      return result;
+    }
   } // namespace
 
 
@@ -209,45 +259,11 @@ namespace signorini
       for (const auto &[j, block] : blocks)
         add<dim>(additions, i, j, block);
 
-    ElasticMatrices<dim> result;
-    NodePattern         &pattern = result.pattern;
-    pattern.partitioner          = partitioner;
-    pattern.n_owned              = old.n_owned;
-    pattern.n_local              = (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
-    std::vector<unsigned int> old_node(pattern.n_local, old.n_local);
-    for (unsigned int node = 0; node < old.n_local; ++node)
-      old_node[new_node[node]] = node;
-    pattern.row_start.assign(1, 0);
-    for (unsigned int node = 0; node < pattern.n_local; ++node)
-      {
-        std::map<unsigned int, SmallMatrix<dim>> row;
-        if (const auto addition = additions.find(node); addition != additions.end())
-          row = std::move(addition->second);
-        auto       next = row.begin();
-        const auto push = [&](const unsigned int column, const SmallMatrix<dim> &block) {
-          pattern.columns.push_back(column);
-          result.stiffness.emplace_back();
-          Eigen::Map<SmallMatrix<dim>>(result.stiffness.back().data()) = block;
-        };
-        if (const unsigned int source = old_node[node]; source < old.n_local)
-          for (unsigned int k = old.row_start[source]; k < old.row_start[source + 1]; ++k)
-            {
-              const unsigned int column = new_node[old.columns[k]];
-              for (; next != row.end() && next->first < column; ++next)
-                push(next->first, next->second);
-              SmallMatrix<dim> block =
-                Eigen::Map<const SmallMatrix<dim>>(matrices.combined_block(k, mass_factor, stiffness_factor).data());
-              if (next != row.end() && next->first == column)
-                block += (next++)->second;
-              push(column, block);
-            }
-        for (; next != row.end(); ++next)
-          push(next->first, next->second);
-        pattern.row_start.push_back(pattern.columns.size());
-      }
-    result.mass.assign(pattern.columns.size(), 0.);
-    result.stiffness.emplace_back(); // a spare block, see Lanes
-    return result;
+    NodePattern pattern;
+    pattern.partitioner = partitioner;
+    pattern.n_owned     = old.n_owned;
+    pattern.n_local     = (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
+    return merged_matrix<dim>(matrices, mass_factor, stiffness_factor, new_node, std::move(additions), pattern);
   }
 
 

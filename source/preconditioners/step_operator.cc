@@ -20,6 +20,8 @@ namespace signorini
     , stiffness_factor(stiffness_factor)
     , cartesian(matrices.pattern.partitioner)
   {
+    Assert(mass_factor >= 0. && stiffness_factor >= 0. && mass_factor + stiffness_factor > 0.,
+           dealii::ExcMessage("The matrix of a step is positive definite."));
   }
 
 

@@ -47,7 +47,7 @@ namespace signorini
                       std::to_string(defaults.maximum_linear_iterations),
                       Integer(),
                       "Conjugate gradient iterations of one linear solve before the active set method gives way to the "
-                      "slower method of proportioning.");
+                      "slower MPRGP.");
   }
 
   SolverParameters parse_solver(const SectionReader &in)

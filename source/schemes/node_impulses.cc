@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/fixed_point.h>
 #include <signorini/schemes/node_impulses.h>
 
 #include <deal.II/base/mpi.h>
-#include <deal.II/sundials/kinsol.h>
 
 #include <cmath>
-#include <exception>
-#include <limits>
 #include <random>
 
 namespace signorini
@@ -17,9 +15,9 @@ namespace signorini
 
   namespace
   {
-    constexpr unsigned int maximum_iterations = 200, anderson_depth = 8, n_probes = 4;
-    // Changes of velocity in an iteration, relative to the largest velocity: aimed at, and good enough where round-off is in the way.
-    constexpr double aim = 1e-10, good_enough = 1e-8;
+    constexpr unsigned int n_probes = 4;
+    // Changes of velocity in an iteration, relative to the largest velocity.
+    constexpr FixedPoint::Limits impulse_limits{1e-10, 1e-8, 200};
 
     /** The equations of the nodes with a force, in unknowns without unit. */
     class NodeEquations
@@ -32,8 +30,8 @@ namespace signorini
       /** A vector of unknowns y_p = D_p I_p / speed, zero. */
       Vector make_unknowns() const { return unknowns; }
 
-      /** next = the solutions of the equations of the single nodes. */
-      void iterate(const Vector &current, Vector &next) const;
+      /** next = the solutions of the equations of the single nodes. @return the largest change */
+      double iterate(const Vector &current, Vector &next) const;
 
       /** I of all contact nodes. */
       std::vector<double> impulses(const Vector &values) const;
@@ -57,86 +55,6 @@ namespace signorini
     };
 
 
-    /** KINSOL's fixed point iteration, watched. */
-    class FixedPoint
-    {
-    public:
-      explicit FixedPoint(const NodeEquations &equations)
-        : equations(equations)
-        , best(equations.make_unknowns())
-      {
-      }
-
-      /** Go on from the best image so far. */
-      void run(unsigned int anderson_depth);
-
-      bool converged() const { return smallest_change <= good_enough; }
-
-      const NodeEquations &equations;
-      Vector               best; ///< the image that differs least from its origin; no entry is negative
-      double               smallest_change = std::numeric_limits<double>::max();
-      unsigned int         n_iterations    = 0;
-
-    private:
-      std::exception_ptr exception;
-
-      /** @return whether to go on */
-      bool evaluate(const Vector &current, Vector &image);
-    };
-
-
-    bool FixedPoint::evaluate(const Vector &current, Vector &image)
-    {
-      ++n_iterations;
-      equations.iterate(current, image);
-      Vector difference = image;
-      difference -= current;
-      const double change = difference.linfty_norm();
-      if (change < smallest_change)
-        {
-          smallest_change = change;
-          best            = image;
-        }
-      return change > aim && change < 100. * smallest_change;
-    }
-
-
-    void FixedPoint::run(const unsigned int anderson_depth)
-    {
-      using Solver = SUNDIALS::KINSOL<Vector>;
-      Solver::AdditionalData options;
-      options.strategy                      = Solver::AdditionalData::fixed_point;
-      options.maximum_non_linear_iterations = 2 * maximum_iterations;
-      options.function_tolerance            = 0.1 * aim;
-      options.anderson_subspace_size        = anderson_depth;
-      Vector values                         = best;
-      Solver solver(options, values.get_mpi_communicator());
-      solver.reinit_vector = [&](Vector &vector) { vector.reinit(values); };
-
-      // An image that is its origin ends the iteration. That way KINSOL never fails, which its wrapper reports by an assertion only,
-      // and no exception has to pass through C.
-      bool               go_on  = true;
-      const unsigned int end    = n_iterations + maximum_iterations;
-      solver.iteration_function = [&](const Vector &current, Vector &image) {
-        try
-          {
-            go_on = go_on && n_iterations < end && evaluate(current, image);
-          }
-        catch (...)
-          {
-            exception = std::current_exception();
-            go_on     = false;
-          }
-        if (!go_on)
-          image = current;
-        return 0;
-      };
-      solver.solve(values);
-      if (exception)
-        std::rethrow_exception(exception);
-    }
-
-
     NodeEquations::NodeEquations(DynamicalSystem &system, const NodeContact &contact)
       : system(system)
       , approach(contact.approach)
@@ -154,10 +72,7 @@ namespace signorini
         speed = std::max(speed, std::abs(approach[nodes[k]]) + std::sqrt(2. * diagonal[k] * work[k]));
       speed = Utilities::MPI::max(speed, communicator);
 
-      // KINSOL's operations on vectors want an entry on each process. An idle one stays zero.
-      const unsigned int n_owned = std::max<std::size_t>(1, nodes.size());
-      const auto         owned   = Utilities::MPI::create_ascending_partitioning(communicator, n_owned);
-      unknowns.reinit(owned[Utilities::MPI::this_mpi_process(communicator)], communicator);
+      unknowns = FixedPoint::make_unknowns(nodes.size(), communicator);
     }
 
 
@@ -188,7 +103,7 @@ namespace signorini
     }
 
 
-    void NodeEquations::iterate(const Vector &current, Vector &next) const
+    double NodeEquations::iterate(const Vector &current, Vector &next) const
     {
       const NormalGap change = response(impulses(current));
       next                   = 0.;
@@ -201,6 +116,9 @@ namespace signorini
             omega > 0. ? omega + root : (work[k] > 0. ? 2. * diagonal[k] * work[k] / (root - omega) : 0.);
           next.local_element(k) = sum / speed;
         }
+      Vector difference = next;
+      difference -= current;
+      return difference.linfty_norm();
     }
   } // namespace
 
@@ -208,16 +126,17 @@ namespace signorini
   NodeImpulses solve_node_impulses(DynamicalSystem &system, const NodeContact &contact)
   {
     const NodeEquations equations(system, contact);
-    FixedPoint          fixed_point(equations);
+    const auto          iterate = [&](const Vector &current, Vector &next) { return equations.iterate(current, next); };
+    FixedPoint          fixed_point(iterate, equations.make_unknowns(), impulse_limits);
     NodeImpulses        result;
     if (!equations.trivial())
       for (const unsigned int depth :
-           {anderson_depth, 0U}) // acceleration may lead astray, the plain iteration descends
+           {FixedPoint::usual_depth, 0U}) // acceleration may lead astray, the plain iteration descends
         if (!fixed_point.converged())
           fixed_point.run(depth);
-    result.iterations = fixed_point.n_iterations;
+    result.iterations = fixed_point.n_iterations();
     result.converged  = equations.trivial() || fixed_point.converged();
-    result.impulses   = equations.impulses(fixed_point.best);
+    result.impulses   = equations.impulses(fixed_point.best());
     return result;
   }
 } // namespace signorini

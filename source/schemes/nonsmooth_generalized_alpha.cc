@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/schemes/first_acceleration.h>
+#include <signorini/schemes/fixed_point.h>
 #include <signorini/schemes/nonsmooth_generalized_alpha.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
@@ -13,8 +14,9 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int maximum_jump_iterations = 100;
-    constexpr double       jump_tolerance          = 1e-9; ///< of velocities in the bound, relative to the largest one
+    constexpr double tiny_speed = std::numeric_limits<double>::min(); ///< where nothing moves
+    /** Of velocities in the bound, relative to the largest one: the last solution has to be that of its own jump. */
+    constexpr FixedPoint::Limits jump_limits{1e-9, 1e-9, 100};
 
     /** Nodes that would penetrate in the middle of the step. */
     std::vector<bool> touching_nodes(const DynamicalSystem &system, const State &state, const double tau)
@@ -24,6 +26,19 @@ namespace signorini
       for (std::size_t k = 0; k < gap.size(); ++k)
         touching[k] = gap[k] - tau / 2. * approach[k] <= touching_distance(system.length());
       return touching;
+    }
+
+
+    /** jump = W of the impulses of contact. */
+    void
+    jump_of_contact(DynamicalSystem &system, const IncrementSolution &solution, const double tau, Vector &jump)
+    {
+      jump = system.make_vector();
+      if (solution.contact_reaction.linfty_norm() == 0.)
+        return;
+      Vector impulse = solution.contact_reaction;
+      impulse *= 2. / tau;
+      jump = system.solve_mass(impulse);
     }
   } // namespace
 
@@ -35,56 +50,46 @@ namespace signorini
                                                      const Vector    &bound_without_jump,
                                                      Vector          &jump) const
   {
-    const std::vector<bool> touching = touching_nodes(system, state, tau);
+    const std::vector<bool> touching     = touching_nodes(system, state, tau);
+    const NormalGap         fixed_bounds = system.relative_normal(bound_without_jump);
+    const double            start_speed  = state.velocity.linfty_norm();
     IncrementSolution       solution;
-    SolveEffort             effort;
-    Vector                  guess      = system.make_vector(), last_difference;
-    double                  relaxation = 1.;
-    for (unsigned int iteration = 0; iteration < maximum_jump_iterations; ++iteration)
-      {
-        Vector bound = bound_without_jump;
-        bound.add(-rule.beta * tau / rule.gamma * epsilon, guess);
-        NormalGap bounds = system.relative_normal(bound);
-        for (std::size_t k = 0; k < bounds.size(); ++k)
-          if (!touching[k])
-            bounds[k] = std::numeric_limits<double>::infinity();
+    SolveReport             effort;
 
-        system.solve({rule.stiffness_factor(tau), right_hand_side, bounds, state, tau, tau * tau / 2.}, solution);
-        effort.active_set_iterations += solution.effort.active_set_iterations;
-        effort.linear_iterations += solution.effort.linear_iterations;
-        effort.fallback    = effort.fallback || solution.effort.fallback;
-        effort.n_active    = solution.effort.n_active;
-        solution.effort    = effort;
-        jump               = system.make_vector();
-        const bool pushes  = solution.contact_reaction.linfty_norm() > 0.;
-        Vector     impulse = solution.contact_reaction;
-        impulse *= 2. / tau;
-        if (pushes)
-          jump = system.solve_mass(impulse);
+    // The unknowns are the normal jumps at the contact nodes.
+    const auto next_jump = [&](const Vector &current, Vector &image) {
+      NormalGap bounds(fixed_bounds.size(), std::numeric_limits<double>::infinity());
+      for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (touching[k])
+          bounds[k] = fixed_bounds[k] - rule.beta * tau / rule.gamma * epsilon * current.local_element(k);
+      system.solve(
+        {rule.stiffness_factor(tau), right_hand_side, bounds, state, tau, tau * tau / 2.}, solution);
+      effort.add(solution.effort);
+      jump_of_contact(system, solution, tau, jump);
 
-        Vector difference = jump;
-        difference -= guess;
-        const double speed = std::max(state.velocity.linfty_norm(), jump.linfty_norm());
-        if (epsilon * difference.linfty_norm() <= jump_tolerance * speed)
-          return solution;
-        if (iteration > 0)
-          {
-            // Aitken: the step that a linear problem of one unknown would need
-            Vector decrease = last_difference;
-            decrease -= difference;
-            const double relaxed = relaxation * (last_difference * decrease) / (decrease * decrease);
-            relaxation           = std::min(1., std::max(1e-3, relaxed));
-          }
-        guess.add(relaxation, difference);
-        last_difference = difference;
-      }
-    throw RunError("The jumps of the velocity in the step from time " + std::to_string(state.time)
-                   + " were not found. Choose a smaller Time/Step size or a larger Time/Spectral radius.");
+      const NormalGap normal_jump = system.relative_normal(jump);
+      image                       = 0.;
+      for (std::size_t k = 0; k < bounds.size(); ++k)
+        image.local_element(k) = normal_jump[k];
+      Vector difference = image;
+      difference -= current;
+      return epsilon * difference.linfty_norm() / std::max({start_speed, jump.linfty_norm(), tiny_speed});
+    };
+    FixedPoint fixed_point(next_jump,
+                           FixedPoint::make_unknowns(touching.size(), state.velocity.get_mpi_communicator()),
+                           jump_limits);
+    fixed_point.run(FixedPoint::usual_depth);
+    if (!fixed_point.converged())
+      throw RunError("The jumps of the velocity in the step from time " + std::to_string(state.time)
+                     + " were not found. Choose a smaller Time/Step size or a larger Time/Spectral radius.");
+    solution.effort = effort;
+    return solution;
   }
 
 
   StepReport NonsmoothGeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
   {
+    Assert(tau > 0., dealii::ExcMessage("A step has a positive size."));
     const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state, false);
     const Vector d_free = rule.free_increment(state, a, tau);
     const Vector b      = rule.right_hand_side(system, state, a, d_free, tau);

@@ -54,7 +54,7 @@ namespace signorini
         return guess;
       }
 
-      SolveEffort effort; ///< of the last equilibrium
+      SolveReport effort; ///< of the last equilibrium
 
     private:
       DynamicalSystem                &system;

@@ -36,7 +36,7 @@ namespace signorini
   {
     Vector new_velocity = velocity, correction, impulses;
     new_velocity += velocity_change;
-    const SolveEffort effort =
+    const SolveReport effort =
       system.capabilities().projections->stop_relative_motion(new_velocity, held, correction, impulses);
     if (effort.n_active == 0)
       return 0.;

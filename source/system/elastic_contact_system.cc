@@ -16,11 +16,6 @@ namespace signorini
 {
   namespace
   {
-    SolveEffort effort_of(const SolveReport &report)
-    {
-      return {report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
-    }
-
     /** Without friction, none of its cost. */
     std::unique_ptr<ConstrainedSolver> make_solver(const bool with_friction, const SolverParameters &parameters)
     {
@@ -157,21 +152,17 @@ namespace signorini
 
     const std::vector<double> prescribed = prescribed_increments(problem);
     Vector                    residual   = discretization.make_vector();
-    solution.effort                      = effort_of(
-      solver->solve({*matrix.product,
-                                          *matrix.preconditioner,
-                                          right_hand_side,
-                                          coordinates.normal_entries(),
-                                          problem.bounds,
-                                          coordinates.supported_entries(),
-                                          prescribed,
-                                          solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
-                                          bound_tolerance(increment, discretization.mesh().body_size()),
-                                          friction_of_nodes},
-                    active,
-                    increment,
-                    residual));
-
+    const ConstrainedProblem  constrained{*matrix.product,
+                                         *matrix.preconditioner,
+                                         right_hand_side,
+                                         coordinates.normal_entries(),
+                                         problem.bounds,
+                                         coordinates.supported_entries(),
+                                         prescribed,
+                                         solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
+                                         bound_tolerance(increment, discretization.mesh().body_size()),
+                                         friction_of_nodes};
+    solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.forecast.remember(right_hand_side, increment, residual);
 
     solution.contact_reaction = discretization.make_vector();
@@ -207,14 +198,14 @@ namespace signorini
 
 
   template <int dim>
-  SolveEffort
+  SolveReport
   ElasticContactSystem<dim>::equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force)
   {
     dealii::TimerOutput::Scope scope(timer, "step: equilibrium of massless nodes");
     if (!massless_equilibrium)
       massless_equilibrium = std::make_unique<MasslessEquilibrium<dim>>(
         discretization, surface, coordinates, parameters.solver);
-    return effort_of(massless_equilibrium->solve(displacement, load, energy_scale, contact_force));
+    return massless_equilibrium->solve(displacement, load, energy_scale, contact_force);
   }
 
 

@@ -41,7 +41,7 @@ namespace signorini
 
 
   template <int dim>
-  SolveEffort MassProblems<dim>::project(const Vector    &free_increment,
+  SolveReport MassProblems<dim>::project(const Vector    &free_increment,
                                          const NormalGap &bounds,
                                          const double     step_size,
                                          const double     energy_scale,
@@ -61,7 +61,7 @@ namespace signorini
         admissible = admissible && left[k] >= -bound_length;
       }
     if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
-      return SolveEffort();
+      return SolveReport();
     dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
     if (mass_parameters.predictor == PredictorMass::lumped)
       return project_node_by_node(left, correction, mass_correction);
@@ -96,10 +96,10 @@ namespace signorini
 
 
   template <int dim>
-  SolveEffort
+  SolveReport
   MassProblems<dim>::project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction)
   {
-    SolveEffort effort;
+    SolveReport effort;
     for (unsigned int k = 0; k < left.size(); ++k)
       if (left[k] < 0.)
         {
@@ -114,7 +114,7 @@ namespace signorini
 
 
   template <int dim>
-  SolveEffort MassProblems<dim>::stop_relative_motion(const Vector    &velocity,
+  SolveReport MassProblems<dim>::stop_relative_motion(const Vector    &velocity,
                                                       const ActiveSet &held,
                                                       const double     energy_scale,
                                                       Vector          &correction,
@@ -132,7 +132,7 @@ namespace signorini
           fixed.insert(
             fixed.end(), coordinates.tangential_entries()[k].begin(), coordinates.tangential_entries()[k].end());
       }
-    SolveEffort        effort;
+    SolveReport        effort;
     const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
     effort.n_active           = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
     if (effort.n_active == 0)

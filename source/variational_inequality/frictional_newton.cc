@@ -36,6 +36,8 @@ namespace signorini
   SolveReport
   FrictionalNewton::solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
   {
+    check_sizes(problem, status, solution, residual);
+    AssertDimension(problem.friction.size(), status.size());
     SolveReport  report;
     StatusRecord record(solution);
     Precision    precision = Precision::rough;
@@ -82,10 +84,7 @@ namespace signorini
         last_norm = slip.any() ? slip.initial_norm() : 0.;
       }
 
-    const SolveReport effort = report;
-    report                   = fallback.solve(problem, status, solution, residual);
-    report.linear_iterations += effort.linear_iterations;
-    report.active_set_iterations += effort.active_set_iterations;
+    report.add(fallback.solve(problem, status, solution, residual));
     report.fallback = true;
     return report;
   }

@@ -3,7 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
-#include <signorini/variational_inequality/proportioning.h>
+#include <signorini/variational_inequality/mprgp.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -125,90 +125,146 @@ namespace signorini
       std::vector<char>         is_fixed;
       mutable Vector            scratch;
     };
+
+
+    /** The method at a feasible point y. */
+    class Iteration
+    {
+    public:
+      Iteration(const ScaledProblem &scaled, const Vector &solution)
+        : scaled(scaled)
+        , step_length(1.9 / scaled.largest_eigenvalue())
+        , y(solution)
+        , gradient(solution)
+        , free(solution)
+        , chopped(solution)
+        , direction(solution)
+        , product(solution)
+      {
+        for (unsigned int i = 0; i < scaled.size(); ++i)
+          y.local_element(i) /= scaled.scaling.local_element(i);
+        scaled.project(y);
+        scaled.compute_gradient(gradient, y);
+        restart();
+      }
+
+      const Vector &point() const { return y; }
+
+      /** Of the projected gradient, which vanishes at the solution only. */
+      double gradient_norm() const { return std::sqrt(dot(free, free) + dot(chopped, chopped)); }
+
+      /** Go on. @return whether the active set may have changed */
+      bool advance()
+      {
+        if (dot(chopped, chopped) > scaled.reduced_product(free, y, step_length))
+          {
+            proportion();
+            return true;
+          }
+        scaled.vmult(product, direction);
+        const double length   = dot(gradient, direction) / dot(direction, product);
+        const double feasible = scaled.feasible_step(direction, y);
+        if (length > feasible)
+          {
+            expand(feasible);
+            return true;
+          }
+        // conjugate gradients within the face
+        y.add(-length, direction);
+        gradient.add(-length, product);
+        scaled.split(gradient, y, free, chopped);
+        const double conjugation = dot(free, product) / dot(direction, product);
+        direction.sadd(-conjugation, 1., free);
+        return false;
+      }
+
+    private:
+      const ScaledProblem &scaled;
+      const double         step_length; ///< of projected gradient steps
+      Vector               y, gradient, free, chopped, direction, product;
+
+      /** Conjugate gradients start anew from the present point. */
+      void restart()
+      {
+        scaled.split(gradient, y, free, chopped);
+        direction = free;
+      }
+
+      /** Expand the active set: to the boundary of the face, then a projected gradient step. */
+      void expand(const double feasible)
+      {
+        y.add(-feasible, direction);
+        gradient.add(-feasible, product);
+        scaled.split(gradient, y, free, chopped);
+        y.add(-step_length, free);
+        scaled.project(y);
+        scaled.compute_gradient(gradient, y);
+        restart();
+      }
+
+      /** Release entries by a step along the chopped gradient, which points inwards. */
+      void proportion()
+      {
+        scaled.vmult(product, chopped);
+        const double length = dot(gradient, chopped) / dot(chopped, product);
+        y.add(-length, chopped);
+        gradient.add(-length, product);
+        restart();
+      }
+    };
+
+
+    /** Back to x, with the entries at their bounds there exactly, and to its residual. */
+    void return_solution(const ConstrainedProblem &problem,
+                         const ScaledProblem      &scaled,
+                         const Vector             &y,
+                         ActiveSet                &active,
+                         Vector                   &solution,
+                         Vector                   &residual)
+    {
+      for (unsigned int i = 0; i < scaled.size(); ++i)
+        solution.local_element(i) = y.local_element(i) * scaled.scaling.local_element(i);
+      for (std::size_t k = 0; k < active.size(); ++k)
+        {
+          const unsigned int i = problem.bounded_entries[k];
+          active[k]            = scaled.at_bound(i, y);
+          if (active[k])
+            solution.local_element(i) = problem.upper_bounds[k];
+        }
+      for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+        solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
+      problem.matrix.vmult(residual, solution);
+      residual.sadd(-1., 1., problem.right_hand_side);
+    }
   } // namespace
 
 
   SolveReport
-  Proportioning::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
+  Mprgp::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
   {
+    check_sizes(problem, active, solution, residual);
+    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
     const ScaledProblem scaled(problem);
-    // The norm here is the diagonal one; the smallest eigenvalue of S K S for Q1 is above 0.01 for mass-dominated matrices.
-    const double goal        = 0.1 * problem.tolerance;
-    double       step_length = 1.9 / scaled.largest_eigenvalue();
+    Iteration           iteration(scaled, solution);
 
-    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
-      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
-    Vector y(solution), gradient(solution), free(solution), chopped(solution), direction(solution), product(solution);
-    for (unsigned int i = 0; i < scaled.size(); ++i)
-      y.local_element(i) /= scaled.scaling.local_element(i);
-    scaled.project(y);
-    scaled.compute_gradient(gradient, y);
-    scaled.split(gradient, y, free, chopped);
-    direction = free;
-
-    SolveReport report;
+    // The norm here is the diagonal one; the smallest eigenvalue of S K S for Q1 is above 0.01 for
+    // mass-dominated matrices.
+    const double goal = 0.1 * problem.tolerance;
+    SolveReport  report;
     report.active_set_iterations = 1;
-    bool converged               = false;
-    for (; report.linear_iterations < maximum_iterations; ++report.linear_iterations)
+    double norm                  = iteration.gradient_norm();
+    for (; norm > goal && report.linear_iterations < maximum_iterations; ++report.linear_iterations)
       {
-        const double chopped_square = dot(chopped, chopped);
-        const double gradient_norm  = std::sqrt(dot(free, free) + chopped_square);
-        converged                   = gradient_norm <= goal;
-        if (converged || !std::isfinite(gradient_norm))
-          break;
-        if (chopped_square <= scaled.reduced_product(free, y, step_length))
-          {
-            scaled.vmult(product, direction);
-            const double length   = dot(gradient, direction) / dot(direction, product);
-            const double feasible = scaled.feasible_step(direction, y);
-            if (length <= feasible) // conjugate gradients within the face
-              {
-                y.add(-length, direction);
-                gradient.add(-length, product);
-                scaled.split(gradient, y, free, chopped);
-                const double conjugation = dot(free, product) / dot(direction, product);
-                direction.sadd(-conjugation, 1., free);
-                continue;
-              }
-            // Expansion of the active set: to the boundary of the face, then a projected gradient step.
-            y.add(-feasible, direction);
-            gradient.add(-feasible, product);
-            scaled.split(gradient, y, free, chopped);
-            y.add(-step_length, free);
-            scaled.project(y);
-            scaled.compute_gradient(gradient, y);
-            ++report.active_set_iterations;
-          }
-        else // Proportioning: release entries by a step along the chopped gradient, which points inwards
-          {
-            scaled.vmult(product, chopped);
-            const double length = dot(gradient, chopped) / dot(chopped, product);
-            y.add(-length, chopped);
-            gradient.add(-length, product);
-            ++report.active_set_iterations;
-          }
-        scaled.split(gradient, y, free, chopped);
-        direction = free;
+        report.active_set_iterations += iteration.advance();
+        norm = iteration.gradient_norm();
       }
-    if (!converged)
+    if (!(norm <= goal))
       throw RunError(
-        "The inequality of this step was not solved to its tolerance: neither the active set method nor the "
-        "method of proportioning converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
+        "The inequality of this step was not solved to its tolerance: neither the active set method nor MPRGP "
+        "converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
 
-    for (std::size_t k = 0; k < active.size(); ++k)
-      {
-        const unsigned int i = problem.bounded_entries[k];
-        active[k]            = scaled.at_bound(i, y);
-      }
-    for (unsigned int i = 0; i < scaled.size(); ++i)
-      solution.local_element(i) = y.local_element(i) * scaled.scaling.local_element(i);
-    for (std::size_t k = 0; k < active.size(); ++k)
-      if (active[k])
-        solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
-    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
-      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
-    problem.matrix.vmult(residual, solution);
-    residual.sadd(-1., 1., problem.right_hand_side);
+    return_solution(problem, scaled, iteration.point(), active, solution, residual);
     report.n_active = dealii::Utilities::MPI::sum(
       static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)), solution.get_mpi_communicator());
     return report;

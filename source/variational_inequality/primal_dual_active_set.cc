@@ -15,6 +15,7 @@ namespace signorini
   SolveReport
   PrimalDualActiveSet::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
   {
+    check_sizes(problem, active, solution, residual);
     SolveReport  report;
     StatusRecord record(solution);
     double       reduction = rough_reduction;
@@ -57,11 +58,7 @@ namespace signorini
         set_mask(problem, active);
       }
 
-    const unsigned int linear_iterations     = report.linear_iterations,
-                       active_set_iterations = report.active_set_iterations;
-    report                                   = fallback.solve(problem, active, solution, residual);
-    report.linear_iterations += linear_iterations;
-    report.active_set_iterations += active_set_iterations;
+    report.add(fallback.solve(problem, active, solution, residual));
     report.fallback = true;
     return report;
   }

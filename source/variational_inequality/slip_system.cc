@@ -45,6 +45,9 @@ namespace signorini
                        const SlipCondition &condition,
                        const double         stiffness)
   {
+    Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
+    Assert(node.entries.size() == 1 || node.entries.size() == 2,
+           dealii::ExcMessage("A node that slips has one tangential entry or two."));
     slipping.push_back({normal, &node, condition, scaling_of(condition.stiffness, stiffness)});
   }
 

@@ -15,6 +15,8 @@ namespace signorini
   SolveReport
   TrescaFixedPoint::solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
   {
+    check_sizes(problem, status, solution, residual);
+    AssertDimension(problem.friction.size(), status.size());
     const std::vector<double> stiffness = node_stiffness(problem);
     std::vector<double>       bounds(status.size()), changes(status.size(), 0.);
     const auto                bound = [&](const std::size_t k) {
@@ -34,10 +36,7 @@ namespace signorini
       bounds[k] = bound(k);
     for (unsigned int n = 0; n < maximum_iterations; ++n)
       {
-        const SolveReport step = minimisation.solve(given_bounds, bounds, status, solution, residual);
-        report.active_set_iterations += step.active_set_iterations;
-        report.linear_iterations += step.linear_iterations;
-        report.n_active = step.n_active;
+        report.add(minimisation.solve(given_bounds, bounds, status, solution, residual));
 
         // Of the changes of the forces of friction, in the norm of the solver.
         dealii::Tensor<1, 2> products;

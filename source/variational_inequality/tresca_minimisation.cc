@@ -238,6 +238,9 @@ namespace signorini
                                         Vector                    &solution,
                                         Vector                    &residual)
   {
+    AssertDimension(bounds.size(), status.size());
+    Assert(std::none_of(bounds.begin(), bounds.end(), [](const double bound) { return bound < 0.; }),
+           dealii::ExcMessage("A bound of the friction is not negative."));
     Descent     descent(problem, bounds, solution, residual);
     SolveReport report;
     while (report.active_set_iterations < maximum_iterations)

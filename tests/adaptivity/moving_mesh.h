@@ -93,7 +93,7 @@ namespace signorini::tests
     std::unique_ptr<TimeScheme>       scheme;
     State                             state;
     EnergyLedger                      ledger;
-    SolveEffort                       effort; ///< of the last step
+    SolveReport                       effort; ///< of the last step
     unsigned int                      n_changes = 0;
   };
 } // namespace signorini::tests

@@ -67,7 +67,7 @@ namespace signorini
       return result;
     }
 
-    SolveEffort project(const Vector    &free_increment,
+    SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double,
                         Vector &correction,
@@ -76,12 +76,12 @@ namespace signorini
       correction = mass_correction = make_vector();
       correction(0)                = std::min(0., bounds[0] - free_increment(0));
       mass_correction(0)           = mass * correction(0);
-      SolveEffort effort;
+      SolveReport effort;
       effort.n_active = correction(0) < 0.;
       return effort;
     }
 
-    SolveEffort stop_relative_motion(const Vector    &velocity,
+    SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      Vector          &correction,
                                      Vector          &mass_correction) override

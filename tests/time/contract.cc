@@ -62,7 +62,7 @@ namespace
       solution.status               = {contact_status::stick};
     }
 
-    SolveEffort project(const Vector    &free_increment,
+    SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double           step_size,
                         Vector          &correction,
@@ -72,7 +72,7 @@ namespace
       return BouncingMass::project(free_increment, bounds, step_size, correction, mass_correction);
     }
 
-    SolveEffort stop_relative_motion(const Vector    &velocity,
+    SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      Vector          &correction,
                                      Vector          &mass_correction) override

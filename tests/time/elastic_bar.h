@@ -137,7 +137,7 @@ namespace signorini
     std::vector<unsigned int> massless_entries() const override { return massless; }
 
     /** No test integrates this system with the reference. */
-    SolveEffort equilibrate_massless(Vector &, const Vector &, Vector &) override { throw RunError("not there"); }
+    SolveReport equilibrate_massless(Vector &, const Vector &, Vector &) override { throw RunError("not there"); }
 
     bool supports_move(double, double) const override { return static_cast<bool>(motion); }
 
@@ -147,7 +147,7 @@ namespace signorini
         velocity(mass.rows() / 2) = 0.;
     }
 
-    SolveEffort project(const Vector    &free_increment,
+    SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double,
                         Vector &correction,
@@ -158,12 +158,12 @@ namespace signorini
       const NormalGap left         = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
       view(correction) = minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
       apply_mass(mass_correction, correction);
-      SolveEffort effort;
+      SolveReport effort;
       effort.n_active = correction.linfty_norm() > 0.;
       return effort;
     }
 
-    SolveEffort stop_relative_motion(const Vector    &velocity,
+    SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      Vector          &correction,
                                      Vector          &mass_correction) override

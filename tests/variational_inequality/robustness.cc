@@ -87,7 +87,7 @@ TEST_P(Robustness, NoAnswerIsAnError)
 
 TEST(Failure, TooFewIterationsAreAnError)
 {
-  Proportioning solver(1);
+  Mprgp solver(1);
   EXPECT_THROW(solve(solver, solver_cases[2], cycling_problem(), ActiveSet(5, 0)), RunError);
 }
 

@@ -23,7 +23,7 @@ namespace signorini
 
   constexpr SolverCase solver_cases[] = {{"active_set", "exact"},
                                          {"active_set", "diagonal"},
-                                         {"proportioning", "diagonal"}};
+                                         {"mprgp", "diagonal"}};
 
   inline std::ostream &operator<<(std::ostream &out, const SolverCase &solver_case)
   {
@@ -34,7 +34,7 @@ namespace signorini
   {
     if (std::string(solver_case.solver) == "active_set")
       return std::make_unique<PrimalDualActiveSet>(ActiveSetLimits());
-    return std::make_unique<Proportioning>();
+    return std::make_unique<Mprgp>();
   }
 
   struct Answer

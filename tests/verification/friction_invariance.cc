@@ -111,7 +111,7 @@ namespace
         other.step();
         const State &a = run.motion.state, &b = other.motion.state;
         EXPECT_EQ(a.friction.status, b.friction.status) << step;
-        const SolveEffort effort = run.motion.report.corrector, other_effort = other.motion.report.corrector;
+        const SolveReport effort = run.motion.report.corrector, other_effort = other.motion.report.corrector;
         EXPECT_EQ(effort.active_set_iterations, other_effort.active_set_iterations) << step;
         EXPECT_EQ(effort.n_active, other_effort.n_active) << step;
         Vector velocity = b.velocity;

@@ -8,6 +8,8 @@
 #include <signorini/linear_algebra/lanes.h>
 #include <signorini/linear_algebra/node_masks.h>
 
+#include <deal.II/base/tensor.h>
+
 #include <memory>
 
 namespace signorini
@@ -80,7 +82,9 @@ namespace signorini
     void build_pattern(const std::vector<unsigned int> &eliminate_last);
     /** @return false if a pivot is not positive definite. */
     bool factor(const ElasticMatrices<dim> &matrices, double mass_factor, double stiffness_factor, double shift);
-    void invert_pivot(unsigned int position);
+    /** D_p as a block of all directions. */
+    dealii::Tensor<2, dim> full_pivot(unsigned int position) const;
+    void                   invert_pivot(unsigned int position);
     void sweep() const;
   };
 } // namespace signorini

@@ -21,7 +21,8 @@ namespace signorini
    *   (M + s A) d = b + tau/2 P,   d.nu <= [d_free - beta tau/gamma (v + tau (1 - gamma) a + epsilon W)].nu,   epsilon = 1 - gamma/(2 beta),
    *
    * a problem of increments whose bound depends a little on its solution: 0 <= epsilon <= 1/4 is zero for spectral radius 1, where the method is
-   * that of Moreau and Jean. It is solved with the bound of the last W until W does not change, relaxed by the rule of Aitken.
+   * that of Moreau and Jean. It is solved with the bound of the
+   * last W until W does not change, with Anderson acceleration (FixedPoint).
    *
    * Order two without contact, damping of high frequencies by choice, penetration up to tau times the speed of approach, which is never
    * corrected. The state's contact force is P / tau.

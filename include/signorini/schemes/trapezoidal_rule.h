@@ -25,7 +25,7 @@ namespace signorini
       Vector      increment;       ///< p = tau v + c
       Vector      correction;      ///< c
       Vector      mass_correction; ///< M c
-      SolveEffort effort;
+      SolveReport effort;
     };
     ProjectedPredictor
     project_predictor(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap);

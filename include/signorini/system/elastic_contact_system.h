@@ -79,7 +79,7 @@ namespace signorini
     ActiveSet                                 active;
 
     Vector normal_forces(const std::vector<double> &forces) const override;
-    SolveEffort project(const Vector    &free_increment,
+    SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double           step_size,
                         Vector          &correction,
@@ -87,7 +87,7 @@ namespace signorini
     {
       return mass_problems.project(free_increment, bounds, step_size, energy_scale, correction, mass_correction);
     }
-    SolveEffort stop_relative_motion(const Vector    &velocity,
+    SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      Vector          &correction,
                                      Vector          &mass_correction) override
@@ -97,7 +97,7 @@ namespace signorini
 
     std::vector<unsigned int> massless_entries() const override;
 
-    SolveEffort equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
+    SolveReport equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
     bool   supports_move(double start_time, double end_time) const override;
     void   stop_at_supports(Vector &velocity) const override;

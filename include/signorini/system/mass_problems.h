@@ -29,14 +29,14 @@ namespace signorini
                  dealii::TimerOutput           &timer);
 
     /** @param energy_scale of the motion: the kinetic energy of an error is small compared with it */
-    SolveEffort project(const Vector    &free_increment,
+    SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double           step_size,
                         double           energy_scale,
                         Vector          &correction,
                         Vector          &mass_correction);
 
-    SolveEffort stop_relative_motion(const Vector    &velocity,
+    SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      double           energy_scale,
                                      Vector          &correction,
@@ -60,7 +60,7 @@ namespace signorini
 
     void prepare();
     /** The projection node by node with the lumped mass: obstacles only. */
-    SolveEffort project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);
+    SolveReport project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);
     /** The entries `fixed` of `vector`; zero elsewhere. All others hold the error of the solver only. */
     void keep_only(const std::vector<unsigned int> &fixed, Vector &vector) const;
   };

@@ -5,6 +5,7 @@
 #define signorini_time_dynamical_system_h
 
 #include <signorini/base/contact_status.h>
+#include <signorini/base/solve_report.h>
 #include <signorini/base/types.h>
 #include <signorini/time/state.h>
 
@@ -14,15 +15,6 @@ namespace signorini
 {
   /** Distances gamma = g - u.nu of the contact nodes that this process owns; also bounds for normal increments. */
   using NormalGap = std::vector<double>;
-
-  /** Effort of the inequalities of one step. */
-  struct SolveEffort
-  {
-    unsigned int active_set_iterations = 0;
-    unsigned int linear_iterations     = 0;
-    unsigned int n_active              = 0; ///< contact nodes held at their bound
-    bool         fallback              = false;
-  };
 
   /**
    * minimise 1/2 d'(M + s A) d - b'd over increments d with d.nu <= bound at the contact nodes and the prescribed
@@ -53,7 +45,7 @@ namespace signorini
     Vector      friction_reaction;   ///< like the contact reaction, in tangential directions; empty without friction
     Vector      slip;                ///< relative tangential increments of closed contact nodes; empty without friction
     double      friction_work = 0.;  ///< friction_reaction times increment, exactly zero where nodes stick
-    SolveEffort effort;
+    SolveReport effort;
   };
 
   /** Projections in the norm of the mass: predictors, and velocities of nodes that are held. */
@@ -68,7 +60,7 @@ namespace signorini
      * @param mass_correction M c, the reaction of the projection
      * @return effort; no active node means that the free increment was admissible and c = 0, found without any solve
      */
-    virtual SolveEffort project(const Vector    &free_increment,
+    virtual SolveReport project(const Vector    &free_increment,
                                 const NormalGap &bounds,
                                 double           step_size,
                                 Vector          &correction,
@@ -82,7 +74,7 @@ namespace signorini
      * @param mass_correction M c, the impulses of these nodes and of supports
      * @return effort; no active node means that no process holds any, and c = 0
      */
-    virtual SolveEffort stop_relative_motion(const Vector    &velocity,
+    virtual SolveReport stop_relative_motion(const Vector    &velocity,
                                              const ActiveSet &held,
                                              Vector          &correction,
                                              Vector          &mass_correction) = 0;
@@ -116,7 +108,7 @@ namespace signorini
      * @param load          f
      * @param contact_force r
      */
-    virtual SolveEffort
+    virtual SolveReport
     equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) = 0;
   };
 

@@ -12,8 +12,8 @@ namespace signorini
   /** What happened in a step: effort, and the exact work of each constraint by the energy identity of the scheme. */
   struct StepReport
   {
-    SolveEffort corrector;
-    SolveEffort predictor;
+    SolveReport corrector;
+    SolveReport predictor;
     double      work_contact   = 0.; ///< change of energy by contact forces
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
     double      work_friction  = 0.; ///< change of energy by friction

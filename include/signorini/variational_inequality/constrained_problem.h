@@ -41,15 +41,6 @@ namespace signorini
 
     static inline const Friction no_friction = {};
   };
-
-  /** What a solver did. */
-  struct SolveReport
-  {
-    unsigned int active_set_iterations = 0;
-    unsigned int linear_iterations     = 0;
-    unsigned int n_active              = 0;     ///< on all processes
-    bool         fallback              = false; ///< the guaranteed method had to finish the work
-  };
 } // namespace signorini
 
 #endif

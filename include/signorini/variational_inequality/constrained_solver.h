@@ -4,6 +4,7 @@
 #ifndef signorini_variational_inequality_constrained_solver_h
 #define signorini_variational_inequality_constrained_solver_h
 
+#include <signorini/base/solve_report.h>
 #include <signorini/variational_inequality/constrained_problem.h>
 
 namespace signorini
@@ -14,6 +15,12 @@ namespace signorini
     unsigned int maximum_iterations        = 50;
     unsigned int maximum_linear_iterations = 10000; ///< of one linear solve
   };
+
+  /** Asserts that the parts of a problem belong together, as do its unknowns. */
+  void check_sizes(const ConstrainedProblem &problem,
+                   const ActiveSet          &active,
+                   const Vector             &solution,
+                   const Vector             &residual);
 
   /** Solves a ConstrainedProblem to its tolerance or throws; never returns an unconverged answer. */
   class ConstrainedSolver

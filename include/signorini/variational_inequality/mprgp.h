@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_variational_inequality_proportioning_h
-#define signorini_variational_inequality_proportioning_h
+#ifndef signorini_variational_inequality_mprgp_h
+#define signorini_variational_inequality_mprgp_h
 
 #include <signorini/variational_inequality/constrained_solver.h>
 
@@ -13,10 +13,10 @@ namespace signorini
    * 23-43), scaled by the diagonal. Slower than the active set method, but its energy falls in every iteration and
    * convergence is proved for every strictly convex problem with bounds, from any start.
    */
-  class Proportioning : public ConstrainedSolver
+  class Mprgp : public ConstrainedSolver
   {
   public:
-    explicit Proportioning(const unsigned int maximum_iterations = 100000)
+    explicit Mprgp(const unsigned int maximum_iterations = 100000)
       : maximum_iterations(maximum_iterations)
     {
     }

@@ -6,7 +6,7 @@
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
 #include <signorini/variational_inequality/constrained_solver.h>
-#include <signorini/variational_inequality/proportioning.h>
+#include <signorini/variational_inequality/mprgp.h>
 
 namespace signorini
 {
@@ -18,7 +18,7 @@ namespace signorini
    * The matrix is never modified: held entries are masked in the preconditioner, which masks the search directions. While
    * the set still changes, the linear systems are solved only roughly, and one iteration continues where the last one stopped.
    * The method is known to cycle in rare cases; a set that comes back is detected, first answered by accurate linear solves, and
-   * then by Proportioning, which always converges.
+   * then by Mprgp, which always converges.
    */
   class PrimalDualActiveSet : public ConstrainedSolver
   {
@@ -37,7 +37,7 @@ namespace signorini
 
     const ActiveSetLimits limits;
     ConjugateGradients    conjugate_gradients;
-    Proportioning         fallback;
+    Mprgp                 fallback;
     Vector                correction, product;
     Mask                  mask;
 

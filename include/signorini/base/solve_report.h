@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_base_solve_report_h
+#define signorini_base_solve_report_h
+
+namespace signorini
+{
+  /** What it took to solve a problem with inequalities. */
+  struct SolveReport
+  {
+    unsigned int active_set_iterations = 0;
+    unsigned int linear_iterations     = 0;
+    unsigned int n_active              = 0; ///< contact nodes held at their bound, on all processes
+    bool         fallback = false;          ///< the guaranteed method had to finish the work
+
+    /** Go on with another solve: iterations add up, the active nodes are those of the last one. */
+    void add(const SolveReport &next)
+    {
+      active_set_iterations += next.active_set_iterations;
+      linear_iterations += next.linear_iterations;
+      n_active = next.n_active;
+      fallback = fallback || next.fallback;
+    }
+  };
+} // namespace signorini
+
+#endif
