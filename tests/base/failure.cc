@@ -59,3 +59,21 @@ TEST(Failure, OfAllProcessesDoesNotAbort)
   EXPECT_EQ(reporter.together([] {}), 0);
   EXPECT_EQ(reporter.together([] { throw RunError("on all processes"); }), 1);
 }
+
+// What is wrong with a scene is found by modules that do not know its file.
+TEST(Failure, NamesTheFileOfAMistake)
+{
+  const auto find = [](const bool is_mistake) {
+    return attempt([&] {
+      naming_file<UserError>("a.prm", [&] {
+        if (is_mistake)
+          throw UserError("Time/Mass: wrong");
+        throw RunError("disk full");
+      });
+    });
+  };
+  EXPECT_EQ(find(true).message, "a.prm: Time/Mass: wrong");
+  EXPECT_EQ(find(true).status, 2);
+  EXPECT_EQ(find(false).message.find("a.prm"), std::string::npos) << "not the fault of the file";
+  EXPECT_EQ(naming_file<UserError>("a.prm", [] { return 3; }), 3);
+}

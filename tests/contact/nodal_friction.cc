@@ -52,7 +52,7 @@ namespace
 
 TEST(NodalFriction, CoefficientVariesInSpace)
 {
-  const ContactProblem<3> problem(two_blocks({"coulomb", "0.1 + x*y", "", true}));
+  const ContactProblem<3> problem(two_blocks({FrictionKind::coulomb, "0.1 + x*y", "", true}));
   EXPECT_EQ(problem.surface.n_global_nodes(), 12u);
   for (const ContactNode<3> &node : problem.surface.nodes())
     {
@@ -64,8 +64,8 @@ TEST(NodalFriction, CoefficientVariesInSpace)
 
 TEST(NodalFriction, BoundsBecomeForces)
 {
-  const ContactProblem<3> capped(two_blocks({"coulomb", "0.3", "2 + z - x", true})),
-    constant(two_blocks({"tresca", "7", "2 + z - x", true}));
+  const ContactProblem<3> capped(two_blocks({FrictionKind::coulomb, "0.3", "2 + z - x", true})),
+    constant(two_blocks({FrictionKind::tresca, "7", "2 + z - x", true}));
   for (const ContactNode<3> &node : capped.surface.nodes())
     {
       EXPECT_EQ(node.friction.coefficient, 0.3);
@@ -96,15 +96,15 @@ TEST(NodalFriction, ObstaclesAreNotRelative)
       }
     return dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD);
   };
-  EXPECT_EQ(count({"coulomb", "0.3", "", true}), 3u);
-  EXPECT_EQ(count({"coulomb", "max(0, x - 0.5)", "", true}), 1u) << "where there is friction";
-  EXPECT_EQ(count({"coulomb", "0", "", false}), 0u);
+  EXPECT_EQ(count({FrictionKind::coulomb, "0.3", "", true}), 3u);
+  EXPECT_EQ(count({FrictionKind::coulomb, "max(0, x - 0.5)", "", true}), 1u) << "where there is friction";
+  EXPECT_EQ(count({FrictionKind::coulomb, "0", "", false}), 0u);
 }
 
 // A stack of three blocks, with friction between the upper two only.
 TEST(NodalFriction, BelongsToAPair)
 {
-  Scene<3> scene = two_blocks({"coulomb", "0.3", "", true});
+  Scene<3> scene = two_blocks({FrictionKind::coulomb, "0.3", "", true});
   scene.bodies.push_back(block<3>("base", {0., 0., -2.}, {1., 1., -1.}, {{2, 1, 1}}));
   PairDescription pair;
   pair.name                = "lower : base";
@@ -126,11 +126,11 @@ TEST(NodalFriction, BelongsToAPair)
 
 TEST(NodalFriction, NegativeValuesAreRefused)
 {
-  const std::string coefficient = refusal({"coulomb", "0.5 - x", "", true}),
-                    bound       = refusal({"tresca", "0", "1/(x - 1)", true});
-  EXPECT_NE(coefficient.find("test.prm: Contact/upper : lower/Friction coefficient = 0.5 - x: this is -"),
+  const std::string coefficient = refusal({FrictionKind::coulomb, "0.5 - x", "", true}),
+                    bound       = refusal({FrictionKind::tresca, "0", "1/(x - 1)", true});
+  EXPECT_NE(coefficient.find("Contact/upper : lower/Friction coefficient = 0.5 - x: this is -"),
             std::string::npos)
     << coefficient;
   EXPECT_NE(bound.find("Contact/upper : lower/Friction bound = 1/(x - 1): this is "), std::string::npos) << bound;
-  EXPECT_EQ(refusal({"coulomb", "1 - x", "1 - y", true}), "") << "zero is allowed";
+  EXPECT_EQ(refusal({FrictionKind::coulomb, "1 - x", "1 - y", true}), "") << "zero is allowed";
 }

@@ -102,7 +102,8 @@ TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
                             - obstacle->project(point - step * projection.normal).gap)
                            / (2. * step);
       // A function is a distance only to first order; here it is not far from one.
-      EXPECT_NEAR(slope, -1., description.shape == "function" ? 0.05 : 1e-9) << description.shape;
+      EXPECT_NEAR(slope, -1., description.shape == ObstacleShape::function ? 0.05 : 1e-9)
+        << name_of(description.shape);
     }
 }
 

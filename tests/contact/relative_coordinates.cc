@@ -222,7 +222,7 @@ namespace
     for (const bool friction : {false, true})
       {
         SCOPED_TRACE(friction ? "with friction" : "without friction");
-        scene.pairs[0].friction = {"coulomb", "0.3", "", friction};
+        scene.pairs[0].friction = {FrictionKind::coulomb, "0.3", "", friction};
         const TwoBodies<dim> bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
         expect_inverse_and_transpose(bodies);
         expect_right_directions(bodies);
@@ -251,7 +251,7 @@ TEST(RelativeCoordinates, In3d)
 TEST(RelativeCoordinates, SomeTangentsAreHeldIn3d)
 {
   Scene<3> scene          = scene_3d();
-  scene.pairs[0].friction = {"coulomb", "0.3", "", true};
+  scene.pairs[0].friction = {FrictionKind::coulomb, "0.3", "", true};
   const TwoBodies<3> bodies(scene);
   const auto         count = [&](const unsigned int n) {
     return bodies.sum([n](const ContactNode<3> &node) { return 0u + node.relative[1] + node.relative[2] == n; });

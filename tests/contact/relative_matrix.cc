@@ -42,7 +42,7 @@ namespace
   {
     Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(2)),
                                     block<dim>("master", corner_of<dim>(0., -1.), corner_of<dim>(1., 0.), cells<dim>(2)));
-    scene.pairs[0].friction = {"coulomb", coefficient, "", coefficient != "0"};
+    scene.pairs[0].friction = {FrictionKind::coulomb, coefficient, "", coefficient != "0"};
     return scene;
   }
 
@@ -52,7 +52,7 @@ namespace
   {
     Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(3)),
                                     block<dim>("master", corner_of<dim>(0.4, -1.), corner_of<dim>(1.3, -0.1), cells<dim>(2)));
-    scene.pairs[0].friction = {"coulomb", coefficient, "", coefficient != "0"};
+    scene.pairs[0].friction = {FrictionKind::coulomb, coefficient, "", coefficient != "0"};
     return scene;
   }
 

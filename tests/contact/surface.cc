@@ -124,7 +124,7 @@ TEST(ContactSurface, PenetrationAtTheStartIsRefused)
   EXPECT_EQ(complaint(apart, field<3>(apart.discretization, {{"0", "0", "-0.1"}})), "") << "touching is no penetration";
 
   const std::string pushed = complaint(apart, field<3>(apart.discretization, {{"0", "0", "-0.3*x"}}));
-  for (const char *word : {"test.prm", "Contact/Pairs", "'box'", "'floor'", "0.2", "Move"})
+  for (const char *word : {"Contact/Pairs", "'box'", "'floor'", "0.2", "Move"})
     EXPECT_NE(pushed.find(word), std::string::npos) << word << " is not in: " << pushed;
 
   const ContactProblem<3> inside(contact_scene<3>(box<3>(), {floor_at<3>(0.25)}, {4}));

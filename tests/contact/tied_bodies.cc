@@ -28,7 +28,7 @@ namespace
   Scene<3> tied()
   {
     Scene<3> scene          = stacked<3>(part("upper", 0., 1., 4), part("lower", -1., 0., 4));
-    scene.pairs[0].friction = {"coulomb", "0.3", "", true};
+    scene.pairs[0].friction = {FrictionKind::coulomb, "0.3", "", true};
     return scene;
   }
 

@@ -11,12 +11,12 @@ namespace signorini::tests
 {
   inline FrictionDescription coulomb(const std::string &coefficient, const std::string &cap = "")
   {
-    return {"coulomb", coefficient, cap, true};
+    return {FrictionKind::coulomb, coefficient, cap, true};
   }
 
   inline FrictionDescription tresca(const std::string &bound)
   {
-    return {"tresca", "0", bound, true};
+    return {FrictionKind::tresca, "0", bound, true};
   }
 
   /** Some nodes stick and others slip with this friction and velocity of the first body. */
