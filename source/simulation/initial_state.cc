@@ -3,8 +3,19 @@
 
 #include <signorini/simulation/initial_state.h>
 
+#include <deal.II/base/utilities.h>
+
+#include <cstdlib>
+
 namespace signorini
 {
+  double perturbation_of_velocities()
+  {
+    const char *const text = std::getenv("SIGNORINI_PERTURB");
+    return text == nullptr ? 0. : dealii::Utilities::string_to_double(text);
+  }
+
+
   template <int dim>
   State initial_state(const Discretization<dim> &discretization)
   {
@@ -17,6 +28,7 @@ namespace signorini
     State state;
     state.displacement  = discretization.interpolate(displacements);
     state.velocity      = discretization.interpolate(velocities);
+    state.velocity *= 1. + perturbation_of_velocities();
     state.contact_force = state.momentum = state.internal_force = discretization.make_vector();
     return state;
   }

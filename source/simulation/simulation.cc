@@ -224,6 +224,9 @@ namespace signorini
       text << "  warning: on a mesh that changes, a round body keeps the facets of its initial `Refinements`, however "
               "fine the mesh "
               "becomes.\n           Set `Mapping = curved`.\n";
+    if (perturbation_of_velocities() != 0.)
+      text << "  note: SIGNORINI_PERTURB changes the initial velocities by " << perturbation_of_velocities()
+           << " of themselves\n";
     for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
     return text.str();

@@ -25,6 +25,9 @@ namespace signorini
      */
     constexpr unsigned int maximum_linear_iterations = 10000;
 
+    /** Parts of a bound of friction that are none. */
+    constexpr double round_off = 1e-13;
+
     /** The method at a point x with the residual b - K x. */
     class Descent
     {
@@ -74,7 +77,7 @@ namespace signorini
             const NodeForces    node = forces(k);
             const TangentVector free = node.slip + node.tangential / stiffness[k];
             const double        size = free.norm(), lost = bounds[k] / stiffness[k];
-            set_slip(k, size > lost ? TangentVector((1. - lost / size) * free) : TangentVector(TangentVector::Zero()));
+            set_slip(target, k, size > lost ? TangentVector((1. - lost / size) * free) : TangentVector(TangentVector::Zero()));
           }
         move();
       }
@@ -117,7 +120,7 @@ namespace signorini
             // No further than to the kink of |slip|: whether to go beyond is for the proximal step to say.
             const TangentVector before = forces(k).slip;
             if (before.dot(before + tangential_entries(problem.friction[k], direction)) < 0.)
-              set_slip(k, TangentVector::Zero());
+              set_slip(target, k, TangentVector::Zero());
           }
         move();
         return report.iterations;
@@ -160,7 +163,7 @@ namespace signorini
       bool rests(const std::size_t k) const
       {
         const NodeForces node = forces(k);
-        return node.slip.norm() == 0. && node.tangential.norm() <= bounds[k] * (1. + 1e-13);
+        return node.slip.norm() == 0. && node.tangential.norm() <= bounds[k] * (1. + round_off);
       }
 
       /** Force and stiffness of the term b |slip|; at a kink that the node wants to leave, the direction is that of its force. */
@@ -182,11 +185,11 @@ namespace signorini
         normal         = std::min(normal, problem.upper_bounds[k]);
       }
 
-      void set_slip(const std::size_t k, const TangentVector &value)
+      void set_slip(Vector &point, const std::size_t k, const TangentVector &value) const
       {
         const FrictionNode &node = problem.friction[k];
         for (unsigned int j = 0; j < node.entries.size(); ++j)
-          target.local_element(node.entries[j]) = value[j] - node.past[j];
+          point.local_element(node.entries[j]) = value[j] - node.past[j];
       }
 
       /** To the minimum of J on the segment from x to the target; entries that reach a bound or a kink are there exactly. */
@@ -201,6 +204,18 @@ namespace signorini
         else
           solution.add(length, direction);
         residual.add(-length, product);
+        stop_slip_of_round_off();
+      }
+
+      /**
+       * A step that ends just short of a kink leaves a part of 1e-15 of the slip. The node would count as slipping, with
+       * all the force of its bound, in a direction that nothing can turn.
+       */
+      void stop_slip_of_round_off()
+      {
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          if (has_friction(k) && stiffness[k] * forces(k).slip.norm() <= round_off * bounds[k])
+            set_slip(solution, k, TangentVector::Zero());
       }
 
       /** The zero of the derivative of J, which grows along the segment. */

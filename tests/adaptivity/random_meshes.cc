@@ -7,7 +7,8 @@
 //    in the norms of energy), and what it takes is booked, so that the ledger closes;
 //  - a body, or a stack of two with friction, that is pressed on a plane has a displacement that every mesh represents; it stays, with
 //    the same contact force, and nothing starts to move. The solver finds contact where it was.
-// Of a body that flies without deformation the velocity is the first guess, and there is nothing to solve.
+// Of a body that flies without deformation the velocity is the first guess. It leaves the round-off of
+// stiffness times displacement: nothing to solve, or where that is near to what is accepted, an iteration.
 
 #include "moving_mesh.h"
 
@@ -148,12 +149,18 @@ namespace
     Scene<dim> scene          = contact_scene<dim>(body, {floor_at<dim>(-100.)}, {bottom_id<dim>});
     scene.time.scheme         = "contact-stabilized";
     MovingMesh<dim> moving(scene);
+    const double    energy = moving.total_energy();
     for (unsigned int step = 0; step < 10; ++step)
       {
         moving.change_at_random(dim == 2 ? 4 : 3, 0.15, 0.5);
         moving.advance(2e-3);
-        EXPECT_EQ(moving.effort.linear_iterations, 0u) << "step " << step;
+        EXPECT_LE(moving.effort.linear_iterations, 1u) << "step " << step;
+        const Discretization<dim> &discretization = moving.discretization;
+        Vector error = discretization.interpolate({moving.scene.bodies[0].initial_velocity});
+        error -= moving.state.velocity;
+        EXPECT_LT(error.linfty_norm(), 1e-10) << "step " << step;
       }
+    EXPECT_NEAR(moving.total_energy(), energy, 1e-12 * energy);
   }
 } // namespace
 

@@ -61,6 +61,17 @@ namespace
       }
   }
 
+  void expect_two_squares(const std::string &mesh, const std::string &extension)
+  {
+    const TemporaryFile file(mesh, extension);
+    const TemporaryFile scene(scene_with(file.name, 2));
+    EXPECT_EQ(refusal(scene.name), "") << mesh;
+    // The edge below the first square is the only one with a boundary id; VTK has none.
+    const auto body = read_scene<2>(scene.name, {}).bodies[0];
+    EXPECT_EQ(body.mesh_file.boundary_vertices.count(7), extension == ".vtk" ? 0u : 1u) << mesh;
+    EXPECT_EQ(body.mesh_file.boundary_vertices.at(0).size(), 6u) << mesh;
+  }
+
   // Two squares side by side, in all formats.
   const std::string ucd = "6 3 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 2 0 0\n6 2 1 0\n"
                           "1 0 quad 1 2 3 4\n2 0 quad 2 5 6 3\n3 7 line 1 2\n";
@@ -95,15 +106,7 @@ TEST(MistakesInMeshes, CorrectMeshesAreRead)
     // In Gmsh files, deal.II turns cells around that only list their vertices in the wrong direction.
     {replaced(msh, "2 5 6 3", "3 6 5 2"), ".msh"}};
   for (const auto &[mesh, extension] : meshes)
-    {
-      const TemporaryFile file(mesh, extension);
-      const TemporaryFile scene(scene_with(file.name, 2));
-      EXPECT_EQ(refusal(scene.name), "") << mesh;
-      // The edge below the first square is the only one with a boundary id; VTK has none.
-      const auto body = read_scene<2>(scene.name, {}).bodies[0];
-      EXPECT_EQ(body.mesh_file.boundary_vertices.count(7), extension == ".vtk" ? 0u : 1u) << mesh;
-      EXPECT_EQ(body.mesh_file.boundary_vertices.at(0).size(), 6u) << mesh;
-    }
+    expect_two_squares(mesh, extension);
 }
 
 TEST(MistakesInMeshes, Files)
@@ -155,8 +158,13 @@ TEST(MistakesInMeshes, InvertedCells)
 {
   const std::vector<std::string> second = {"cell 2 (counted from 1 among the quadrilaterals)",
                                            "inverted or degenerate"};
-  expect_mesh_refusals({{replaced(ucd, "2 5 6 3", "3 6 5 2"), ".ucd", 2, second},
-                   {replaced(ucd, "6 2 1 0", "6 1.4 0.4 0"), ".ucd", 2, {second[0], second[1], "(1.4 0.4)"}},
+  // From version 9.5 on, deal.II turns this one around. Before, it refused the mesh without a name.
+  const std::string turned_around = replaced(ucd, "2 5 6 3", "3 6 5 2");
+  if (const std::string message = message_about(turned_around, ".ucd", 2); !message.empty())
+    expect_words(message, second);
+  else
+    expect_two_squares(turned_around, ".ucd");
+  expect_mesh_refusals({{replaced(ucd, "6 2 1 0", "6 1.4 0.4 0"), ".ucd", 2, {second[0], second[1], "(1.4 0.4)"}},
                    {replaced(ucd, "6 2 1 0", "6 1.5 0.5 0"), ".ucd", 2, {second[0], second[1], "(1.5 0.5)"}},
                    {replaced(ucd, "2 5 6 3", "2 5 6 6"), ".ucd", 2, {second[0], second[1], "(2 1)"}},
                    {replaced(read_file("hammer.inp"),

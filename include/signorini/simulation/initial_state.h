@@ -9,7 +9,16 @@
 
 namespace signorini
 {
-  /** The initial displacements and velocities of the bodies, without any force. Momentum and internal force are still zero. Collective. */
+  /**
+   * For tests only: initial velocities are larger by this part of themselves, the environment
+   * variable SIGNORINI_PERTURB. What 1e-12 changes beyond that order is decided by round-off.
+   */
+  double perturbation_of_velocities();
+
+  /**
+   * The initial displacements and velocities of the bodies, without any force. Momentum and internal
+   * force are still zero. Collective.
+   */
   template <int dim>
   State initial_state(const Discretization<dim> &discretization);
 } // namespace signorini

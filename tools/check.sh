@@ -1,0 +1,72 @@
+#!/bin/bash
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+#
+# Checks that take longer than the tests: ./dev check KIND. Whatever differs from ./dev test is decided
+# by round-off or by the machine, and is mended by a law that holds on every machine.
+# A kind is a function check_KIND and a line of the usage.
+set -euo pipefail
+
+cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+
+usage() {
+  cat <<'END'
+usage: ./dev check <kind> [ARGS]
+
+  --debian 12|13 [FOLDER]  demo and tests in fresh chroots of that Debian, kept in FOLDER
+                           (default: build/debian); needs root and debootstrap
+  --perturb [ARGS]         all tests with initial velocities that differ by 1e-12, up and down
+  --no-native [ARGS]       all tests, compiled for any processor
+  --no-fma [ARGS]          all tests, compiled without fused multiply-add
+                           (ARGS go to ctest: ./dev check --perturb -R step_size)
+END
+}
+
+# Builds into a folder of its own and runs the tests. $1: its name, then options of cmake up to --,
+# then those of ctest.
+build_and_test() {
+  local folder=build/check-$1 options=()
+  shift
+  while [[ $1 != -- ]]; do
+    options+=("$1")
+    shift
+  done
+  shift
+  cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release "${options[@]}"
+  cmake --build "$folder"
+  ctest --test-dir "$folder" --output-on-failure -j2 "$@"
+}
+
+check_debian() {
+  tools/check_debian.sh "$@"
+}
+
+check_perturb() {
+  local failed=0 part
+  for part in 1e-12 -1e-12; do
+    echo "./dev: all tests with initial velocities changed by $part of themselves"
+    SIGNORINI_PERTURB=$part ctest --preset release -j2 "$@" || failed=1
+  done
+  return $failed
+}
+
+check_no_native() {
+  build_and_test no-native -DSIGNORINI_NATIVE=OFF -- "$@"
+}
+
+check_no_fma() {
+  build_and_test no-fma -DCMAKE_CXX_FLAGS=-ffp-contract=off -- "$@"
+}
+
+kind=${1:-}
+[[ $# -eq 0 ]] || shift
+case $kind in
+  --debian | --perturb | --no-native | --no-fma)
+    function=check_${kind#--}
+    "${function//-/_}" "$@"
+    ;;
+  *)
+    usage >&2
+    exit 2
+    ;;
+esac
