@@ -9,8 +9,8 @@
 namespace signorini
 {
   /**
-   * The balance of the generalized-@f$\alpha@f$ methods (@cite chung_hulbert_1993) and what follows
-   * from it for the increment @f$d@f$. With accelerations @f$a@f$,
+   * The balance of the generalized-alpha methods (@cite chung_hulbert_1993) and what follows from
+   * it for the increment @f$d@f$. With accelerations @f$a@f$,
    * @f{align*}{
    *   M [(1 - \alpha_m) a_\text{new} + \alpha_m a] + A [(1 - \alpha_f) u_\text{new} + \alpha_f u]
    *     &= (1 - \alpha_f) f_\text{new} + \alpha_f f, \\

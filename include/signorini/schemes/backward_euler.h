@@ -9,7 +9,7 @@
 namespace signorini
 {
   /**
-   * Backward Euler: everything acts at the end of the step,
+   * Backward Euler. Everything acts at the end of the step,
    * @f[
    *   (M + \tau^2 A) d = \tau M v - \tau^2 A u + \tau^2 (f_\text{new} + r),
    *   \quad d \cdot \nu \le \mathrm{gap},

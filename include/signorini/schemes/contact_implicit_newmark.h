@@ -10,7 +10,7 @@ namespace signorini
 {
   /**
    * Newmark scheme with fully implicit contact forces (@cite kane_repetto_ortiz_marsden_1999;
-   * @cite krause_walloth_2012, Algorithm 5),
+   * @cite krause_walloth_2012, Algorithm 5):
    * @f[
    *   (M + \tfrac{\tau^2}4 A) d = \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}2 r,
    *   \quad d \cdot \nu \le \mathrm{gap},

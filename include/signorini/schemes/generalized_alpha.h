@@ -9,9 +9,8 @@
 namespace signorini
 {
   /**
-   * Generalized-@f$\alpha@f$ method (@cite chung_hulbert_1993) with one contact force per step;
-   * HHT-@f$\alpha@f$ (@cite hilber_hughes_taylor_1977) is the case @f$\alpha_m = 0@f$. With
-   * accelerations @f$a@f$,
+   * Generalized-alpha method (@cite chung_hulbert_1993) with one contact force per step; HHT-alpha
+   * (@cite hilber_hughes_taylor_1977) is the case @f$\alpha_m = 0@f$. With accelerations @f$a@f$,
    * @f[
    *   M [(1 - \alpha_m) a_\text{new} + \alpha_m a] + A [(1 - \alpha_f) u_\text{new} + \alpha_f u]
    *     = (1 - \alpha_f) f_\text{new} + \alpha_f f + r,

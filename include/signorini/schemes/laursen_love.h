@@ -10,7 +10,7 @@ namespace signorini
 {
   /**
    * Contact-implicit Newmark scheme whose loss of energy is given back as an impulse at the contact
-   * nodes (after @cite laursen_love_2002; @cite krause_walloth_2012, Algorithm 2),
+   * nodes (after @cite laursen_love_2002; @cite krause_walloth_2012, Algorithm 2):
    * @f{align*}{
    *   (M + \tfrac{\tau^2}4 A) d &= \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}2 r,
    *     \quad d \cdot \nu \le \mathrm{gap}, \\

@@ -10,7 +10,7 @@ namespace signorini
 {
   /**
    * Classical Newmark scheme, @f$2 \beta = \gamma = \tfrac12@f$ (@cite krause_walloth_2012,
-   * equations (19) and (20)): the contact forces of both ends of the step act with equal weights,
+   * equations (19) and (20)). The contact forces of both ends of the step act with equal weights,
    * like the elastic ones,
    * @f[
    *   (M + \tfrac{\tau^2}4 A) d = \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}4 (r_n + r),

@@ -25,9 +25,9 @@ namespace signorini
   };
 
   /**
-   * Impulses that give each contact node back what its force has taken from the energy: the coupled
-   * quadratic equations of Laursen and Love (@cite laursen_love_2002; @cite krause_walloth_2012,
-   * section 3.2)
+   * Impulses that give each contact node back what its force has taken from the energy. They solve
+   * the coupled quadratic equations of Laursen and Love (@cite laursen_love_2002;
+   * @cite krause_walloth_2012, section 3.2)
    * @f[
    *   I_p (-w_p + \tfrac12 (G I)_p) = \Lambda_p \gamma_p, \quad G = B M^{-1} B^T,
    * @f]

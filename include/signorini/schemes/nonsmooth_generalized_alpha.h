@@ -9,9 +9,9 @@
 namespace signorini
 {
   /**
-   * Nonsmooth generalized-@f$\alpha@f$ method with restitution 0
-   * (@cite chen_acary_virlez_bruels_2013): loads and elastic forces by the generalized-@f$\alpha@f$
-   * rule, contact as jumps @f$W@f$ of the velocity,
+   * Nonsmooth generalized-alpha method with restitution 0 (@cite chen_acary_virlez_bruels_2013).
+   * Loads and elastic forces by the generalized-alpha rule, contact as jumps @f$W@f$ of the
+   * velocity,
    * @f{align*}{
    *   M [(1 - \alpha_m) a_\text{new} + \alpha_m a] + A [(1 - \alpha_f) u_\text{new} + \alpha_f u]
    *     &= (1 - \alpha_f) f_\text{new} + \alpha_f f, \\

@@ -9,7 +9,7 @@
 namespace signorini
 {
   /**
-   * Not a scheme but the solution that schemes approximate: with a redistributed mass the problem
+   * Not a scheme but the solution that schemes approximate. With a redistributed mass the problem
    * in space is an ordinary differential equation with Lipschitz continuous right-hand side
    * (@cite khenous_laborde_renard_2008),
    * @f{align*}{

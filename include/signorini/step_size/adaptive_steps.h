@@ -13,7 +13,7 @@
 namespace signorini
 {
   /**
-   * Steps whose size follows an estimate of their error: with the tolerance @f$\mathrm{TOL}@f$ and
+   * Steps whose size follows an estimate of their error. With the tolerance @f$\mathrm{TOL}@f$ and
    * an error @f$\varepsilon = O(\tau^{1/\kappa})@f$,
    * @f[
    *   \tau_\text{new} = \tau \min(2, \max(\tfrac14, (0.8\, \mathrm{TOL} / \varepsilon)^\kappa)),

@@ -9,7 +9,7 @@
 namespace signorini
 {
   /**
-   * One step, compared with what the last one predicted: with the mean acceleration @f$w@f$ of the
+   * One step, compared with what the last one predicted. With the mean acceleration @f$w@f$ of the
    * last step,
    * @f[
    *   v_\text{predicted} = v + \tau w \quad \text{or} \quad v_\text{predicted} = v,

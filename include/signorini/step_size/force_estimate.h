@@ -10,7 +10,7 @@ namespace signorini
 {
   /**
    * One step, measured by the contact forces @f$r@f$ alone while there is no contact, and by them
-   * and the motion in contact: with the size @f$\tau'@f$ and the forces @f$r'@f$ of the last step
+   * and the motion in contact. With the size @f$\tau'@f$ and the forces @f$r'@f$ of the last step
    * @f[
    *   \varepsilon_\text{force} = \left(\frac\tau{\tau_0}\right)^2
    *                              \frac{|r - r'|_1}{\tfrac12 (1 + \tau'/\tau) R},

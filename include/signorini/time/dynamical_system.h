@@ -25,7 +25,7 @@ namespace signorini
   };
 
   /**
-   * The problem of a step,
+   * The problem of a step:
    * @f[
    *   \text{minimise} \quad \tfrac12 d^T (M + s A) d - b^T d
    * @f]
