@@ -23,6 +23,12 @@ if(SIGNORINI_UNITY)
   # GCC takes the sources of a unity build for headers, where unnamed namespaces would be a mistake.
   list(APPEND candidates -Wno-subobject-linkage)
 endif()
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # Debian's deal.II was compiled by GCC and passes on options that only GCC knows. GoogleTest's macros
+  # leave their last argument empty.
+  list(APPEND candidates -Wno-unknown-warning-option -Wno-ignored-optimization-argument
+                         -Wno-gnu-zero-variadic-macro-arguments)
+endif()
 foreach(flag IN LISTS candidates)
   string(MAKE_C_IDENTIFIER "has${flag}" has_flag)
   check_cxx_compiler_flag(${flag} ${has_flag})

@@ -2,7 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Checks that each module includes only headers of the modules below it: check_dependencies.py [ROOT]."""
+"""Checks that each module includes only headers of the modules below it: check_dependencies.py [ROOT].
+
+    check_dependencies.py --table      the table of modules in CONTRIBUTING.md
+    check_dependencies.py --picture    the picture of modules in doc/architecture.md
+    check_dependencies.py --write      puts both into these files; without it they are compared
+"""
 
 import pathlib
 import re
@@ -37,6 +42,30 @@ MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics", "finite_elements"}
 MAY_USE["simulation"] = set(MAY_USE)
 
+HOLDS = {
+    "base": "types, errors, spelling, expressions, the command line",
+    "linear_algebra": "block matrices, masks, conjugate gradients, GMRES, the incomplete factor",
+    "friction": "the law of friction of one node",
+    "model": "what is simulated, as plain data: bodies, materials, obstacles, pairs, parameters",
+    "mesh_files": "readers of meshes (Gmsh, Abaqus, UCD, VTK)",
+    "prm": "the text of a `.prm`: statements, sections, expressions, messages with lines",
+    "time": "state, the interface `DynamicalSystem`, the contract of a scheme",
+    "schemes": "the time schemes, one file each, and their table",
+    "step_size": "steps whose size follows the motion",
+    "scene": "the keys of a scene: declared, read, and every cross-check of them",
+    "discretization": "mesh of all bodies, degrees of freedom, mass and stiffness, loads, supports",
+    "finite_elements": "kernels on cells and faces: moments, stress vectors, neighbours",
+    "contact": "contact nodes, obstacles, search, mortar coupling, contact coordinates",
+    "mass": "the mass without entries at contact nodes: its constructions, definiteness, solution",
+    "variational_inequality": "the bound-constrained problem and its solvers: algebra, no mesh, no time",
+    "preconditioners": "preconditioners of a step, in contact coordinates",
+    "system": "implements `DynamicalSystem`: the one place where the three chains meet",
+    "adaptivity": "error indicators, which cells they change, the state on the new mesh",
+    "diagnostics": "energy ledger, momentum, contact force, penetration, errors",
+    "output": "fields, tables, log",
+    "simulation": "the order of verbs, nothing else",
+}
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]signorini/(\w+)/', re.MULTILINE)
 
 
@@ -58,9 +87,69 @@ def violations(root):
     return found
 
 
+def direct(module):
+    """The modules that a module may use and that none of the others brings along."""
+    brought = set().union(*(MAY_USE[used] for used in MAY_USE[module]))
+    return sorted(MAY_USE[module] - brought, key=list(MAY_USE).index)
+
+
+def table():
+    """The modules, what they hold, and what they may use."""
+    lines = ["| module | holds | may use, with all below |", "|---|---|---|"]
+    for module in MAY_USE:
+        used = ", ".join(direct(module)) or "deal.II"
+        lines.append(f"| `{module}` | {HOLDS[module]} | {used} |")
+    return "\n".join(lines)
+
+
+def level(module):
+    """How many modules are below a module, in the longest chain."""
+    return 1 + max((level(used) for used in MAY_USE[module]), default=-1)
+
+
+def picture():
+    """The modules in layers; each may use some of those in the layers below it."""
+    layers = {}
+    for module in MAY_USE:
+        layers.setdefault(level(module), []).append(module)
+    return "\n".join("    " + "  ".join(layers[number]) for number in sorted(layers, reverse=True))
+
+
+#: What stands where in a document, between two lines with its name.
+GENERATED = {"CONTRIBUTING.md": ("modules", table), "doc/architecture.md": ("layers", picture)}
+
+
+def replaced(text, name, content):
+    """A document with the content between the marks of a name."""
+    marks = re.compile(rf"(<!-- {name}: [^\n]*-->\n).*?(\n<!-- end of {name} -->)", re.DOTALL)
+    return marks.sub(lambda found: found.group(1) + "\n" + content + "\n" + found.group(2), text)
+
+
+def outdated(root, write):
+    """A sentence for each document whose generated part is another one; with `write` it is put right."""
+    for file, (name, content) in GENERATED.items():
+        path = root / file
+        if not path.exists():
+            continue
+        before = path.read_text(encoding="utf-8")
+        after = replaced(before, name, content())
+        if f"<!-- end of {name} -->" not in before:
+            yield f"{file}: there is no place for `{name}`"
+        elif before != after and write:
+            path.write_text(after, encoding="utf-8")
+        elif before != after:
+            yield f"{file}: `{name}` does not say what is true. Run tools/check_dependencies.py --write."
+
+
 def main():
-    default = pathlib.Path(__file__).resolve().parent.parent
-    found = violations(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default)
+    words = sys.argv[1:]
+    if words[:1] in (["--table"], ["--picture"]):
+        print(table() if words[0] == "--table" else picture())
+        return 0
+    write = "--write" in words
+    folders = [word for word in words if not word.startswith("--")]
+    root = pathlib.Path(folders[0]) if folders else pathlib.Path(__file__).resolve().parent.parent
+    found = violations(root) + list(outdated(root, write))
     print("\n".join(found) or "Every module uses only modules below it.")
     return 1 if found else 0
 

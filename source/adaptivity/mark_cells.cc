@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace signorini
 {
@@ -50,7 +51,7 @@ namespace signorini
         flags[cell->active_cell_index()] = cell->is_locally_owned() && cell->refine_flag_set();
       GridTools::exchange_cell_data_to_ghosts<char, parallel::distributed::Triangulation<dim>>(
         triangulation,
-        [&](const Cell &cell) { return std_cxx17::optional<char>(flags[cell->active_cell_index()]); },
+        [&](const Cell &cell) { return std::optional<char>(flags[cell->active_cell_index()]); },
         [&](const Cell &cell, const char flag) { flags[cell->active_cell_index()] = flag; });
       return flags;
     }

@@ -4,10 +4,36 @@
 #include <signorini/preconditioners/multilevel.h>
 
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/trilinos_sparsity_pattern.h>
 
 namespace signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    /**
+     * Trilinos' form of a pattern. Row by row, because GCC and Clang give different names to the
+     * template of deal.II that would do it, so that a program compiled by one of them does not link
+     * to a deal.II compiled by the other.
+     */
+    TrilinosWrappers::SparsityPattern
+    trilinos_pattern(const DynamicSparsityPattern &sparsity, const IndexSet &owned, const MPI_Comm communicator)
+    {
+      TrilinosWrappers::SparsityPattern    result(owned, communicator, sparsity.max_entries_per_row());
+      std::vector<types::global_dof_index> columns;
+      for (const auto row : owned)
+        {
+          columns.resize(sparsity.row_length(row));
+          for (unsigned int k = 0; k < columns.size(); ++k)
+            columns[k] = sparsity.column_number(row, k);
+          result.add_entries(row, columns.begin(), columns.end(), true);
+        }
+      result.compress();
+      return result;
+    }
+  } // namespace
+
 
   template <int dim>
   Multilevel<dim>::Multilevel(const ElasticMatrices<dim>    &matrices,
@@ -38,7 +64,7 @@ namespace signorini
     for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) { sparsity.add(row, column); });
     for (const auto row : owned)
       sparsity.add(row, row);
-    matrix.reinit(owned, owned, sparsity, cartesian.get_mpi_communicator(), true);
+    matrix.reinit(trilinos_pattern(sparsity, owned, cartesian.get_mpi_communicator()));
     for_each_entry([&](const auto row, const auto column, const unsigned int k, const unsigned int entry) {
       matrix.set(row, column, matrices.combined_block(k, mass_factor, stiffness_factor)[entry]);
     });

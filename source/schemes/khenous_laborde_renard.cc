@@ -7,6 +7,22 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /**
+     * The forces at the start of a step that acceleration and contact do not balance: reactions of supports, and in a
+     * first step whatever loads massless nodes.
+     */
+    Vector unbalanced_forces(const State &state, const Vector &mass_acceleration, const Vector &load)
+    {
+      Vector forces = mass_acceleration;
+      forces.add(1., state.internal_force, -1., load);
+      forces -= state.contact_force;
+      return forces;
+    }
+  } // namespace
+
+
   KhenousLabordeRenard::KhenousLabordeRenard(const double beta, const double gamma)
     : beta(beta)
     , gamma(gamma)
@@ -47,12 +63,8 @@ namespace signorini
     for (const unsigned int i : massless)
       velocity_change.local_element(i) = d.local_element(i) / tau - state.velocity.local_element(i);
 
-    // The forces at the start that acceleration and contact do not balance: reactions of supports, and in a first step whatever
-    // loads massless nodes.
-    Vector unbalanced = mass_a;
-    unbalanced.add(1., state.internal_force, -1., load);
-    unbalanced -= state.contact_force;
-    const Vector support = support_part(system, unbalanced);
+    Vector       unbalanced = unbalanced_forces(state, mass_a, load);
+    const Vector support    = support_part(system, unbalanced);
     unbalanced -= support;
 
     StepReport report;

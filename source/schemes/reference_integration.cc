@@ -75,6 +75,73 @@ namespace signorini
         return guess;
       }
     };
+
+
+    /** u and tau v at the start of a step; what massless nodes do is no part of the equation. */
+    Motion motion_at_start(DynamicalSystem                 &system,
+                           const State                     &state,
+                           const double                     tau,
+                           const std::vector<unsigned int> &massless)
+    {
+      Motion motion(2);
+      motion.block(0) = state.displacement;
+      motion.block(1).reinit(state.velocity);
+      motion.block(1).equ(tau, state.velocity);
+      if (const MovingSupports *supports = system.capabilities().moving_supports; supports != nullptr)
+        supports->stop_at_supports(motion.block(1));
+      for (const unsigned int i : massless)
+        motion.block(1).local_element(i) = 0.;
+      motion.collect_sizes();
+      return motion;
+    }
+
+
+    /** From the start of a step to its end. @param tolerance of each step of the integrator, relative */
+    void integrate(Equation    &equation,
+                   Motion      &motion,
+                   const double start_time,
+                   const double tau,
+                   const double tolerance,
+                   const double length)
+    {
+      using Integrator = dealii::SUNDIALS::ARKode<Motion>;
+      Integrator::AdditionalData data;
+      data.initial_time       = start_time;
+      data.final_time         = start_time + tau;
+      data.output_period      = tau;
+      data.initial_step_size  = tau / 20.;
+      data.minimum_step_size  = 1e-12 * tau;
+      data.maximum_order      = 5;
+      data.relative_tolerance = tolerance;
+      data.absolute_tolerance = tolerance * std::max(motion.block(1).linfty_norm(), 1e-8 * length);
+      Integrator integrator(data, motion.block(0).get_mpi_communicator());
+
+      std::exception_ptr failure; // exceptions must not pass through SUNDIALS
+      integrator.explicit_function = [&](const double time, const Motion &y, Motion &derivative) -> int {
+        try
+          {
+            equation.right_hand_side(time, y, derivative);
+            return 0;
+          }
+        catch (...)
+          {
+            failure = std::current_exception();
+            return -1;
+          }
+      };
+      integrator.custom_setup = [](void *memory) { ARKStepSetMaxNumSteps(memory, 1000000); };
+      try
+        {
+          integrator.solve_ode(motion);
+        }
+      catch (const std::exception &error)
+        {
+          if (failure)
+            std::rethrow_exception(failure);
+          throw RunError("Time/Scheme: the integrator ARKODE gave up at time " + std::to_string(start_time)
+                         + ". Use a smaller step size, or a larger Reference tolerance. (" + error.what() + ")");
+        }
+    }
   } // namespace
 
 
@@ -86,62 +153,16 @@ namespace signorini
 
   StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    using Integrator = dealii::SUNDIALS::ARKode<Motion>;
     const MovingSupports *supports = system.capabilities().moving_supports;
     if (supports != nullptr && supports->supports_move(state.time, state.time + tau))
       throw UserError(
-        "Time/Scheme = reference does not follow supports that move, and a Dirichlet condition changes in time. Take "
-        "khenous-laborde-renard with `Newmark beta = 0.25` and a small step size instead.");
+        "Time/Scheme: this integration does not follow supports that move, and a Dirichlet condition changes in time. "
+        "Take another scheme for contact nodes without mass, with a small step size.");
     Equation     equation(system, state, tau);
     const auto   massless = massless_entries(system);
     const Vector start    = state.displacement;
-
-    Motion motion(2);
-    motion.block(0) = state.displacement;
-    motion.block(1).reinit(state.velocity);
-    motion.block(1).equ(tau, state.velocity);
-    if (supports != nullptr)
-      supports->stop_at_supports(motion.block(1));
-    for (const unsigned int i : massless) // no part of the equation
-      motion.block(1).local_element(i) = 0.;
-    motion.collect_sizes();
-
-    Integrator::AdditionalData data;
-    data.initial_time       = state.time;
-    data.final_time         = state.time + tau;
-    data.output_period      = tau;
-    data.initial_step_size  = tau / 20.;
-    data.minimum_step_size  = 1e-12 * tau;
-    data.maximum_order      = 5;
-    data.relative_tolerance = tolerance;
-    data.absolute_tolerance = tolerance * std::max(motion.block(1).linfty_norm(), 1e-8 * system.length());
-    Integrator integrator(data, state.displacement.get_mpi_communicator());
-
-    std::exception_ptr failure; // exceptions must not pass through SUNDIALS
-    integrator.explicit_function = [&](const double time, const Motion &y, Motion &derivative) -> int {
-      try
-        {
-          equation.right_hand_side(time, y, derivative);
-          return 0;
-        }
-      catch (...)
-        {
-          failure = std::current_exception();
-          return -1;
-        }
-    };
-    integrator.custom_setup = [](void *memory) { ARKStepSetMaxNumSteps(memory, 1000000); };
-    try
-      {
-        integrator.solve_ode(motion);
-      }
-    catch (const std::exception &error)
-      {
-        if (failure)
-          std::rethrow_exception(failure);
-        throw RunError("Time/Scheme = reference: the integrator ARKODE gave up at time " + std::to_string(state.time)
-                       + ". Use a smaller step size, or a larger Reference tolerance. (" + error.what() + ")");
-      }
+    Motion       motion   = motion_at_start(system, state, tau, massless);
+    integrate(equation, motion, state.time, tau, tolerance, system.length());
 
     Vector contact_force;
     Vector increment = equation.equilibrium(state.time + tau, motion.block(0), contact_force);

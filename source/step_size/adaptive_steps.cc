@@ -14,6 +14,13 @@ namespace signorini
   {
     constexpr double safety    = 0.8;
     constexpr double round_off = 1e-9; ///< of levels and times
+    /**
+     * In flight, of the time to the touch: half, and a little more, because a touch is often a
+     * whole number of steps away, and round-off would decide whether a step is half of that.
+     */
+    constexpr double part_of_approach = 9. / 16.;
+    /** Steps end this part of their size, or of the first size, before or after a touch. */
+    constexpr double clear_of_touch = 1. / 8.;
 
     int level_below(const double size, const double first)
     {
@@ -61,15 +68,15 @@ namespace signorini
   }
 
 
-  void AdaptiveSteps::approach(const DynamicalSystem &system, const State &state)
+  void AdaptiveSteps::approach(const double touch)
   {
-    const double touches = time_to_touch(system, state, 2. * parameters.maximum);
-    if (!std::isfinite(touches))
+    if (!std::isfinite(touch))
       return;
     // Touches that matter are found by their forces, and those of vibrating nodes should not hold up a flight.
-    const double part     = rules.flight_is_free ? 1. : 0.5;
+    const double reach =
+      rules.flight_is_free ? touch - clear_of_touch * parameters.first : part_of_approach * touch;
     const int    shortest = rules.flight_is_free ? std::max(lowest, std::min(level, 0)) : lowest;
-    const int    reached  = touches > 0. ? level_below(part * touches, parameters.first) : lowest;
+    const int    reached  = reach > 0. ? level_below(reach, parameters.first) : lowest;
     level                 = std::min(level, std::max(reached, shortest));
   }
 
@@ -95,12 +102,14 @@ namespace signorini
     if (new_mesh)
       lowest = std::min(0, -level_below(parameters.first, minimum()));
     new_mesh = false;
-    approach(system, state);
+    const double touch = time_to_touch(system, state, 2. * parameters.maximum);
+    approach(touch);
     level = std::max(level, lowest);
     rest -= rest > 0;
     for (;;)
       {
-        StepTrial trial = estimate->attempt(system, state, span(state), parameters.tolerance);
+        const double size  = span(state, touch);
+        StepTrial    trial = estimate->attempt(system, state, size, parameters.tolerance);
         n_solved += trial.n_solved;
         const double factor =
           trial.error > 0. ? std::pow(safety * parameters.tolerance / trial.error, trial.exponent) : 2.; // of the size
@@ -116,11 +125,17 @@ namespace signorini
   }
 
 
-  double AdaptiveSteps::span(const State &state) const
+  double AdaptiveSteps::span(const State &state, const double touch) const
   {
-    const double size = std::ldexp(parameters.first, level), left = parameters.end_time - state.time;
+    double       size  = std::ldexp(parameters.first, level);
+    const double clear = clear_of_touch * std::min(size, parameters.first);
+    const double left  = parameters.end_time - state.time;
+    // Round-off would decide whether a step that ends at the touch sees it. Not nearer, either: a
+    // tiny part of an impact, seen by a whole step, says little about the rest of it.
+    if (std::abs(touch - size) < clear)
+      size = touch + clear;
     // No tiny last step: forces are changes of momentum divided by it.
-    if (left <= 1.25 * size)
+    if (left <= (1.25 + round_off) * size)
       return left;
     return left < 2. * size ? left / 2. : size;
   }

@@ -16,8 +16,13 @@ namespace signorini
   {
     /** Forces below this part of the largest one are what solvers leave. */
     constexpr double negligible = 1e-7;
-    /** As small beside the energy of the motion over the size of the bodies: a force that would hardly be noticed. */
-    constexpr double negligible_beside_energy = 1e-10;
+    /**
+     * As small beside the energy of the motion over the size of the bodies: a force that would
+     * hardly be noticed. A step may end at the touch within round-off, a part of 1e-9 of the step
+     * or less. With that part of the force of an impact it counts as open, and what follows is
+     * decided as without any force.
+     */
+    constexpr double negligible_beside_energy = 1e-7;
   } // namespace
 
 

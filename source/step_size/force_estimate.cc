@@ -12,6 +12,12 @@ namespace signorini
 {
   namespace
   {
+    /**
+     * Elastic energies below this part of the largest energy are taken for it: far from where it
+     * began, a body without deformation has one by round-off.
+     */
+    constexpr double noticeable = 1e-8;
+
     double elastic_energy(const State &state)
     {
       return 0.5 * (state.displacement * state.internal_force);
@@ -44,8 +50,10 @@ namespace signorini
     const double before  = start.contact_force.l1_norm();
     const double force   = std::max(before, end.contact_force.l1_norm());
     const double energy  = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
-    const double elastic = elastic_energy(end);
-    const double growth  = elastic > largest_elastic_energy ? std::sqrt(std::max(1., energy / elastic)) : 1.;
+    const double least   = noticeable * energy;
+    const double elastic = std::max(elastic_energy(end), least);
+    const double so_far  = std::max(largest_elastic_energy, least);
+    const double growth  = elastic >= so_far ? std::sqrt(std::max(1., energy / elastic)) : 1.;
     return std::max(largest_force, force * growth);
   }
 

@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Checks of the form of all tracked sources: check_sources.py length|guard|licence [ROOT]."""
+"""Checks of the form of all tracked sources: check_sources.py length|functions|columns|guard|licence [ROOT]."""
 
+import ast
 import pathlib
 import re
 import subprocess
 import sys
 
 MAXIMUM_LINES = 400
+MAXIMUM_FUNCTION_LINES = 60
+MAXIMUM_COLUMNS = 100
 # Included by the compiler's command line and never by a source.
 WITHOUT_GUARD = {"include/signorini/base/precompiled.h"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later"
@@ -40,6 +43,68 @@ def length(root):
                 yield f"{name} has {lines} lines; at most {MAXIMUM_LINES}: split it by ideas"
 
 
+def blank(match):
+    """Blanks in place of a text, with its line breaks."""
+    return re.sub(r"[^\n]", " ", match.group())
+
+
+#: What may hold braces that open no block: comments, strings, characters and preprocessor lines.
+NO_CODE = re.compile(r"""//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'"""
+                     r"""|^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*""", re.DOTALL | re.MULTILINE)
+
+
+def functions_of_cpp(text):
+    """(name, first line, number of lines) of each function, from its return type to its last brace."""
+    code = NO_CODE.sub(blank, text)
+    head_start, depth_of_function, depth, head = 0, None, 0, ""
+    for brace in re.finditer(r"[{};]|(?<=[^:])(?:public|private|protected):", code):
+        if brace.group() == "{":
+            before = code[head_start:brace.start()]
+            scope = re.match(r"\s*(template\s*<.*>\s*)?(inline\s+)?(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
+                             before, re.DOTALL)
+            if depth_of_function is None and not scope and "(" in before and not before.rstrip().endswith("="):
+                depth_of_function, head = depth, before.strip()
+                first = code.count("\n", 0, head_start + len(before) - len(before.lstrip())) + 1
+            depth += 1
+        elif brace.group() == "}":
+            depth -= 1
+            if depth == depth_of_function:
+                name = re.search(r"[\w:~]*\s*(?=\()", head).group().strip()
+                yield name, first, code.count("\n", 0, brace.start()) + 2 - first
+                depth_of_function = None
+        head_start = brace.end()
+
+
+def functions_of_python(text):
+    """(name, first line, number of lines) of each function."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef):
+            yield node.name, node.lineno, node.end_lineno - node.lineno + 1
+
+
+def functions(root):
+    """Functions have at most MAXIMUM_FUNCTION_LINES lines."""
+    languages = {".h": functions_of_cpp, ".cc": functions_of_cpp, ".py": functions_of_python}
+    for name in sources(root):
+        if name.suffix not in languages:
+            continue
+        for function, first, lines in languages[name.suffix](read(root, name)):
+            if lines > MAXIMUM_FUNCTION_LINES:
+                yield (f"{name}:{first}: {function} has {lines} lines; at most {MAXIMUM_FUNCTION_LINES}: "
+                       "give its steps names")
+
+
+def columns(root):
+    """Lines have at most MAXIMUM_COLUMNS columns, but for tables and addresses in documents."""
+    for name in sources(root):
+        if name.suffix not in (".h", ".cc", ".py", ".md", ".cmake") and name.name not in ("dev", "CMakeLists.txt"):
+            continue
+        for number, line in enumerate(read(root, name).splitlines(), 1):
+            excepted = name.suffix == ".md" and (line.lstrip().startswith("|") or "://" in line)
+            if len(line) > MAXIMUM_COLUMNS and not excepted:
+                yield f"{name}:{number}: {len(line)} columns; at most {MAXIMUM_COLUMNS}"
+
+
 def guard(root):
     """The include guard of include/signorini/<module>/<file>.h is signorini_<module>_<file>_h."""
     for name in sources(root):
@@ -62,7 +127,20 @@ def licence(root):
                 yield f"{name}: the first lines must say '{LICENCE}' and 'Copyright (C) <year> {COPYRIGHT}'"
 
 
-CHECKS = {"length": length, "guard": guard, "licence": licence}
+def schemes(root):
+    """Names of schemes stand in the table of schemes and in tests only: nothing compares with them."""
+    table = root / "source" / "schemes" / "scheme_table.cc"
+    names = re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8")) if table.exists() else []
+    literal = re.compile(rf'"[^"]*\b({"|".join(names)})\b[^"]*"|"newmark"') if names else None
+    for name in sources(root):
+        if literal and name.parts[0] in ("source", "include", "tools") and root / name != table:
+            for number, line in enumerate(read(root, name).splitlines(), 1):
+                code = line.partition("//")[0] if name.suffix in (".h", ".cc") else line
+                if not code.lstrip().startswith("*") and literal.search(code):
+                    yield f"{name}:{number}: names a scheme; ask the table of schemes (SchemeInfo) for a property"
+
+
+CHECKS = {"schemes": schemes, "length": length, "functions": functions, "columns": columns, "guard": guard, "licence": licence}
 
 
 def main():

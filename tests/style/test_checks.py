@@ -42,6 +42,36 @@ class StyleChecks(unittest.TestCase):
         self.write(HEADER % ("\n" * check_sources.MAXIMUM_LINES))
         self.assertEqual(self.findings(check_sources.length), 1)
 
+    def expect_limit(self, code, name="source/time/state.cc"):
+        """Whether a function is found with one line too many, and not without; `%s`: its statements."""
+        others = len((code % "x").splitlines()) - 1
+        for too_many in (0, 1):
+            n_statements = check_sources.MAXIMUM_FUNCTION_LINES - others + too_many
+            self.write(code % "\n".join(["    x = 1;"] * n_statements), name)
+            self.assertEqual(self.findings(check_sources.functions), too_many, code)
+
+    def test_functions(self):
+        self.expect_limit("template <int dim>\nvoid State<dim>::f(const int a) const\n{\n%s\n}")
+        self.expect_limit("State::State(int x)\n  : a(x)\n{\nif (x) { f({1}); }\n%s\n}")
+        self.expect_limit("TEST(Suite, Name)\n{\n// }\nf('}', \"}\");\n#define x }\n%s\n}")
+
+    def test_functions_of_python(self):
+        self.expect_limit("def f(x):\n    def g():\n        return x\n%s", name="tools/f.py")
+
+    def test_long_classes_and_tables_are_no_functions(self):
+        lines = "\n" * check_sources.MAXIMUM_FUNCTION_LINES
+        self.write(f"namespace a\n{{\nclass B : public C<int (*)()>\n{{\nvoid f() {{}}{lines}}};\n"
+                   f"const D d[] = {{ {lines} e() }};\nenum class F {{ g, {lines} h }};\n}}\n",
+                   name="source/time/state.cc")
+        self.assertEqual(self.findings(check_sources.functions), 0)
+
+    def test_columns(self):
+        self.write("x" * (check_sources.MAXIMUM_COLUMNS + 1), name="doc/page.md")
+        self.assertEqual(self.findings(check_sources.columns), 1)
+        for exception in ("| a table |", "https://example.org/"):
+            self.write(exception + "x" * check_sources.MAXIMUM_COLUMNS, name="doc/page.md")
+            self.assertEqual(self.findings(check_sources.columns), 0)
+
     def test_guard_of_another_file(self):
         self.write(HEADER % "", name="include/signorini/time/newmark.h")
         self.assertEqual(self.findings(check_sources.guard), 1)

@@ -135,6 +135,33 @@ TYPED_TEST(MotionControl, FirstTouchIsMetByASmallStep)
   EXPECT_GT(*std::max_element(record.sizes.begin() + first, record.sizes.end()), 0.02) << "and those after grow again";
 }
 
+TYPED_TEST(StepControl, RoundOffAtTheTouchDecidesNothing)
+{
+  // Touches a whole number of steps away, or halves and quarters; velocities that differ by
+  // round-off.
+  for (const double distance : {1., 0.7, 0.64, 0.645, 0.6425, 0.3})
+    {
+      std::vector<Record> records;
+      for (const double perturbation : {0., 1e-12, -1e-12, 1e-10, -1e-10})
+        {
+          ElasticBar system = make_bar(distance);
+          records.push_back(run<TypeParam>(system, flying(system, 1. + perturbation), 0.1, 3.));
+        }
+      for (const Record &record : records)
+        {
+          ASSERT_EQ(record.sizes.size(), records[0].sizes.size()) << distance;
+          EXPECT_EQ(record.rejected, records[0].rejected) << distance;
+          for (std::size_t i = 0; i < record.sizes.size(); ++i)
+            {
+              ASSERT_NEAR(record.sizes[i], records[0].sizes[i], 1e-9) << distance << ' ' << i;
+              const double force = record.states[i].contact_force.l1_norm();
+              ASSERT_NEAR(force, records[0].states[i].contact_force.l1_norm(), 1e-5)
+                << distance << ' ' << i;
+            }
+        }
+    }
+}
+
 TYPED_TEST(StepControl, RejectedStepsLeaveNoTrace)
 {
   ElasticBar   system = make_bar(0.7);
@@ -204,7 +231,8 @@ TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
     ++begin;
   while (!pressed(end - 1))
     --end;
-  EXPECT_LE(record.sizes[begin], 1.01 * first_size) << "a long step over the touch changes the force too much";
+  EXPECT_LE(record.sizes[begin], 1.26 * first_size)
+    << "a long step over the touch changes the force too much";
   EXPECT_NEAR(record.states[begin].time, 2., 2. * first_size);
   EXPECT_GT(*std::max_element(record.sizes.begin(), record.sizes.begin() + begin), 0.3);
   EXPECT_LE(*std::max_element(record.sizes.begin() + begin, record.sizes.begin() + end - 1), 0.1)

@@ -5,14 +5,14 @@
 #define signorini_linear_algebra_lanes_h
 
 #include <cstring>
-#include <type_traits>
 
 namespace signorini
 {
   /**
-   * Four numbers in one register. The components of a node fill the first dim lanes; what the others hold is never used, so a
-   * column of a small block is loaded together with what follows it in memory. Arrays of blocks therefore end with one
-   * spare block.
+   * Four numbers in one register. The components of a node fill the first dim lanes; what the others
+   * hold is never used, so a column of a small block is loaded together with what follows it in
+   * memory. Arrays of blocks therefore end with one spare block. The attribute and the shuffles are
+   * extensions that GCC (12 or newer) and Clang share.
    */
   template <typename Number>
   using Lanes __attribute__((vector_size(4 * sizeof(Number)))) = Number;
@@ -48,15 +48,16 @@ namespace signorini
   template <int dim, typename Number>
   inline Lanes<Number> block_transposed_product(const Number *block, const Lanes<Number> x)
   {
-    // Each component of the result is the sum of the lanes of one product; pairs of lanes are added side by side.
-    using Index = Lanes<std::conditional_t<sizeof(Number) == 8, long long, int>>;
+    // Each component of the result is the sum of the lanes of one product; pairs of lanes are added
+    // side by side.
     const Lanes<Number> zero{}, first = load(block) * x, second = load(block + dim) * x;
     const Lanes<Number> third = dim == 3 ? load(block + 2 * dim * (dim == 3)) * x : zero;
-    const Lanes<Number> left =
-      __builtin_shuffle(first, second, Index{0, 4, 2, 6}) + __builtin_shuffle(first, second, Index{1, 5, 3, 7});
-    const Lanes<Number> right =
-      __builtin_shuffle(third, zero, Index{0, 4, 2, 6}) + __builtin_shuffle(third, zero, Index{1, 5, 3, 7});
-    return __builtin_shuffle(left, right, Index{0, 1, 4, 5}) + __builtin_shuffle(left, right, Index{2, 3, 6, 7});
+    const Lanes<Number> left  = __builtin_shufflevector(first, second, 0, 4, 2, 6)
+                               + __builtin_shufflevector(first, second, 1, 5, 3, 7);
+    const Lanes<Number> right = __builtin_shufflevector(third, zero, 0, 4, 2, 6)
+                                + __builtin_shufflevector(third, zero, 1, 5, 3, 7);
+    return __builtin_shufflevector(left, right, 0, 1, 4, 5)
+           + __builtin_shufflevector(left, right, 2, 3, 6, 7);
   }
 } // namespace signorini
 

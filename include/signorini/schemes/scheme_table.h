@@ -41,14 +41,6 @@ namespace signorini
     needed
   };
 
-  /** The balance of forces of a step, as error indicators see it. */
-  enum class StepBalance
-  {
-    middle,   ///< mean displacement, the contact force of the step
-    end,      ///< displacement and contact force of the end
-    both_ends ///< mean displacement, mean of the contact forces at both ends
-  };
-
   /** All that is known about a scheme without running it. */
   struct SchemeInfo
   {

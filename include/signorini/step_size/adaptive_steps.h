@@ -21,16 +21,19 @@ namespace signorini
    * accepted if @f$\varepsilon \le \mathrm{TOL}@f$ or @f$\tau@f$ is the smallest size.
    *
    * - Sizes are the first one times powers of two, so that a size comes back and with it its
-   *   matrix; only the last two steps of a run are of another size, because the end time is met
-   *   exactly.
+   *   matrix. Of another size are the last two steps of a run, because the end time is met exactly,
+   *   and a step to the touch, see below.
    * - Longer steps are tried only where the factor reaches 2, and not in the steps after a
    *   rejection; in flight already where the error is half of @f$\mathrm{TOL}@f$, because
    *   vibrations weaker than @f$\mathrm{TOL}@f$ need not be followed and their error does not grow
    *   with the step. An estimate may have other StepRules.
-   * - In flight a step is at most half as long as the time until the first node touches, but not
-   *   shorter than the smallest size: the approach ends after some steps, and contact begins with a
-   *   small one. Where flight is free, a step may reach the touch, and contact begins with the
-   *   first size, if that is not rejected.
+   * - In flight a step is at most about half as long as the time until the first node touches, but
+   *   not shorter than the smallest size: the approach ends after some steps, and contact begins
+   *   with a small one. Where flight is free, a step may come close to the touch, and contact
+   *   begins with the first size, if that is not rejected.
+   * - No step ends at the touch, where round-off would decide whether there is contact. One that
+   *   would end within an eighth of its size before or after it ends an eighth after it; longer
+   *   ones in free flight end an eighth of the first size before it, or earlier.
    * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
    */
   class AdaptiveSteps : public TimeStepping
@@ -74,10 +77,10 @@ namespace signorini
     double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
 
     double       minimum() const;
-    void         approach(const DynamicalSystem &system, const State &state);
+    void         approach(double touch);
     void         try_longer(const StepTrial &trial, double factor);
     StepTrial    find_trial(DynamicalSystem &system, const State &state);
-    double       span(const State &state) const;
+    double       span(const State &state, double touch) const;
     AcceptedStep hand_out(State &state, TakenStep &&step);
   };
 } // namespace signorini

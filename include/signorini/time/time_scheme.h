@@ -23,6 +23,14 @@ namespace signorini
     bool         common_impulses    = false; ///< they had no solution; the common factor was taken instead
   };
 
+  /** The balance of forces of a step, as error indicators see it. */
+  enum class StepBalance
+  {
+    middle,   ///< mean displacement, the contact force of the step
+    end,      ///< displacement and contact force of the end
+    both_ends ///< mean displacement, mean of the contact forces at both ends
+  };
+
   /** Which capabilities of a system a scheme cannot do without. */
   struct Needs
   {

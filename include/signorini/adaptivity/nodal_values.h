@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_finite_elements_nodal_values_h
-#define signorini_finite_elements_nodal_values_h
+#ifndef signorini_adaptivity_nodal_values_h
+#define signorini_adaptivity_nodal_values_h
 
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/time/state.h>
