@@ -9,11 +9,16 @@
 namespace signorini
 {
   /**
-   * The balance of the generalized-alpha methods (Chung and Hulbert 1993) and what follows from it for the increment d. With accelerations a,
-   *
-   *   M [(1 - alpha_m) a_new + alpha_m a] + A [(1 - alpha_f) u_new + alpha_f u] = (1 - alpha_f) f_new + alpha_f f,
-   *   d = tau v + tau^2 [(1/2 - beta) a + beta a_new],   v_new = v + tau [(1 - gamma) a + gamma a_new],
-   *   beta = (1 - alpha_m + alpha_f)^2 / 4,   gamma = 1/2 - alpha_m + alpha_f.
+   * The balance of the generalized-alpha methods (@cite chung_hulbert_1993) and what follows from
+   * it for the increment @f$d@f$. With accelerations @f$a@f$,
+   * @f{align*}{
+   *   M [(1 - \alpha_m) a_\text{new} + \alpha_m a] + A [(1 - \alpha_f) u_\text{new} + \alpha_f u]
+   *     &= (1 - \alpha_f) f_\text{new} + \alpha_f f, \\
+   *   d &= \tau v + \tau^2 [(\tfrac12 - \beta) a + \beta a_\text{new}], \\
+   *   v_\text{new} &= v + \tau [(1 - \gamma) a + \gamma a_\text{new}], \\
+   *   \beta &= \tfrac14 (1 - \alpha_m + \alpha_f)^2, \\
+   *   \gamma &= \tfrac12 - \alpha_m + \alpha_f.
+   * @f}
    */
   class AlphaRule
   {

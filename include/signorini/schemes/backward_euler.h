@@ -9,16 +9,22 @@
 namespace signorini
 {
   /**
-   * Backward Euler: everything acts at the end of the step,
+   * Backward Euler. Everything acts at the end of the step,
+   * @f[
+   *   (M + \tau^2 A) d = \tau M v - \tau^2 A u + \tau^2 (f_\text{new} + r),
+   *   \quad d \cdot \nu \le \mathrm{gap},
+   *   \quad v_\text{new} = d / \tau.
+   * @f]
    *
-   *   (M + tau^2 A) d = tau M v - tau^2 A u + tau^2 (f_new + r),   d.nu <= gap,   v_new = d/tau.
-   *
-   * Order one, no penetration, no oscillation, nodes in contact have no velocity along the normal; the price is damping of all that
-   * moves. With g the change of the load over the step and e = v_new - v,
-   *
-   *   E_new - E = r.d - 1/2 e'M e - 1/2 d'A d + 1/2 g.d   (work of the mean load apart),
-   *
-   * of which the last three are booked as change by the rule of integration. Here as the lower end of any comparison.
+   * Order one, no penetration, no oscillation, nodes in contact have no velocity along the normal;
+   * the price is damping of all that moves. With @f$g@f$ the change of the load over the step and
+   * @f$e = v_\text{new} - v@f$,
+   * @f[
+   *   E_\text{new} - E = r \cdot d - \tfrac12 e^T M e - \tfrac12 d^T A d + \tfrac12 g \cdot d
+   *   \quad \text{(work of the mean load apart)},
+   * @f]
+   * of which the last three are booked as change by the rule of integration. Here as the lower end
+   * of any comparison.
    */
   class BackwardEuler : public TimeScheme
   {

@@ -9,15 +9,20 @@
 namespace signorini
 {
   /**
-   * Newmark scheme with fully implicit contact forces (Kane, Repetto, Ortiz and Marsden 1999; Krause and Walloth 2012, Algorithm 5),
-   *
-   *   (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r,   d.nu <= gap,   v_new = -v + 2/tau d.
+   * Newmark scheme with fully implicit contact forces (@cite kane_repetto_ortiz_marsden_1999;
+   * @cite krause_walloth_2012, Algorithm 5):
+   * @f[
+   *   (M + \tfrac{\tau^2}4 A) d = \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}2 r,
+   *   \quad d \cdot \nu \le \mathrm{gap},
+   *   \quad v_\text{new} = -v + \tfrac2\tau d.
+   * @f]
    *
    * Second order without contact; the contact force is a midpoint quantity. Energy never grows,
-   *
-   *   E_new - E = r.d <= 0,
-   *
-   * no penetration, but the normal velocity of nodes in contact alternates in sign, and the contact force oscillates.
+   * @f[
+   *   E_\text{new} - E = r \cdot d \le 0,
+   * @f]
+   * no penetration, but the normal velocity of nodes in contact alternates in sign, and the contact
+   * force oscillates.
    */
   class ContactImplicitNewmark : public TimeScheme
   {

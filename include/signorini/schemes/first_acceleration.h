@@ -10,8 +10,10 @@
 namespace signorini
 {
   /**
-   * The acceleration M^-1 (f - A u + r) of a state that has none yet; r is zero unless the run starts in equilibrium.
-   * @param by_contact false: without r, for schemes in which contact forces are impulses and no part of the acceleration
+   * The acceleration @f$M^{-1} (f - A u + r)@f$ of a state that has none yet; @f$r@f$ is zero
+   * unless the run starts in equilibrium.
+   * @param by_contact false: without @f$r@f$, for schemes in which contact forces are impulses and
+   *                   no part of the acceleration
    */
   inline Vector first_acceleration(DynamicalSystem &system, const State &state, const bool by_contact = true)
   {

@@ -9,14 +9,16 @@
 namespace signorini
 {
   /**
-   * Generalized-alpha method (Chung and Hulbert 1993) with one contact force per step; HHT-alpha (Hilber, Hughes and Taylor
-   * 1977) is the case alpha_m = 0. With accelerations a,
-   *
-   *   M [(1 - alpha_m) a_new + alpha_m a] + A [(1 - alpha_f) u_new + alpha_f u] = (1 - alpha_f) f_new + alpha_f f + r,
-   *
-   * see AlphaRule for the rest. The force r acts against the elastic forces of t_new - alpha_f tau, and it is that
-   * instant's. Second order, and damping of high frequencies by choice. A baseline that users know: with contact there
-   * is no bound of the energy, and the release of a loaded node can add some. The first acceleration is that of loads
+   * Generalized-alpha method (@cite chung_hulbert_1993) with one contact force per step; HHT-alpha
+   * (@cite hilber_hughes_taylor_1977) is the case @f$\alpha_m = 0@f$. With accelerations @f$a@f$,
+   * @f[
+   *   M [(1 - \alpha_m) a_\text{new} + \alpha_m a] + A [(1 - \alpha_f) u_\text{new} + \alpha_f u]
+   *     = (1 - \alpha_f) f_\text{new} + \alpha_f f + r,
+   * @f]
+   * see AlphaRule for the rest. The force @f$r@f$ acts against the elastic forces of
+   * @f$t_\text{new} - \alpha_f \tau@f$, and it is that instant's. Second order, and damping of high
+   * frequencies by choice. A baseline that users know: with contact there is no bound of the
+   * energy, and the release of a loaded node can add some. The first acceleration is that of loads
    * and elastic forces.
    */
   class GeneralizedAlpha : public TimeScheme

@@ -9,11 +9,13 @@
 namespace signorini
 {
   /**
-   * The scheme of Laursen and Chawla with contact nodes without mass (Hager, Hueeber and Wohlmuth 2008; Krause and Walloth 2012, Algorithm 4); the
-   * mass is that of the system, by quadrature on macro-elements if nothing else is asked for.
+   * The scheme of Laursen and Chawla with contact nodes without mass
+   * (@cite hager_hueeber_wohlmuth_2008; @cite krause_walloth_2012, Algorithm 4); the mass is that
+   * of the system, by quadrature on macro-elements if nothing else is asked for.
    *
-   * Contact forces do no work, and so the energy of the redistributed mass is exact. That of the consistent mass is not: the rows of massless
-   * nodes balance mean forces, which leaves an undamped alternation of their displacement and velocity after release. Penetration as in
+   * Contact forces do no work, and so the energy of the redistributed mass is exact. That of the
+   * consistent mass is not: the rows of massless nodes balance mean forces, which leaves an
+   * undamped alternation of their displacement and velocity after release. Penetration as in
    * LaursenChawla; smooth contact forces.
    */
   class HagerHueeberWohlmuth : public LaursenChawla

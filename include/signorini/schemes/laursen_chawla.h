@@ -9,15 +9,19 @@
 namespace signorini
 {
   /**
-   * Newmark scheme with a discrete persistency condition (Laursen and Chawla 1997; Krause and Walloth 2012, Algorithm 1). Nodes that touch or
-   * penetrate at the beginning of a step may not come any closer, the others are free to pass,
+   * Newmark scheme with a discrete persistency condition (@cite laursen_chawla_1997;
+   * @cite krause_walloth_2012, Algorithm 1). Nodes that touch or penetrate at the beginning of a
+   * step may not come any closer, the others are free to pass,
+   * @f{align*}{
+   *   (M + \tfrac{\tau^2}4 A) d &= \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}2 r,
+   *     \quad d \cdot \nu \le 0 \text{ where gap} \le 0, \\
+   *   v_\text{new} &= v + \tfrac2\tau (d - \tau v).
+   * @f}
    *
-   *   (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r,   d.nu <= 0 where gap <= 0,
-   *   v_new = v + 2/tau (d - tau v).
-   *
-   * Contact forces act only where d.nu = 0 and do no work: E_new = E exactly. The price is penetration, up to tau times the
-   * speed of approach, which is kept while the node is in contact. Second order without contact. The normal velocity of a node
-   * in contact changes its sign in every step.
+   * Contact forces act only where @f$d \cdot \nu = 0@f$ and do no work: @f$E_\text{new} = E@f$
+   * exactly. The price is penetration, up to @f$\tau@f$ times the speed of approach, which is kept
+   * while the node is in contact. Second order without contact. The normal velocity of a node in
+   * contact changes its sign in every step.
    */
   class LaursenChawla : public TimeScheme
   {

@@ -9,21 +9,28 @@
 namespace signorini
 {
   /**
-   * Contact-implicit Newmark scheme whose loss of energy is given back as an impulse at the contact nodes (after Laursen and Love 2002; Krause
-   * and Walloth 2012, Algorithm 2),
+   * Contact-implicit Newmark scheme whose loss of energy is given back as an impulse at the contact
+   * nodes (after @cite laursen_love_2002; @cite krause_walloth_2012, Algorithm 2):
+   * @f{align*}{
+   *   (M + \tfrac{\tau^2}4 A) d &= \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}2 r,
+   *     \quad d \cdot \nu \le \mathrm{gap}, \\
+   *   v_\text{new} &= v + \tfrac2\tau (d - \tau v) + \alpha M^{-1} j.
+   * @f}
    *
-   *   (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r,   d.nu <= gap,
-   *   v_new = v + 2/tau (d - tau v) + alpha M^-1 j.
+   * The kinetic energy of the impulses,
+   * @f$\alpha j \cdot v^* + \tfrac12 \alpha^2 j \cdot M^{-1} j@f$, shall be the work
+   * @f$-r \cdot d \ge 0@f$ that contact has taken; the positive root exists always and pushes the
+   * bodies apart. There are two ways to share the impulses among the nodes:
    *
-   * The kinetic energy of the impulses, alpha j.v* + 1/2 alpha^2 j.M^-1 j, shall be the work -r.d >= 0 that contact has taken; the positive
-   * root exists always and pushes the bodies apart. There are two ways to share the impulses among the nodes:
+   * - common: @f$j = r@f$, impulses along the contact forces, one equation for @f$\alpha@f$ in
+   *   place of the coupled ones of the single nodes;
+   * - per node: @f$j@f$ solves the coupled equations (NodeImpulses), and @f$\alpha = 1@f$ but for
+   *   what their solver leaves. A step whose equations cannot be solved takes the common way and
+   *   says so in its report.
    *
-   * - common: j = r, impulses along the contact forces, one equation for alpha in place of the coupled ones of the single nodes;
-   * - per node: j solves the coupled equations (NodeImpulses), and alpha = 1 but for what their solver leaves. A step
-   *   whose equations cannot be solved takes the common way and says so in its report.
-   *
-   * Either way E_new = E exactly, no penetration, linear momentum as without impulses. The state's contact
-   * force is r + alpha j / tau: all that acted on average over the step.
+   * Either way @f$E_\text{new} = E@f$ exactly, no penetration, linear momentum as without impulses.
+   * The state's contact force is @f$r + \alpha j / \tau@f$: all that acted on average over the
+   * step.
    */
   class LaursenLove : public TimeScheme
   {

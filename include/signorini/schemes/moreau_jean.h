@@ -9,14 +9,25 @@
 namespace signorini
 {
   /**
-   * Time stepping of Moreau and Jean with theta = 1/2 and restitution 0 (Jean 1999): contact is a condition of velocities. Nodes that
-   * would penetrate in the middle of the step, gap - tau/2 v.nu <= 0, may not approach at its end,
+   * Time stepping of Moreau and Jean with @f$\theta = \tfrac12@f$ and restitution 0
+   * (@cite jean_1999): contact is a condition of velocities. Nodes that would penetrate in the
+   * middle of the step, @f$\mathrm{gap} - \tfrac\tau2 v \cdot \nu \le 0@f$, may not approach at its
+   * end,
+   * @f{align*}{
+   *   M (v_\text{new} - v) + \tau A (u + \tfrac12 d) &= P,
+   *     \quad d = \tfrac\tau2 (v + v_\text{new}), \\
+   *   v_\text{new} \cdot \nu &\le 0 \text{ where the prediction touches.}
+   * @f}
    *
-   *   M (v_new - v) + tau A (u + d/2) = P,   d = tau (v + v_new)/2,   v_new.nu <= 0 where the prediction touches.
-   *
-   * As a problem of increments this is (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau/2 P with d.nu <= tau/2 v.nu. Energy never grows
-   * while the bodies do not separate: E_new - E = 1/tau P.d. Penetration up to tau times the speed of approach remains, as the
-   * position is never corrected. The state's contact force is P / tau.
+   * As a problem of increments this is
+   * @f[
+   *   (M + \tfrac{\tau^2}4 A) d = \tau M v - \tfrac{\tau^2}2 A u + \tfrac\tau2 P
+   *   \quad \text{with} \quad d \cdot \nu \le \tfrac\tau2 v \cdot \nu.
+   * @f]
+   * Energy never grows while the bodies do not separate:
+   * @f$E_\text{new} - E = \tfrac1\tau P \cdot d@f$. Penetration up to @f$\tau@f$ times the speed of
+   * approach remains, as the position is never corrected. The state's contact force is
+   * @f$P / \tau@f$.
    */
   class MoreauJean : public TimeScheme
   {

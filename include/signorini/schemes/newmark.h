@@ -9,15 +9,20 @@
 namespace signorini
 {
   /**
-   * Classical Newmark scheme, 2 beta = gamma = 1/2 (Krause and Walloth 2012, equations (19) and (20)): the contact forces of both ends of
-   * the step act with equal weights, like the elastic ones,
+   * Classical Newmark scheme, @f$2 \beta = \gamma = \tfrac12@f$ (@cite krause_walloth_2012,
+   * equations (19) and (20)). The contact forces of both ends of the step act with equal weights,
+   * like the elastic ones,
+   * @f[
+   *   (M + \tfrac{\tau^2}4 A) d = \tau M v - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}4 (r_n + r),
+   *   \quad d \cdot \nu \le \mathrm{gap},
+   *   \quad v_\text{new} = -v + \tfrac2\tau d.
+   * @f]
    *
-   *   (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/4 (r_n + r),   d.nu <= gap,   v_new = -v + 2/tau d.
-   *
-   * Second order without contact. At impact the contact force oscillates and the energy may grow without bound,
-   *
-   *   E_new - E = 1/2 (r_n + r).d,
-   *
+   * Second order without contact. At impact the contact force oscillates and the energy may grow
+   * without bound,
+   * @f[
+   *   E_\text{new} - E = \tfrac12 (r_n + r) \cdot d,
+   * @f]
    * positive whenever a loaded node opens. No penetration. It is here to be compared with.
    */
   class Newmark : public TimeScheme

@@ -25,24 +25,31 @@ namespace signorini
   };
 
   /**
-   * Impulses that give each contact node back what its force has taken from the energy: the coupled quadratic equations of Laursen and
-   * Love (2002; Krause and Walloth 2012, section 3.2)
+   * Impulses that give each contact node back what its force has taken from the energy. They solve
+   * the coupled quadratic equations of Laursen and Love (@cite laursen_love_2002;
+   * @cite krause_walloth_2012, section 3.2)
+   * @f[
+   *   I_p (-w_p + \tfrac12 (G I)_p) = \Lambda_p \gamma_p, \quad G = B M^{-1} B^T,
+   * @f]
+   * with the normal velocities @f$w = B v^*@f$ and @f$B^T@f$ the nodal forces of normal ones. Of
+   * their many solutions the one with @f$I \ge 0@f$ that pushes the bodies apart is wanted. There
+   * is exactly one: the equations are the conditions for the minimum of the strictly convex
+   * @f[
+   *   \Phi(I) = \tfrac14 I^T G I - w^T I - \sum_p \Lambda_p \gamma_p \log I_p
+   *   \quad \text{over} \quad I \ge 0,
+   * @f]
+   * where nodes that have lost nothing contribute no logarithm: they reverse their approach or have
+   * no impulse.
    *
-   *   I_p (-w_p + 1/2 (G I)_p) = Lambda_p gamma_p,   G = B M^-1 B',
-   *
-   * with the normal velocities w = B v* and B' the nodal forces of normal ones. Of their many solutions the one with I >= 0 that pushes the
-   * bodies apart is wanted. There is exactly one: the equations are the conditions for the minimum of the strictly convex
-   *
-   *   Phi(I) = 1/4 I'G I - w'I - sum_p Lambda_p gamma_p log I_p   over I >= 0,
-   *
-   * where nodes that have lost nothing contribute no logarithm: they reverse their approach or have no impulse.
-   *
-   * KINSOL of SUNDIALS finds it by a fixed point with Anderson acceleration. For D = diag(D_p) each node solves its own quadratic equation,
-   *
-   *   1/2 D_p I_p^2 - omega_p I_p = Lambda_p gamma_p,   omega_p = w_p - 1/2 (G I)_p + 1/2 D_p I_p,
-   *
-   * which for D >= G descends in Phi. D estimates the norms of the rows of G from its products with random signs; it decides about the
-   * number of iterations, not about the result. Collective.
+   * KINSOL of SUNDIALS finds it by a fixed point with Anderson acceleration. For
+   * @f$D = \operatorname{diag}(D_p)@f$ each node solves its own quadratic equation,
+   * @f[
+   *   \tfrac12 D_p I_p^2 - \omega_p I_p = \Lambda_p \gamma_p,
+   *   \quad \omega_p = w_p - \tfrac12 (G I)_p + \tfrac12 D_p I_p,
+   * @f]
+   * which for @f$D \ge G@f$ descends in @f$\Phi@f$. @f$D@f$ estimates the norms of the rows of
+   * @f$G@f$ from its products with random signs; it decides about the number of iterations, not
+   * about the result. Collective.
    */
   NodeImpulses solve_node_impulses(DynamicalSystem &system, const NodeContact &contact);
 } // namespace signorini

@@ -9,23 +9,36 @@
 namespace signorini
 {
   /**
-   * Nonsmooth generalized-alpha method with restitution 0 (Chen, Acary, Virlez and Bruels 2013): loads and elastic forces by the
-   * generalized-alpha rule, contact as jumps W of the velocity,
+   * Nonsmooth generalized-alpha method with restitution 0 (@cite chen_acary_virlez_bruels_2013).
+   * Loads and elastic forces by the generalized-alpha rule, contact as jumps @f$W@f$ of the
+   * velocity,
+   * @f{align*}{
+   *   M [(1 - \alpha_m) a_\text{new} + \alpha_m a] + A [(1 - \alpha_f) u_\text{new} + \alpha_f u]
+   *     &= (1 - \alpha_f) f_\text{new} + \alpha_f f, \\
+   *   M W &= P, \\
+   *   u_\text{new} &= u + \tau v + \tau^2 [(\tfrac12 - \beta) a + \beta a_\text{new}]
+   *                   + \tfrac\tau2 W, \\
+   *   v_\text{new} &= v + \tau [(1 - \gamma) a + \gamma a_\text{new}] + W.
+   * @f}
    *
-   *   M [(1 - alpha_m) a_new + alpha_m a] + A [(1 - alpha_f) u_new + alpha_f u] = (1 - alpha_f) f_new + alpha_f f,   M W = P,
-   *   u_new = u + tau v + tau^2 [(1/2 - beta) a + beta a_new] + tau/2 W,   v_new = v + tau [(1 - gamma) a + gamma a_new] + W.
+   * The impulses @f$P@f$ of contact, @f$P \cdot \nu \le 0@f$, act on nodes that would penetrate in
+   * the middle of the step, @f$\mathrm{gap} - \tfrac\tau2 v \cdot \nu \le 0@f$, and keep them from
+   * approaching at its end: @f$v_\text{new} \cdot \nu \le 0@f$, or @f$P \cdot \nu = 0@f$. With
+   * @f$d = u_\text{new} - u@f$ this is, see AlphaRule,
+   * @f{align*}{
+   *   (M + s A) d &= b + \tfrac\tau2 P, \\
+   *   d \cdot \nu &\le [d_\text{free}
+   *     - \beta \tfrac\tau\gamma (v + \tau (1 - \gamma) a + \varepsilon W)] \cdot \nu,
+   *     \quad \varepsilon = 1 - \tfrac{\gamma}{2 \beta},
+   * @f}
+   * a problem of increments whose bound depends a little on its solution:
+   * @f$0 \le \varepsilon \le \tfrac14@f$ is zero for spectral radius 1, where the method is that of
+   * Moreau and Jean. It is solved with the bound of the last @f$W@f$ until @f$W@f$ does not change,
+   * with Anderson acceleration (FixedPoint).
    *
-   * The impulses P of contact, P.nu <= 0, act on nodes that would penetrate in the middle of the step, gap - tau/2 v.nu <= 0, and keep them
-   * from approaching at its end: v_new.nu <= 0, or P.nu = 0. With d = u_new - u this is, see AlphaRule,
-   *
-   *   (M + s A) d = b + tau/2 P,   d.nu <= [d_free - beta tau/gamma (v + tau (1 - gamma) a + epsilon W)].nu,   epsilon = 1 - gamma/(2 beta),
-   *
-   * a problem of increments whose bound depends a little on its solution: 0 <= epsilon <= 1/4 is zero for spectral radius 1, where the method is
-   * that of Moreau and Jean. It is solved with the bound of the
-   * last W until W does not change, with Anderson acceleration (FixedPoint).
-   *
-   * Order two without contact, damping of high frequencies by choice, penetration up to tau times the speed of approach, which is never
-   * corrected. The state's contact force is P / tau.
+   * Order two without contact, damping of high frequencies by choice, penetration up to @f$\tau@f$
+   * times the speed of approach, which is never corrected. The state's contact force is
+   * @f$P / \tau@f$.
    */
   class NonsmoothGeneralizedAlpha : public TimeScheme
   {

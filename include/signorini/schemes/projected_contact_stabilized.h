@@ -9,23 +9,31 @@
 namespace signorini
 {
   /**
-   * Contact-stabilized Newmark scheme that keeps the projected velocity: what the projection of the predictor takes from the increment, it takes
-   * from the velocity, too. (Not in Krause and Walloth 2012; close in spirit to the improved ContacX of Klapproth, Deuflhard and
-   * Schiela 2010.)
+   * Contact-stabilized Newmark scheme that keeps the projected velocity: what the projection of the
+   * predictor takes from the increment, it takes from the velocity, too. (Not in
+   * @cite krause_walloth_2012; close in spirit to the improved ContacX of
+   * @cite klapproth_deuflhard_schiela_2010.)
+   * @f{align*}{
+   *   p &= \operatorname{argmin} \{ \tfrac12 (p - \tau v)^T M (p - \tau v) :
+   *                                 p \cdot \nu \le \mathrm{gap} \}, \\
+   *   (M + \tfrac{\tau^2}4 A) d &= M p - \tfrac{\tau^2}2 A u + \tfrac{\tau^2}2 r,
+   *     \quad d \cdot \nu \le \mathrm{gap}, \\
+   *   w &= \tfrac1\tau p + \tfrac2\tau (d - p), \\
+   *   v_\text{new} &= \operatorname{argmin} \{ \tfrac12 (v - w)^T M (v - w) : v \cdot \nu = 0
+   *     \text{ where a node touched before and is held at the end} \}.
+   * @f}
    *
-   *   p = argmin { 1/2 (p - tau v)'M(p - tau v) : p.nu <= gap },
-   *   (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r,   d.nu <= gap,
-   *   w = p/tau + 2/tau (d - p),
-   *   v_new = argmin { 1/2 (v - w)'M(v - w) : v.nu = 0 where a node touched before and is held at the end }.
-   *
-   * With c = p - tau v and s = v_new - w the energy never grows,
-   *
-   *   E_new - E = r.d + 1/tau^2 c'M p - 1/(2 tau^2) c'M c - 1/2 s'M s,   all terms <= 0,
-   *
-   * and a node that stays in contact has no normal velocity: persistency, which no scheme of the paper combines with the sign of the
-   * energy. No penetration. In one dimension s = 0. With more contact nodes the mass couples them: stopping one pulls p of its neighbours below
-   * their gap, and w would be -p.nu/tau there. Both projections act as impulses; the state's contact force
-   * r + M c / tau^2 + M s / tau contains them.
+   * With @f$c = p - \tau v@f$ and @f$s = v_\text{new} - w@f$ the energy never grows,
+   * @f[
+   *   E_\text{new} - E = r \cdot d + \tfrac1{\tau^2} c^T M p - \tfrac1{2 \tau^2} c^T M c
+   *                      - \tfrac12 s^T M s,
+   *   \quad \text{all terms} \le 0,
+   * @f]
+   * and a node that stays in contact has no normal velocity: persistency, which no scheme of the
+   * paper combines with the sign of the energy. No penetration. In one dimension @f$s = 0@f$. With
+   * more contact nodes the mass couples them: stopping one pulls @f$p@f$ of its neighbours below
+   * their gap, and @f$w@f$ would be @f$-\tfrac1\tau p \cdot \nu@f$ there. Both projections act as
+   * impulses; the state's contact force @f$r + M c / \tau^2 + M s / \tau@f$ contains them.
    */
   class ProjectedContactStabilized : public TimeScheme
   {

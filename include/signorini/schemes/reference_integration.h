@@ -9,15 +9,19 @@
 namespace signorini
 {
   /**
-   * Not a scheme but the solution that schemes approximate: with a redistributed mass the problem in space is an ordinary differential equation
-   * with Lipschitz continuous right-hand side (Khenous, Laborde and Renard 2008),
-   *
-   *   u' = v,   M~ v' = f - A u + r   in nodes with mass (r: of the other body),   contact nodes in static equilibrium with u.nu <= g,
-   *
-   * and SUNDIALS ARKODE integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of
-   * its own as it takes within each step of the run. Against it, the error of a scheme in time can be measured on the
-   * same mesh. What the tolerance leaves is seen as unexplained energy. Slow: every stage solves a contact problem.
-   * Supports have to stand still.
+   * Not a scheme but the solution that schemes approximate. With a redistributed mass the problem
+   * in space is an ordinary differential equation with Lipschitz continuous right-hand side
+   * (@cite khenous_laborde_renard_2008),
+   * @f{align*}{
+   *   \dot u &= v, \\
+   *   \tilde M \dot v &= f - A u + r
+   *     \quad \text{in nodes with mass } (r \text{: of the other body}),
+   * @f}
+   * contact nodes in static equilibrium with @f$u \cdot \nu \le g@f$, and SUNDIALS ARKODE
+   * integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of
+   * its own as it takes within each step of the run. Against it, the error of a scheme in time can
+   * be measured on the same mesh. What the tolerance leaves is seen as unexplained energy. Slow:
+   * every stage solves a contact problem. Supports have to stand still.
    */
   class ReferenceIntegration : public TimeScheme
   {

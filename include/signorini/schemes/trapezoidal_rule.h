@@ -6,14 +6,17 @@
 
 #include <signorini/time/time_scheme.h>
 
-/**
- * The steps that all schemes with 2 beta = gamma = 1/2 share. The elastic forces of both ends of the step act with equal
- * weights, so that the increment d solves
- *
- *   (M + tau^2/4 A) d = M p - tau^2/2 (A u - f) + tau^2/2 (forces of constraints),     p: predictor of the increment.
- */
 namespace signorini
 {
+  /**
+   * The steps that all schemes with @f$2 \beta = \gamma = \tfrac12@f$ share. The elastic forces of
+   * both ends of the step act with equal weights, so that the increment @f$d@f$ solves
+   * @f[
+   *   (M + \tfrac{\tau^2}4 A) d = M p - \tfrac{\tau^2}2 (A u - f)
+   *                               + \tfrac{\tau^2}2 \text{(forces of constraints)},
+   * @f]
+   * with @f$p@f$ the predictor of the increment.
+   */
   namespace trapezoidal_rule
   {
     /** tau M v - tau^2/2 (A u - mean load): the right-hand side for p = tau v. */

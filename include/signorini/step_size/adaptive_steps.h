@@ -13,16 +13,20 @@
 namespace signorini
 {
   /**
-   * Steps whose size follows an estimate of their error: with the tolerance TOL and an error eps = O(tau^(1/kappa)),
-   *
-   *   tau_new = tau min(2, max(1/4, (0.8 TOL / eps)^kappa)),   accepted if eps <= TOL or tau is the smallest size.
+   * Steps whose size follows an estimate of their error. With the tolerance @f$\mathrm{TOL}@f$ and
+   * an error @f$\varepsilon = O(\tau^{1/\kappa})@f$,
+   * @f[
+   *   \tau_\text{new} = \tau \min(2, \max(\tfrac14, (0.8\, \mathrm{TOL} / \varepsilon)^\kappa)),
+   * @f]
+   * accepted if @f$\varepsilon \le \mathrm{TOL}@f$ or @f$\tau@f$ is the smallest size.
    *
    * - Sizes are the first one times powers of two, so that a size comes back and with it its
    *   matrix. Of another size are the last two steps of a run, because the end time is met exactly,
    *   and a step to the touch, see below.
-   * - Longer steps are tried only where the factor reaches 2, and not in the steps after a rejection; in flight already where the error is
-   *   half of TOL, because vibrations weaker than TOL need not be followed and their error does not grow with the step. An
-   *   estimate may have other StepRules.
+   * - Longer steps are tried only where the factor reaches 2, and not in the steps after a
+   *   rejection; in flight already where the error is half of @f$\mathrm{TOL}@f$, because
+   *   vibrations weaker than @f$\mathrm{TOL}@f$ need not be followed and their error does not grow
+   *   with the step. An estimate may have other StepRules.
    * - In flight a step is at most about half as long as the time until the first node touches, but
    *   not shorter than the smallest size: the approach ends after some steps, and contact begins
    *   with a small one. Where flight is free, a step may come close to the touch, and contact

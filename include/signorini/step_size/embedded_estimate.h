@@ -9,13 +9,16 @@
 namespace signorini
 {
   /**
-   * One step, compared with what the last one predicted: with the mean acceleration w of the last step,
-   *
-   *   v_predicted = v + tau w   or   v_predicted = v,
-   *
-   * whichever is closer to the new velocity in the norm of M. The second one is for the step after a jolt, whose w means
-   * nothing any more. The distance is O(tau^2) in smooth motion and zero under constant acceleration. An estimate from above for
-   * schemes of order two, relative to the largest motion so far, but it costs no solution and no product. In the first step nothing is known.
+   * One step, compared with what the last one predicted. With the mean acceleration @f$w@f$ of the
+   * last step,
+   * @f[
+   *   v_\text{predicted} = v + \tau w \quad \text{or} \quad v_\text{predicted} = v,
+   * @f]
+   * whichever is closer to the new velocity in the norm of @f$M@f$. The second one is for the step
+   * after a jolt, whose @f$w@f$ means nothing any more. The distance is @f$O(\tau^2)@f$ in smooth
+   * motion and zero under constant acceleration. An estimate from above for schemes of order two,
+   * relative to the largest motion so far, but it costs no solution and no product. In the first
+   * step nothing is known.
    */
   class EmbeddedEstimate : public StepEstimate
   {

@@ -8,10 +8,16 @@
 
 namespace signorini
 {
-  /** 1/2 v'M v + 1/2 u'A u: kinetic and elastic energy. Collective. */
+  /**
+   * @f$\tfrac12 v^T M v + \tfrac12 u^T A u@f$: kinetic and elastic energy. Collective.
+   */
   double energy_of_motion(const State &state);
 
-  /** The energy norm of a difference of motions, the square root of 1/2 dv'M dv + 1/2 du'A du. No product with M or A is needed. Collective. */
+  /**
+   * The energy norm of a difference of motions,
+   * @f$(\tfrac12 \delta v^T M \delta v + \tfrac12 \delta u^T A \delta u)^{1/2}@f$. No product with
+   * @f$M@f$ or @f$A@f$ is needed. Collective.
+   */
   double energy_distance(const State &a, const State &b);
 } // namespace signorini
 

@@ -9,19 +9,25 @@
 namespace signorini
 {
   /**
-   * One step, measured by the contact forces r alone while there is no contact, and by them and the motion in contact: with the size tau'
-   * and the forces r' of the last step
+   * One step, measured by the contact forces @f$r@f$ alone while there is no contact, and by them
+   * and the motion in contact. With the size @f$\tau'@f$ and the forces @f$r'@f$ of the last step
+   * @f[
+   *   \varepsilon_\text{force} = \left(\frac\tau{\tau_0}\right)^2
+   *                              \frac{|r - r'|_1}{\tfrac12 (1 + \tau'/\tau) R},
+   *   \quad \varepsilon = \max(\varepsilon_\text{force}, \text{embedded estimate}).
+   * @f]
    *
-   *   eps_force = (tau / tau_0)^2 |r - r'|_1 / (1/2 (1 + tau'/tau)) / R,   eps = max(eps_force, embedded estimate).
-   *
-   * - The change of forces over one step is what a force that is constant over its step cannot show. For the error in L2 of time alone
-   *   steps would go with its -2/3rd power; the square of tau makes that -1/3: local slopes follow vibrations, whose next swing they
+   * - The change of forces over one step is what a force that is constant over its step cannot
+   *   show. For the error in @f$L^2@f$ of time alone steps would go with its -2/3rd power; the
+   *   square of @f$\tau@f$ makes that -1/3: local slopes follow vibrations, whose next swing they
    *   do not foretell.
    * - The sum of the magnitudes of nodal forces sees both bodies, all pairs and friction.
-   * - R is the largest force so far, or, as long as the elastic energy E_el grows beyond all before, that of a spring which will take
-   *   up the largest energy E of the motion so far, |r|_1 (E / E_el)^1/2. So contact need not begin with the smallest steps.
-   * - A constant force may hide waves that carry the next one; so the motion counts, too, but not in flight: what vibrates there
-   *   is the business of its next contact.
+   * - @f$R@f$ is the largest force so far, or, as long as the elastic energy @f$E_\text{el}@f$
+   *   grows beyond all before, that of a spring which will take up the largest energy @f$E@f$ of
+   *   the motion so far, @f$|r|_1 (E / E_\text{el})^{1/2}@f$. So contact need not begin with the
+   *   smallest steps.
+   * - A constant force may hide waves that carry the next one; so the motion counts, too, but not
+   *   in flight: what vibrates there is the business of its next contact.
    */
   class ForceEstimate : public StepEstimate
   {

@@ -41,8 +41,9 @@ namespace signorini
   };
 
   /**
-   * Makes steps of a scheme and estimates their error. Where contact begins, ends, or changes between sticking and slipping the error of
-   * these schemes is O(tau^1/2), elsewhere O(tau^p) (Klapproth, Schiela and Deuflhard, Numer. Math. 119 (2011)); hence the exponent.
+   * Makes steps of a scheme and estimates their error. Where contact begins, ends, or changes
+   * between sticking and slipping the error of these schemes is @f$O(\tau^{1/2})@f$, elsewhere
+   * @f$O(\tau^p)@f$ (@cite klapproth_schiela_deuflhard_2011); hence the exponent.
    */
   class StepEstimate
   {

@@ -17,8 +17,13 @@ namespace signorini
   using NormalGap = std::vector<double>;
 
   /**
-   * minimise 1/2 d'(M + s A) d - b'd over increments d with d.nu <= bound at the contact nodes and the prescribed
-   * increments at supports. The step [start.time, start.time + step_size] determines supports and the scale of errors.
+   * The problem of a step:
+   * @f[
+   *   \text{minimise} \quad \tfrac12 d^T (M + s A) d - b^T d
+   * @f]
+   * over increments @f$d@f$ with @f$d \cdot \nu \le@f$ `bounds` at the contact nodes and the
+   * prescribed increments at supports. The step [start.time, start.time + step_size] determines
+   * supports and the scale of errors.
    */
   struct IncrementProblem
   {
@@ -55,10 +60,11 @@ namespace signorini
     virtual ~MassProjections() = default;
 
     /**
-     * L2 projection of a free increment onto the admissible ones: the correction c with minimal 1/2 c'Mc and
-     * (free_increment + c).nu <= bound.
-     * @param mass_correction M c, the reaction of the projection
-     * @return effort; no active node means that the free increment was admissible and c = 0, found without any solve
+     * @f$L^2@f$ projection of a free increment onto the admissible ones: the correction @f$c@f$
+     * with minimal @f$\tfrac12 c^T M c@f$ and `(free_increment + c).nu <= bounds`.
+     * @param mass_correction @f$M c@f$, the reaction of the projection
+     * @return effort; no active node means that the free increment was admissible and @f$c = 0@f$,
+     *         found without any solve
      */
     virtual SolveReport project(const Vector    &free_increment,
                                 const NormalGap &bounds,
@@ -67,12 +73,13 @@ namespace signorini
                                 Vector          &mass_correction) = 0;
 
     /**
-     * L2 projection of a velocity onto those without relative velocity at some contact nodes: the correction c with
-     * minimal 1/2 c'Mc and [velocity + c] = 0 there, zero at supports.
-     * @param held            per contact node of this process: closed ones lose their normal velocity, sticking ones
-     *                        the tangential one
-     * @param mass_correction M c, the impulses of these nodes and of supports
-     * @return effort; no active node means that no process holds any, and c = 0
+     * @f$L^2@f$ projection of a velocity onto those without relative velocity at some contact
+     * nodes: the correction @f$c@f$ with minimal @f$\tfrac12 c^T M c@f$ and [velocity + @f$c@f$] =
+     * 0 there, zero at supports.
+     * @param held            per contact node of this process: closed ones lose their normal
+     *                        velocity, sticking ones the tangential one
+     * @param mass_correction @f$M c@f$, the impulses of these nodes and of supports
+     * @return effort; no active node means that no process holds any, and @f$c = 0@f$
      */
     virtual SolveReport stop_relative_motion(const Vector    &velocity,
                                              const ActiveSet &held,
@@ -102,11 +109,12 @@ namespace signorini
     virtual std::vector<unsigned int> massless_entries() const = 0;
 
     /**
-     * Static contact equilibrium of these entries between the others, which stand still: least 1/2 u'Au - f'u with
-     * u.nu <= g.
-     * @param displacement  u, changed in the massless entries only; there it is a first guess on entry
-     * @param load          f
-     * @param contact_force r
+     * Static contact equilibrium of these entries between the others, which stand still: least
+     * @f$\tfrac12 u^T A u - f^T u@f$ with @f$u \cdot \nu \le g@f$.
+     * @param displacement  @f$u@f$, changed in the massless entries only; there it is a first guess
+     *                      on entry
+     * @param load          @f$f@f$
+     * @param contact_force @f$r@f$
      */
     virtual SolveReport
     equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) = 0;

@@ -38,12 +38,12 @@ namespace signorini
   };
 
   /**
-   * A one-step method for M u'' + A u = f + r with unilateral contact.
+   * A one-step method for @f$M \ddot u + A u = f + r@f$ with unilateral contact.
    *
-   * Contract of advance(): on entry the state is complete (momentum = M v, internal_force = A u) and admissible up to
-   * tolerance, and the system offers what the scheme needs; on exit the state is the complete one of a step later.
-   * Nothing but `state` is changed, and if an exception leaves advance(), the state is as it was. The scheme keeps no
-   * memory between steps.
+   * Contract of advance(): on entry the state is complete (momentum = @f$M v@f$, internal_force =
+   * @f$A u@f$) and admissible up to tolerance, and the system offers what the scheme needs; on exit
+   * the state is the complete one of a step later. Nothing but `state` is changed, and if an
+   * exception leaves advance(), the state is as it was. The scheme keeps no memory between steps.
    */
   class TimeScheme
   {

@@ -1,0 +1,6 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+#
+# Formulas of the pages, $...$, as Doxygen writes them; blocks of code (four spaces) are left alone.
+/^    /b
+s/\$\([^$]*\)\$/@f$\1@f$/g
