@@ -44,7 +44,8 @@ namespace signorini
 
     /** Let all processes know which of their ghost cells are going to be refined: by active_cell_index. */
     template <int dim>
-    std::vector<char> refine_flags_with_ghosts(const parallel::distributed::Triangulation<dim> &triangulation)
+    std::vector<char>
+    refine_flags_with_ghosts(const parallel::distributed::Triangulation<dim> &triangulation)
     {
       using Cell = typename Triangulation<dim>::active_cell_iterator;
       std::vector<char> flags(triangulation.n_active_cells());
@@ -70,8 +71,8 @@ namespace signorini
       for (const auto &cell : triangulation.active_cell_iterators())
         if (!cell->is_artificial())
           for (const unsigned int v : cell->vertex_indices())
-            finest[cell->vertex_index(v)] =
-              std::max(finest[cell->vertex_index(v)], cell->level() + refined[cell->active_cell_index()]);
+            finest[cell->vertex_index(v)] = std::max(
+              finest[cell->vertex_index(v)], cell->level() + refined[cell->active_cell_index()]);
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned() && cell->coarsen_flag_set())
           for (const unsigned int v : cell->vertex_indices())
@@ -81,17 +82,106 @@ namespace signorini
 
 
     template <int dim>
-    void count_flags(const parallel::distributed::Triangulation<dim> &triangulation, MeshChange &change)
+    void count_flags(const parallel::distributed::Triangulation<dim> &triangulation,
+                     MeshChange                                      &change)
     {
       change.n_to_refine = change.n_to_coarsen = 0;
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           {
-            change.n_to_refine += cell->refine_flag_set() ? 1 : 0; // the flag is a set of directions
+            change.n_to_refine +=
+              cell->refine_flag_set() ? 1 : 0; // the flag is a set of directions
             change.n_to_coarsen += cell->coarsen_flag_set() ? 1 : 0;
           }
-      change.n_to_refine  = Utilities::MPI::sum(change.n_to_refine, triangulation.get_communicator());
-      change.n_to_coarsen = Utilities::MPI::sum(change.n_to_coarsen, triangulation.get_communicator());
+      change.n_to_refine =
+        Utilities::MPI::sum(change.n_to_refine, triangulation.get_communicator());
+      change.n_to_coarsen =
+        Utilities::MPI::sum(change.n_to_coarsen, triangulation.get_communicator());
+    }
+
+
+    /** What may and what must be done with each cell of this process, by active_cell_index. */
+    struct CellWishes
+    {
+      dealii::Vector<double> squares; ///< of the indicators
+      std::vector<bool>      refinable, coarsenable, wanted;
+    };
+
+    template <int dim>
+    CellWishes collect_wishes(const Mesh<dim>              &mesh,
+                              const AdaptivityParameters   &parameters,
+                              const dealii::Vector<double> &indicator,
+                              const std::vector<bool>      &not_to_coarsen,
+                              const std::vector<bool>      &to_refine)
+    {
+      const unsigned int n = indicator.size();
+      CellWishes         wishes{
+        indicator, std::vector<bool>(n), std::vector<bool>(n), std::vector<bool>(n)};
+      for (double &value : wishes.squares)
+        value *= value;
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const unsigned int index = cell->active_cell_index(), level = cell->level();
+            const unsigned int lowest =
+              std::max(parameters.minimum_level, mesh.bodies()[cell->material_id()].refinements);
+            wishes.refinable[index] = level < parameters.maximum_level;
+            wishes.coarsenable[index] =
+              level > lowest && (not_to_coarsen.empty() || !not_to_coarsen[index]);
+            wishes.wanted[index] =
+              wishes.refinable[index] && !to_refine.empty() && to_refine[index];
+          }
+      return wishes;
+    }
+
+
+    /** The thresholds within the limit of cells; wishes that are beyond it are dropped. */
+    template <int dim>
+    MarkingThresholds choose_thresholds(const Mesh<dim>             &mesh,
+                                        const AdaptivityParameters  &parameters,
+                                        const IndicatorDistribution &distribution,
+                                        CellWishes                  &wishes)
+    {
+      const auto         marking   = make_marking<dim>(parameters);
+      MarkingThresholds  threshold = marking->thresholds(distribution);
+      constexpr unsigned more      = (1 << dim) - 1; // cells by one refinement
+      if (parameters.maximum_cells > 0)
+        {
+          const double n_wanted = Utilities::MPI::sum(
+            std::count(wishes.wanted.begin(), wishes.wanted.end(), true), mesh.communicator());
+          double room = double(parameters.maximum_cells) - distribution.n_cells();
+          if (n_wanted * more <= room)
+            room -= n_wanted * more;
+          else // all or none, lest contact be fine in parts
+            wishes.wanted.assign(wishes.wanted.size(), false);
+          threshold.refine =
+            std::max(threshold.refine, distribution.threshold_of_number(room / more));
+        }
+      if (marking->weighs_parts()
+          && refinable_part(
+               mesh.triangulation(), wishes.squares, wishes.refinable, threshold.refine)
+               < parameters.hysteresis * distribution.total())
+        threshold.refine = std::numeric_limits<double>::infinity();
+      return threshold;
+    }
+
+
+    template <int dim>
+    void set_flags(parallel::distributed::Triangulation<dim> &triangulation,
+                   const CellWishes                          &wishes,
+                   const MarkingThresholds                   &threshold)
+    {
+      clear_flags(triangulation);
+      for (const auto &cell : triangulation.active_cell_iterators())
+        if (cell->is_locally_owned())
+          {
+            const unsigned int index  = cell->active_cell_index();
+            const double       square = wishes.squares(index);
+            if (wishes.wanted[index] || (wishes.refinable[index] && square >= threshold.refine))
+              cell->set_refine_flag();
+            else if (wishes.coarsenable[index] && square < threshold.coarsen)
+              cell->set_coarsen_flag();
+          }
     }
   } // namespace
 
@@ -103,52 +193,11 @@ namespace signorini
                         const std::vector<bool>      &not_to_coarsen,
                         const std::vector<bool>      &to_refine)
   {
-    auto                  &triangulation = mesh.triangulation();
-    dealii::Vector<double> squares       = indicator;
-    std::vector<bool>      refinable(squares.size()), coarsenable(squares.size()),
-      wanted(squares.size());
-    for (double &value : squares)
-      value *= value;
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const unsigned int index = cell->active_cell_index(), level = cell->level();
-          refinable[index]   = level < parameters.maximum_level;
-          coarsenable[index] = level > std::max(parameters.minimum_level,
-                                                mesh.bodies()[cell->material_id()].refinements)
-                               && (not_to_coarsen.empty() || !not_to_coarsen[index]);
-          wanted[index] = refinable[index] && !to_refine.empty() && to_refine[index];
-        }
-
-    const IndicatorDistribution distribution(triangulation, squares, refinable);
-    const auto                  marking   = make_marking<dim>(parameters);
-    MarkingThresholds           threshold = marking->thresholds(distribution);
-    if (parameters.maximum_cells > 0)
-      {
-        const double n_wanted =
-          Utilities::MPI::sum(std::count(wanted.begin(), wanted.end(), true), triangulation.get_communicator());
-        double room = double(parameters.maximum_cells) - distribution.n_cells();
-        if (n_wanted * ((1 << dim) - 1) <= room)
-          room -= n_wanted * ((1 << dim) - 1);
-        else // all or none, lest contact be fine in parts
-          wanted.assign(wanted.size(), false);
-        threshold.refine = std::max(threshold.refine, distribution.threshold_of_number(room / ((1 << dim) - 1)));
-      }
-    if (marking->weighs_parts()
-        && refinable_part(triangulation, squares, refinable, threshold.refine)
-             < parameters.hysteresis * distribution.total())
-      threshold.refine = std::numeric_limits<double>::infinity();
-
-    clear_flags(triangulation);
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (cell->is_locally_owned())
-        {
-          const unsigned int index = cell->active_cell_index();
-          if (wanted[index] || (refinable[index] && squares(index) >= threshold.refine))
-            cell->set_refine_flag();
-          else if (coarsenable[index] && squares(index) < threshold.coarsen)
-            cell->set_coarsen_flag();
-        }
+    auto      &triangulation = mesh.triangulation();
+    CellWishes wishes = collect_wishes(mesh, parameters, indicator, not_to_coarsen, to_refine);
+    const IndicatorDistribution distribution(triangulation, wishes.squares, wishes.refinable);
+    const MarkingThresholds threshold = choose_thresholds(mesh, parameters, distribution, wishes);
+    set_flags(triangulation, wishes, threshold);
     MeshChange change;
     change.estimate = std::sqrt(distribution.total());
     count_flags(triangulation, change);

@@ -83,33 +83,68 @@ namespace signorini
 
 
   template <int dim>
+  MortarCoupling<dim>::CoveredFace::CoveredFace(const SurfaceFace<dim> &slave)
+    : slave(&slave)
+  {
+    for (const NodeWeights &weights : slave.nodes)
+      for (const auto &[node, weight] : weights)
+        if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
+          nodes.push_back(node);
+    const Eigen::Index n = nodes.size();
+    const QGauss<dim - 1> quadrature(3);
+    full = Eigen::VectorXd::Zero(n);
+    for (unsigned int q = 0; q < quadrature.size(); ++q)
+      full += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm() * values_at(quadrature.point(q));
+    mass     = Eigen::MatrixXd::Zero(n, n);
+    normals  = Eigen::MatrixXd::Zero(n, dim);
+    opposite = normals;
+    distance = normals;
+  }
+
+
+  template <int dim>
+  Eigen::VectorXd MortarCoupling<dim>::CoveredFace::values_at(const Point<dim - 1> &xi) const
+  {
+    Eigen::VectorXd values = Eigen::VectorXd::Zero(nodes.size());
+    for_each_node<dim>(*slave, xi, [&](const types::global_dof_index node, const double value) {
+      values[std::find(nodes.begin(), nodes.end(), node) - nodes.begin()] += value;
+    });
+    return values;
+  }
+
+
+  template <int dim>
+  void MortarCoupling<dim>::CoveredFace::add(const SegmentPoint<dim> &point,
+                                             const SurfaceFace<dim>  &master,
+                                             const Tensor<1, dim>    &normal,
+                                             const Tensor<1, dim>    &opposite_normal)
+  {
+    const Eigen::VectorXd values = values_at(point.slave);
+    const Tensor<1, dim>  apart  = master.position(point.master) - slave->position(point.slave);
+    mass += point.weight * values * values.transpose();
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        normals.col(c) += point.weight * normal[c] * values;
+        opposite.col(c) += point.weight * opposite_normal[c] * values;
+        distance.col(c) += point.weight * apart[c] * values;
+      }
+    for_each_node<dim>(master, point.master, [&](const types::global_dof_index node, const double value) {
+      const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
+      entry->second += point.weight * value * values;
+    });
+  }
+
+
+  template <int dim>
   std::vector<typename MortarCoupling<dim>::CoveredFace>
   MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
   {
-    const QGauss<dim - 1>    face_quadrature(3);
     MeanCurvature<dim>       slave_curvature, master_curvature;
     std::vector<CoveredFace> result;
     for (std::size_t f = 0; f < surfaces.slaves.size(); ++f)
       {
         const SurfaceFace<dim> &slave = surfaces.slaves[f];
-        CoveredFace             face;
-        for (const NodeWeights &nodes : slave.nodes)
-          for (const auto &[node, weight] : nodes)
-            if (std::find(face.nodes.begin(), face.nodes.end(), node) == face.nodes.end())
-              face.nodes.push_back(node);
-        const Eigen::Index n              = face.nodes.size();
-        const auto         node_values_at = [&](const Point<dim - 1> &xi) {
-          Eigen::VectorXd values = Eigen::VectorXd::Zero(n);
-          for_each_node<dim>(slave, xi, [&](const types::global_dof_index node, const double value) {
-            values[std::find(face.nodes.begin(), face.nodes.end(), node) - face.nodes.begin()] += value;
-          });
-          return values;
-        };
-
-        face.full = Eigen::VectorXd::Zero(n);
-        for (unsigned int q = 0; q < face_quadrature.size(); ++q)
-          face.full += face_quadrature.weight(q) * slave.area_vector(face_quadrature.point(q)).norm()
-                       * node_values_at(face_quadrature.point(q));
+        CoveredFace             face(slave);
         total_area += face.full.sum();
 
         double covered = 0.;
@@ -119,119 +154,127 @@ namespace signorini
         if (covered < smallest_covered_face * projected_area(slave))
           continue;
 
-        face.mass      = Eigen::MatrixXd::Zero(n, n);
-        face.normals   = Eigen::MatrixXd::Zero(n, dim);
-        face.opposite  = face.normals;
-        face.distance  = face.normals;
         face.clearance = std::numeric_limits<double>::max();
         for (const Segment<dim> &segment : surfaces.segments[f])
           face.clearance = std::min(face.clearance, segment.smallest_gap);
         for (const Segment<dim> &segment : surfaces.segments[f])
           for (const SegmentPoint<dim> &point : segment.points)
             {
-              const SurfaceFace<dim> &master = surfaces.masters[segment.master];
-              const Eigen::VectorXd   values = node_values_at(point.slave);
-              const Tensor<1, dim>    normal = unit(slave.area_vector(point.slave)),
-                                   opposite  = unit(master.area_vector(point.master));
-              const Point<dim> here = slave.position(point.slave), there = master.position(point.master);
-              slave_curvature.add(point.weight, here, normal);
-              master_curvature.add(point.weight, there, opposite);
-              face.mass += point.weight * values * values.transpose();
-              for (unsigned int c = 0; c < dim; ++c)
-                {
-                  face.normals.col(c) += point.weight * normal[c] * values;
-                  face.opposite.col(c) += point.weight * opposite[c] * values;
-                  face.distance.col(c) += point.weight * (there[c] - here[c]) * values;
-                }
-              for_each_node<dim>(master, point.master, [&](const types::global_dof_index node, const double value) {
-                face.mixed.emplace(node, Eigen::VectorXd::Zero(n)).first->second += point.weight * value * values;
-              });
+              const SurfaceFace<dim> &master   = surfaces.masters[segment.master];
+              const Tensor<1, dim>    normal   = unit(slave.area_vector(point.slave));
+              const Tensor<1, dim>    opposite = unit(master.area_vector(point.master));
+              slave_curvature.add(point.weight, slave.position(point.slave), normal);
+              master_curvature.add(point.weight, master.position(point.master), opposite);
+              face.add(point, master, normal, opposite);
             }
         total_covered_area += face.mass.sum();
         result.push_back(std::move(face));
       }
-    const auto curvature = [&](const MeanCurvature<dim> &samples) {
-      return samples.value(discretization.communicator());
-    };
-    const NormalWeights weights = weights_of_normals(curvature(slave_curvature), curvature(master_curvature));
+    const MPI_Comm      communicator = discretization.communicator();
+    const NormalWeights weights =
+      weights_of_normals(slave_curvature.value(communicator), master_curvature.value(communicator));
     for (CoveredFace &face : result)
       face.normals = weights.slave * face.normals - weights.master * face.opposite;
-    any_segment        = Utilities::MPI::max(static_cast<unsigned int>(any_segment), discretization.communicator()) > 0;
-    total_area         = Utilities::MPI::sum(total_area, discretization.communicator());
-    total_covered_area = Utilities::MPI::sum(total_covered_area, discretization.communicator());
+    any_segment        = Utilities::MPI::max(static_cast<unsigned int>(any_segment), communicator) > 0;
+    total_area         = Utilities::MPI::sum(total_area, communicator);
+    total_covered_area = Utilities::MPI::sum(total_covered_area, communicator);
     return result;
+  }
+
+
+  template <int dim>
+  typename MortarCoupling<dim>::NodeIntegrals
+  MortarCoupling<dim>::collect(const std::vector<CoveredFace> &faces) const
+  {
+    NodeIntegrals sums;
+    for (Vector *vector : {&sums.covered, &sums.full, &sums.normals, &sums.clearance})
+      *vector = discretization.make_vector();
+    for (unsigned int i = 0; i < dim * discretization.matrices().pattern.n_local; ++i)
+      sums.clearance.local_element(i) = std::numeric_limits<double>::max();
+    for (const CoveredFace &face : faces)
+      {
+        const Eigen::VectorXd integrals = face.mass.rowwise().sum();
+        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+          {
+            const auto first = dim * face.nodes[i];
+            sums.covered(first) += integrals[i];
+            sums.full(first) += face.full[i];
+            sums.clearance(first) = std::min(sums.clearance(first), face.clearance);
+            for (unsigned int c = 0; c < dim; ++c)
+              sums.normals(first + c) += face.normals(i, c);
+          }
+      }
+    for (Vector *sum : {&sums.covered, &sums.full, &sums.normals})
+      sum->compress(VectorOperation::add);
+    sums.clearance.compress(VectorOperation::min);
+    return sums;
+  }
+
+
+  template <int dim>
+  bool MortarCoupling<dim>::fit_to_supports(const Supports<dim>  &supports,
+                                            const Tensor<1, dim> &normal,
+                                            ContactNode<dim>     &contact_node,
+                                            std::string          &complaint)
+  {
+    const auto support = supports.nodes().find(contact_node.node);
+    if (support == supports.nodes().end())
+      return true;
+    const double free_part = fit_frame_to_supports<dim>(support->second, contact_node);
+    if (free_part < held_normal)
+      {
+        ++n_left_to_supports;
+        return false;
+      }
+    if (free_part < free_normal)
+      {
+        std::ostringstream message;
+        message << "Contact/Pairs = " << pair_name << ": at (" << contact_node.position
+                << ") a support holds a direction that is neither normal nor tangential to the "
+                   "contact surface (normal "
+                << normal
+                << "). Hold all components there or none, or turn the scene so that the surface is "
+                   "parallel to an axis.";
+        complaint = std::min(complaint.empty() ? message.str() : complaint, message.str());
+      }
+    if (free_part < 1. - 1e-12)
+      turn = std::max(turn, 180. / numbers::PI * std::acos(free_part));
+    return true;
   }
 
 
   template <int dim>
   Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports)
   {
-    Vector covered = discretization.make_vector(), full = covered, normals = covered, carries = covered,
-           clearance = covered;
-    for (unsigned int i = 0; i < dim * discretization.matrices().pattern.n_local; ++i)
-      clearance.local_element(i) = std::numeric_limits<double>::max();
-    for (const CoveredFace &face : faces)
-      {
-        const Eigen::VectorXd integrals = face.mass.rowwise().sum();
-        for (std::size_t i = 0; i < face.nodes.size(); ++i)
-          {
-            covered(dim * face.nodes[i]) += integrals[i];
-            full(dim * face.nodes[i]) += face.full[i];
-            clearance(dim * face.nodes[i]) = std::min(clearance(dim * face.nodes[i]), face.clearance);
-            for (unsigned int c = 0; c < dim; ++c)
-              normals(dim * face.nodes[i] + c) += face.normals(i, c);
-          }
-      }
-    for (Vector *sum : {&covered, &full, &normals})
-      sum->compress(VectorOperation::add);
-    clearance.compress(VectorOperation::min);
-
-    std::string oblique_support;
+    const NodeIntegrals sums    = collect(faces);
+    Vector              carries = discretization.make_vector();
+    std::string         oblique_support;
     for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
-        const double weight = covered.local_element(dim * node);
-        if (!(weight > smallest_covered_node * full.local_element(dim * node)))
+        const double weight = sums.covered.local_element(dim * node);
+        if (!(weight > smallest_covered_node * sums.full.local_element(dim * node)))
           continue;
         Tensor<1, dim> normal;
         for (unsigned int c = 0; c < dim; ++c)
-          normal[c] = normals.local_element(dim * node + c);
+          normal[c] = sums.normals.local_element(dim * node + c);
         if (!(normal.norm() > 1e-3 * weight)) // faces that look in opposite directions
           continue;
         normal /= normal.norm();
         ContactNode<dim> contact_node{
           node, pair, discretization.node_positions()[node], 0., weight, contact_frame(normal), {}};
-        if (const auto support = supports.nodes().find(node); support != supports.nodes().end())
-          {
-            const double free_part = fit_frame_to_supports<dim>(support->second, contact_node);
-            if (free_part < held_normal)
-              {
-                ++n_left_to_supports;
-                continue;
-              }
-            if (free_part < free_normal)
-              {
-                std::ostringstream message;
-                message << "Contact/Pairs = " << pair_name << ": at (" << contact_node.position
-                        << ") a support holds a direction that is neither normal nor "
-                        << "tangential to the contact surface (normal " << normal
-                        << "). Hold all components there or none, or turn the scene so that the "
-                           "surface is parallel to "
-                           "an axis.";
-                oblique_support = std::min(oblique_support.empty() ? message.str() : oblique_support, message.str());
-              }
-            if (free_part < 1. - 1e-12)
-              turn = std::max(turn, 180. / numbers::PI * std::acos(free_part));
-          }
-        contact_node.clearance            = clearance.local_element(dim * node);
+        if (!fit_to_supports(supports, normal, contact_node, oblique_support))
+          continue;
+        contact_node.clearance            = sums.clearance.local_element(dim * node);
         carries.local_element(dim * node) = 1.;
         contact_nodes.push_back(contact_node);
       }
-    for (const std::string &message : Utilities::MPI::all_gather(discretization.communicator(), oblique_support))
+    const MPI_Comm communicator = discretization.communicator();
+    for (const std::string &message : Utilities::MPI::all_gather(communicator, oblique_support))
       if (!message.empty())
         throw UserError(message);
-    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
-    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
-    turn     = Utilities::MPI::max(turn, discretization.communicator());
+    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, communicator);
+    n_global           = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), communicator);
+    turn               = Utilities::MPI::max(turn, communicator);
     carries.update_ghost_values();
     return carries;
   }

@@ -17,11 +17,12 @@ namespace signorini
   namespace
   {
     /** The elements of lists of all processes as one set. */
-    std::set<types::global_dof_index> unite(const std::set<types::global_dof_index> &own, const MPI_Comm communicator)
+    std::set<types::global_dof_index> unite(const std::set<types::global_dof_index> &own,
+                                            const MPI_Comm                           communicator)
     {
       std::set<types::global_dof_index> result;
-      for (const auto &part :
-           Utilities::MPI::all_gather(communicator, std::vector<types::global_dof_index>(own.begin(), own.end())))
+      for (const auto &part : Utilities::MPI::all_gather(
+             communicator, std::vector<types::global_dof_index>(own.begin(), own.end())))
         result.insert(part.begin(), part.end());
       return result;
     }
@@ -44,6 +45,48 @@ namespace signorini
             function(cell, nodes);
           }
     }
+
+
+    /** Element matrices of the mass with one number per pair of vertices. */
+    template <int dim>
+    class CellMass
+    {
+    public:
+      explicit CellMass(const Mesh<dim> &mesh)
+        : mesh(mesh)
+        , fe(1)
+        , fe_values(mesh.mapping(),
+                    fe,
+                    QGauss<dim>(mesh.n_quadrature_points()),
+                    update_values | update_JxW_values)
+      {
+      }
+
+      template <typename Cell, typename Nodes>
+      StripCell<dim> strip_cell(const Cell &cell, const Nodes &nodes) const
+      {
+        StripCell<dim> result;
+        result.nodes = nodes;
+        result.mass.fill(0.);
+        fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell));
+        const double density = mesh.bodies()[cell->material_id()].material.density;
+        for (unsigned int a = 0; a < nodes.size(); ++a)
+          {
+            result.vertices[a] = cell->vertex(a);
+            for (unsigned int b = 0; b < nodes.size(); ++b)
+              for (const unsigned int q : fe_values.quadrature_point_indices())
+                result.mass[a * nodes.size() + b] += density * fe_values.shape_value(a, q)
+                                                     * fe_values.shape_value(b, q)
+                                                     * fe_values.JxW(q);
+          }
+        return result;
+      }
+
+    private:
+      const Mesh<dim>      &mesh;
+      const FE_Q<dim>       fe;
+      mutable FEValues<dim> fe_values;
+    };
   } // namespace
 
 
@@ -58,26 +101,14 @@ namespace signorini
 
 
   template <int dim>
-  ContactStrip<dim>::ContactStrip(const Discretization<dim> &discretization, const ContactSurface<dim> &surface)
+  ContactStrip<dim>::ContactStrip(const Discretization<dim> &discretization,
+                                  const ContactSurface<dim> &surface)
   {
     const MPI_Comm communicator = discretization.communicator();
-    {
-      std::vector<std::pair<Node, std::array<double, dim>>> own;
-      for (const ContactNode<dim> &node : surface.nodes())
-        {
-          std::array<double, dim> normal;
-          std::copy_n(node.frame.begin(), dim, normal.begin());
-          own.emplace_back(
-            discretization.matrices().pattern.partitioner->local_to_global(dim * node.node) / dim,
-            normal);
-        }
-      for (const auto &part : Utilities::MPI::all_gather(communicator, own))
-        for (const auto &[node, normal] : part)
-          for (unsigned int c = 0; c < dim; ++c)
-            massless[node][c] = normal[c];
-    }
+    find_massless_nodes(discretization, surface);
     const auto touches = [](const auto &nodes, const auto &set) {
-      return std::any_of(nodes.begin(), nodes.end(), [&](const Node node) { return set.count(node) > 0; });
+      return std::any_of(
+        nodes.begin(), nodes.end(), [&](const Node node) { return set.count(node) > 0; });
     };
 
     std::set<Node> first_layer; // nodes of the cells at massless nodes
@@ -88,32 +119,40 @@ namespace signorini
     first_layer.erase(StripCell<dim>::hanging);
     first_layer = unite(first_layer, communicator);
 
-    const FE_Q<dim>             scalar_fe(1);
-    FEValues<dim>               fe_values(discretization.mesh().mapping(),
-                            scalar_fe,
-                            QGauss<dim>(discretization.mesh().n_quadrature_points()),
-                            update_values | update_JxW_values);
+    const CellMass<dim>         mass(discretization.mesh());
     std::vector<StripCell<dim>> own_cells;
     for_each_owned_cell(discretization, [&](const auto &cell, const auto &nodes) {
-      if (!touches(nodes, first_layer))
-        return;
-      StripCell<dim> strip_cell;
-      strip_cell.nodes = nodes;
-      strip_cell.mass.fill(0.);
-      fe_values.reinit(static_cast<typename Triangulation<dim>::cell_iterator>(cell));
-      const double density = discretization.mesh().bodies()[cell->material_id()].material.density;
-      for (unsigned int a = 0; a < nodes.size(); ++a)
-        {
-          strip_cell.vertices[a] = cell->vertex(a);
-          for (unsigned int b = 0; b < nodes.size(); ++b)
-            for (const unsigned int q : fe_values.quadrature_point_indices())
-              strip_cell.mass[a * nodes.size() + b] +=
-                density * fe_values.shape_value(a, q) * fe_values.shape_value(b, q) * fe_values.JxW(q);
-        }
-      own_cells.push_back(strip_cell);
+      if (touches(nodes, first_layer))
+        own_cells.push_back(mass.strip_cell(cell, nodes));
     });
     for (const auto &part : Utilities::MPI::all_gather(communicator, own_cells))
       cells.insert(cells.end(), part.begin(), part.end());
+    index_cells();
+  }
+
+
+  template <int dim>
+  void ContactStrip<dim>::find_massless_nodes(const Discretization<dim> &discretization,
+                                              const ContactSurface<dim> &surface)
+  {
+    const auto &partitioner = *discretization.matrices().pattern.partitioner;
+    std::vector<std::pair<Node, std::array<double, dim>>> own;
+    for (const ContactNode<dim> &node : surface.nodes())
+      {
+        std::array<double, dim> normal;
+        std::copy_n(node.frame.begin(), dim, normal.begin());
+        own.emplace_back(partitioner.local_to_global(dim * node.node) / dim, normal);
+      }
+    for (const auto &part : Utilities::MPI::all_gather(discretization.communicator(), own))
+      for (const auto &[node, normal] : part)
+        for (unsigned int c = 0; c < dim; ++c)
+          massless[node][c] = normal[c];
+  }
+
+
+  template <int dim>
+  void ContactStrip<dim>::index_cells()
+  {
     // Cells of one body never share their centre; bodies may touch, but not overlap.
     std::sort(cells.begin(), cells.end(), [](const StripCell<dim> &a, const StripCell<dim> &b) {
       const Point<dim> x = a.centre(), y = b.centre();

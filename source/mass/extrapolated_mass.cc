@@ -18,7 +18,9 @@ namespace signorini
 
     /** The node with mass at the end of an edge from `node` that points best along `direction`, within 60 degrees. */
     template <int dim>
-    Node neighbour_along(const ContactStrip<dim> &strip, const Node node, const Tensor<1, dim> &direction)
+    Node neighbour_along(const ContactStrip<dim> &strip,
+                         const Node               node,
+                         const Tensor<1, dim>    &direction)
     {
       Node        best    = numbers::invalid_dof_index;
       double      largest = 0.5 * direction.norm();
@@ -106,7 +108,8 @@ namespace signorini
     if (missing.norm() > round_off)
       {
         // The fewer nodes, the fewer new couplings.
-        std::set<Node> centres = weights.empty() ? patch_around(strip, {node}) : std::set<Node>{node};
+        std::set<Node> centres =
+          weights.empty() ? patch_around(strip, {node}) : std::set<Node>{node};
         if (!weights.empty())
           centres.insert(neighbour_along<dim>(strip, node, -strip.massless.at(node)));
         const std::set<Node> patch = patch_around(strip, centres);
@@ -126,7 +129,8 @@ namespace signorini
 
 
   template <int dim>
-  MassChange extrapolated_mass(const Discretization<dim> &discretization, const ContactStrip<dim> &strip)
+  MassChange extrapolated_mass(const Discretization<dim> &discretization,
+                               const ContactStrip<dim>   &strip)
   {
     std::map<Node, NodeWeights> weights;
     for (const auto &[node, normal] : strip.massless)
@@ -147,8 +151,10 @@ namespace signorini
     // M~ - M from the rows of M that this process owns; only couplings with contact nodes change.
     const auto &matrices    = discretization.matrices();
     const auto &partitioner = *matrices.pattern.partitioner;
-    const auto  global      = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
-    const auto  spread      = [&](const Node node) {
+    const auto  global      = [&](const unsigned int local) {
+      return partitioner.local_to_global(dim * local) / dim;
+    };
+    const auto spread = [&](const Node node) {
       return strip.is_massless(node) ? weights.at(node) : NodeWeights{{node, 1.}};
     };
     MassChange contributions;
@@ -159,14 +165,17 @@ namespace signorini
           contributions[{q, r}] += weight_q * weight_r * mass;
     };
     for (unsigned int row = 0; row < matrices.pattern.n_owned; ++row)
-      for (unsigned int k = matrices.pattern.row_start[row]; k < matrices.pattern.row_start[row + 1]; ++k)
+      for (unsigned int k = matrices.pattern.row_start[row];
+           k < matrices.pattern.row_start[row + 1];
+           ++k)
         {
           const unsigned int column = matrices.pattern.columns[k];
           const Node         i = global(row), j = global(column);
           if (!strip.is_massless(i) && !strip.is_massless(j))
             continue;
           move(i, j, matrices.mass[k]);
-          if (column != row && column < matrices.pattern.n_owned) // the owner of a ghost does its row
+          if (column != row
+              && column < matrices.pattern.n_owned) // the owner of a ghost does its row
             move(j, i, matrices.mass[k]);
         }
     return sum_of_owned_rows<dim>(contributions, partitioner);

@@ -51,7 +51,8 @@ namespace signorini
 
 
   template <int dim>
-  MassSolver<dim>::MassSolver(const ElasticMatrices<dim> &matrices, const std::vector<unsigned int> &held)
+  MassSolver<dim>::MassSolver(const ElasticMatrices<dim>      &matrices,
+                              const std::vector<unsigned int> &held)
     : matrices(matrices)
     , inverse_diagonal(matrices.pattern.partitioner)
   {
@@ -59,7 +60,8 @@ namespace signorini
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (!pattern.is_empty(node))
         for (unsigned int c = 0; c < dim; ++c)
-          inverse_diagonal.local_element(dim * node + c) = 1. / matrices.mass[pattern.row_start[node]];
+          inverse_diagonal.local_element(dim * node + c) =
+            1. / matrices.mass[pattern.row_start[node]];
     for (const unsigned int node : matrices.massless_nodes)
       for (unsigned int c = 0; c < dim; ++c)
         inverse_diagonal.local_element(dim * node + c) = 0.;
@@ -100,8 +102,8 @@ namespace signorini
         1. + std::sin(static_cast<double>((first_entry + i) * (first_entry + i) % 1009));
     mass.clear_held(right_hand_side);
     std::vector<std::pair<double, double>> coefficients; // alpha and beta of each iteration
-    IterationNumberControl                 control(60, 1e-12 * right_hand_side.l2_norm(), false, false);
-    SolverCG<Vector>                       solver(control);
+    IterationNumberControl control(60, 1e-12 * right_hand_side.l2_norm(), false, false);
+    SolverCG<Vector>       solver(control);
     solver.connect_coefficients_slot(
       [&](const double alpha, const double beta) { coefficients.emplace_back(alpha, beta); });
     solver.solve(mass, result, right_hand_side, Diagonal{inverse_diagonal});

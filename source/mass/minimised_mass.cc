@@ -28,6 +28,19 @@ namespace signorini
         result[node] = static_cast<unsigned int>(std::lround(bodies.local_element(dim * node)));
       return result;
     }
+
+
+    /** The polynomial that gives back what was taken. */
+    template <typename Matrix, typename Values>
+    Values polynomial_of(const Matrix &gram, const Values &taken, const std::string &body)
+    {
+      const Eigen::FullPivLU<Matrix> factor(gram);
+      if (!factor.isInvertible())
+        throw UserError("Time/Mass redistribution = minimisation: the body '" + body
+                        + "' has too few nodes besides its contact nodes. Increase Refinements or "
+                          "Repetitions.");
+      return factor.solve(taken);
+    }
   } // namespace
 
 
@@ -55,14 +68,19 @@ namespace signorini
                                                                          positions[j]);
     };
     std::vector<double> sums(n_bodies * (n + n * n), 0.);
-    const auto taken = [&](const unsigned int body) { return Eigen::Map<Values>(sums.data() + body * (n + n * n)); };
-    const auto gram = [&](const unsigned int body) { return Eigen::Map<Matrix>(sums.data() + body * (n + n * n) + n); };
+    const auto          taken = [&](const unsigned int body) {
+      return Eigen::Map<Values>(sums.data() + body * (n + n * n));
+    };
+    const auto gram = [&](const unsigned int body) {
+      return Eigen::Map<Matrix>(sums.data() + body * (n + n * n) + n);
+    };
     for (unsigned int row = 0; row < pattern.n_owned; ++row)
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
           const unsigned int column = pattern.columns[k], body = body_of[row];
           // The diagonal counts once, pairs of owned nodes twice, and the other half of a pair with a ghost is its owner's.
-          const double mass   = (column == row || column >= pattern.n_owned ? 1. : 2.) * matrices.mass[k];
+          const double mass =
+            (column == row || column >= pattern.n_owned ? 1. : 2.) * matrices.mass[k];
           const Values values = moments(body, row, column);
           if (massless[row] || massless[column])
             taken(body) += mass * values;
@@ -74,23 +92,17 @@ namespace signorini
     std::vector<Values> polynomial(n_bodies, Values::Zero());
     for (unsigned int body = 0; body < n_bodies; ++body)
       if (taken(body)(n - 1) > 0.)
-        {
-          const Eigen::FullPivLU<Matrix> factor(gram(body));
-          if (!factor.isInvertible())
-            throw UserError("Time/Mass redistribution = minimisation: the body '"
-                            + discretization.mesh().bodies()[body].name
-                            + "' has too few nodes besides its contact nodes. Increase Refinements "
-                              "or Repetitions.");
-          polynomial[body] = factor.solve(taken(body));
-        }
+        polynomial[body] = polynomial_of<Matrix, Values>(
+          gram(body), taken(body), discretization.mesh().bodies()[body].name);
 
     matrices.standard_mass = matrices.mass;
     for (unsigned int row = 0; row < pattern.n_local; ++row)
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
           const unsigned int column = pattern.columns[k], body = body_of[row];
-          matrices.mass[k] *=
-            massless[row] || massless[column] ? 0. : 1. + polynomial[body].dot(moments(body, row, column));
+          matrices.mass[k] *= massless[row] || massless[column]
+                                ? 0.
+                                : 1. + polynomial[body].dot(moments(body, row, column));
         }
   }
 

@@ -11,12 +11,16 @@
 namespace signorini
 {
   template <int dim>
-  MassChange sum_of_owned_rows(const MassChange &contributions, const dealii::Utilities::MPI::Partitioner &partitioner)
+  MassChange sum_of_owned_rows(const MassChange                          &contributions,
+                               const dealii::Utilities::MPI::Partitioner &partitioner)
   {
-    using Entry = std::pair<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>, double>;
+    using Entry =
+      std::pair<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>,
+                double>;
     MassChange sums;
     for (const auto &part : dealii::Utilities::MPI::all_gather(
-           partitioner.get_mpi_communicator(), std::vector<Entry>(contributions.begin(), contributions.end())))
+           partitioner.get_mpi_communicator(),
+           std::vector<Entry>(contributions.begin(), contributions.end())))
       for (const auto &[entry, value] : part)
         if (partitioner.in_local_range(dim * entry.first))
           sums[entry] += value;
@@ -24,6 +28,8 @@ namespace signorini
   }
 
 
-  template MassChange sum_of_owned_rows<2>(const MassChange &, const dealii::Utilities::MPI::Partitioner &);
-  template MassChange sum_of_owned_rows<3>(const MassChange &, const dealii::Utilities::MPI::Partitioner &);
+  template MassChange sum_of_owned_rows<2>(const MassChange &,
+                                           const dealii::Utilities::MPI::Partitioner &);
+  template MassChange sum_of_owned_rows<3>(const MassChange &,
+                                           const dealii::Utilities::MPI::Partitioner &);
 } // namespace signorini

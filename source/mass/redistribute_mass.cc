@@ -29,8 +29,9 @@ namespace signorini
         if (!pattern.is_empty(node))
           {
             const unsigned int diagonal = pattern.row_start[node];
-            is_massless[node]           = strip.is_massless(pattern.partitioner->local_to_global(dim * node) / dim)
-                                || std::abs(matrices.mass[diagonal]) < 1e-10 * matrices.standard_mass[diagonal];
+            is_massless[node] =
+              strip.is_massless(pattern.partitioner->local_to_global(dim * node) / dim)
+              || std::abs(matrices.mass[diagonal]) < 1e-10 * matrices.standard_mass[diagonal];
           }
       for (unsigned int row = 0; row < pattern.n_local; ++row)
         {
@@ -62,9 +63,9 @@ namespace signorini
       Utilities::MPI::max(has_mass, discretization.communicator(), has_mass);
       for (unsigned int body = 0; body < bodies.size(); ++body)
         if (!has_mass[body])
-          throw UserError(
-            head + "all nodes of the body '" + bodies[body].name
-            + "' are contact nodes, so that it would have no mass at all. Increase Refinements or Repetitions.");
+          throw UserError(head + "all nodes of the body '" + bodies[body].name
+                          + "' are contact nodes, so that it would have no mass at all. Increase "
+                            "Refinements or Repetitions.");
     }
 
 
@@ -96,11 +97,12 @@ namespace signorini
 
     const std::string head = "Time/Mass = " + name_of(mass.kind) + ": ";
     if (surface.n_global_nodes() == 0)
-      throw UserError(
-        head
-        + "no node can come into contact (no pair, nothing faces an obstacle, or supports hold all of them), so that "
-          "there is no mass to move. Set `Mass = consistent`, and a scheme that does not need massless "
-          "contact nodes (see `signorini --print-schemes`).");
+      throw UserError(head
+                      + "no node can come into contact (no pair, nothing faces an obstacle, or "
+                        "supports hold all of them), so that "
+                        "there is no mass to move. Set `Mass = consistent`, and a scheme that does "
+                        "not need massless "
+                        "contact nodes (see `signorini --print-schemes`).");
 
     const ContactStrip<dim> strip(discretization, surface);
     check_that_mass_is_left(discretization, strip, head);

@@ -36,22 +36,31 @@ namespace signorini
 
     std::string default_of(const std::string &key)
     {
-      return std::find_if(defaults.begin(), defaults.end(), [&](const auto &entry) { return entry.first == key; })
+      return std::find_if(defaults.begin(),
+                          defaults.end(),
+                          [&](const auto &entry) { return entry.first == key; })
         ->second;
     }
 
-    void refuse_if_given(const SectionReader &in, const std::vector<std::string> &keys, const std::string &reason)
+    void refuse_if_given(const SectionReader            &in,
+                         const std::vector<std::string> &keys,
+                         const std::string              &reason)
     {
       for (const std::string &key : keys)
         if (in.text(key) != default_of(key))
           in.fail(key, reason);
     }
 
-    double fraction(const SectionReader &in, const std::string &key, const double largest, const std::string &meaning)
+    double fraction(const SectionReader &in,
+                    const std::string   &key,
+                    const double         largest,
+                    const std::string   &meaning)
     {
       const double value = in.number(key);
       if (!(value >= 0. && value <= largest))
-        in.fail(key, "must lie between 0 and " + std::string(largest == 1. ? "1" : "0.5") + ": " + meaning);
+        in.fail(key,
+                "must lie between 0 and " + std::string(largest == 1. ? "1" : "0.5") + ": "
+                  + meaning);
       return value;
     }
 
@@ -67,15 +76,17 @@ namespace signorini
     void check_that_keys_fit(const SectionReader &in, const AdaptivityParameters &adaptivity)
     {
       if (adaptivity.indicator == IndicatorKind::distance)
-        refuse_if_given(in,
-                        {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
-                        "belongs to indicators that estimate an error, but Indicator = distance refines by `Distance` "
-                        "alone. Remove this key.");
-      if (adaptivity.marking == MarkingKind::tolerance)
         refuse_if_given(
           in,
-          {"Refine fraction", "Coarsen fraction"},
-          "belongs to `Marking = fixed fraction`, but Marking = tolerance compares with `Tolerance`. Remove this key.");
+          {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
+          "belongs to indicators that estimate an error, but Indicator = distance refines by "
+          "`Distance` "
+          "alone. Remove this key.");
+      if (adaptivity.marking == MarkingKind::tolerance)
+        refuse_if_given(in,
+                        {"Refine fraction", "Coarsen fraction"},
+                        "belongs to `Marking = fixed fraction`, but Marking = tolerance compares "
+                        "with `Tolerance`. Remove this key.");
     }
 
     template <int dim>
@@ -83,12 +94,15 @@ namespace signorini
                       const AdaptivityParameters              &adaptivity,
                       const std::vector<BodyDescription<dim>> &bodies)
     {
-      const auto &coarsest = *std::min_element(
-        bodies.begin(), bodies.end(), [](const auto &a, const auto &b) { return a.refinements < b.refinements; });
+      const auto &coarsest =
+        *std::min_element(bodies.begin(), bodies.end(), [](const auto &a, const auto &b) {
+          return a.refinements < b.refinements;
+        });
       if (adaptivity.maximum_level <= coarsest.refinements)
         in.fail("Maximum level",
-                "leaves nothing to refine: the initial mesh has level " + std::to_string(coarsest.refinements)
-                  + " (`Bodies/" + coarsest.name + "/Refinements`) or more. Give a larger number.");
+                "leaves nothing to refine: the initial mesh has level "
+                  + std::to_string(coarsest.refinements) + " (`Bodies/" + coarsest.name
+                  + "/Refinements`) or more. Give a larger number.");
       if (adaptivity.minimum_level >= adaptivity.maximum_level)
         in.fail("Minimum level",
                 "must be smaller than `Maximum level` = " + in.text("Maximum level")
@@ -96,7 +110,9 @@ namespace signorini
     }
 
     /** Contact nodes without mass cannot be carried from mesh to mesh. */
-    void check_mass(const SectionReader &in, const AdaptivityParameters &adaptivity, const TimeParameters &time)
+    void check_mass(const SectionReader        &in,
+                    const AdaptivityParameters &adaptivity,
+                    const TimeParameters       &time)
     {
       const bool massless = time.mass.has_massless_contact_nodes();
       if (adaptivity.any() && (massless || !scheme_info(time.scheme).changing_mesh))
@@ -106,99 +122,152 @@ namespace signorini
                     "defined, and the mass built anew has another kinetic energy of the same "
                     "motion. Set `Indicator = none`, or take `Mass = consistent` and one of the "
                     "schemes "
-                  + join(schemes_where([](const SchemeInfo &info) { return info.changing_mesh; })) + ".");
+                  + join(schemes_where([](const SchemeInfo &info) { return info.changing_mesh; }))
+                  + ".");
+    }
+  } // namespace
+
+
+  namespace
+  {
+    /** A key with its default. */
+    void declare(dealii::ParameterHandler            &prm,
+                 const std::string                   &key,
+                 const dealii::Patterns::PatternBase &pattern,
+                 const std::string                   &text)
+    {
+      prm.declare_entry(key, default_of(key), pattern, text);
+    }
+
+
+    void declare_marking(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry("Indicator",
+                        name_of(IndicatorKind::none),
+                        choices_of<IndicatorKind>(),
+                        "What tells where the mesh is too coarse or finer than needed. none: the "
+                        "mesh stays as it is. "
+                        "residual: estimate of the error of a step in the energy norm, from the "
+                        "residual inside of the "
+                        "cells, the jumps of the stress between them and the error of the contact "
+                        "condition. kelly: the jumps of "
+                        "the stress alone. distance: no estimate; cells of contact surfaces are "
+                        "refined that are, or soon will be, "
+                        "closer than `Distance` to the other side.");
+      declare(
+        prm,
+        "Marking",
+        choices_of<MarkingKind>(),
+        "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, "
+        "as few as make `Refine "
+        "fraction` of the whole, and coarsen those with the smallest that make `Coarsen "
+        "fraction`. tolerance: refine the "
+        "cells "
+        "that have more than their equal share of `Tolerance`, coarsen those far below it.");
+      declare(prm,
+              "Refine fraction",
+              Double(),
+              "Of Marking = fixed fraction: the part of the squared estimate that the cells to be "
+              "refined make "
+              "together (no unit), between 0 (none) and 1 (all).");
+      declare(prm,
+              "Coarsen fraction",
+              Double(),
+              "Of Marking = fixed fraction: the part of the squared estimate that the cells to be "
+              "coarsened make at most "
+              "together (no unit), between 0 and 0.5.");
+      declare(prm,
+              "Coarsen ratio",
+              Double(),
+              "Of residual and kelly: cells are coarsened only where the squared indicator is "
+              "below this part of the "
+              "threshold of "
+              "refinement (no unit), between 0 and 1. 0: 1/32 in 2d, 1/64 in 3d, so that the "
+              "coarser cell of a smooth "
+              "solution is not "
+              "refined again at once. Fronts that run through a body leave fine cells behind them "
+              "with that; give 0.25 "
+              "to 0.5 there.");
+      declare(prm,
+              "Tolerance",
+              Double(),
+              "Of residual and kelly, in units of the root of an energy: nothing is refined as "
+              "long as the estimate of the "
+              "whole mesh is smaller. Must be given for Marking = tolerance; 0: none.");
+      declare(prm,
+              "Hysteresis",
+              Double(),
+              "A mesh that is good enough is kept: it changes only if the cells to be refined make "
+              "at least this part of "
+              "the squared "
+              "estimate (with distance: if there are any), or those to be coarsened this part of "
+              "all cells (no unit), "
+              "between 0 and "
+              "0.5.");
+    }
+
+
+    void declare_limits(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      declare(prm,
+              "Maximum level",
+              Integer(),
+              "Cells of this level are not refined. The level counts refinements of the coarse "
+              "mesh, as `Refinements` of "
+              "a body "
+              "does. Must be given unless Indicator = none.");
+      declare(prm,
+              "Minimum level",
+              Integer(),
+              "Cells of this level are not coarsened. Cells of the initial uniform mesh (level "
+              "`Refinements` of their "
+              "body) never "
+              "are.");
+      declare(prm,
+              "Maximum cells",
+              Integer(),
+              "Refinement stops at about this number of cells of all bodies together, not less "
+              "than the run begins with. "
+              "0: no limit.");
+      declare(prm,
+              "Steps between remeshings",
+              Integer(),
+              "The mesh may change after every so many steps.");
+      declare(prm,
+              "Repetitions",
+              Integer(),
+              "How often a step may be repeated on a refined mesh before it is accepted, at most "
+              "20. 0: the mesh that a "
+              "step asks for "
+              "serves the next one.");
+      declare(prm,
+              "Distance",
+              Double(),
+              "In units of length: cells are refined that have nodes closer than this to the other "
+              "side, and coarsened when "
+              "they are 2.5 times farther away. With Indicator = distance 0 means three times the "
+              "size of each cell, so that "
+              "the "
+              "mesh becomes finer towards the contact. With residual and kelly 0 means that "
+              "contact is refined as the estimate "
+              "says; otherwise such cells are refined up to `Maximum level` before they touch.");
     }
   } // namespace
 
 
   void declare_adaptivity(dealii::ParameterHandler &prm)
   {
-    using namespace dealii::Patterns;
-    const auto declare = [&](const std::string &key, const PatternBase &pattern, const std::string &text) {
-      prm.declare_entry(key, default_of(key), pattern, text);
-    };
-    prm.declare_entry("Indicator",
-                      name_of(IndicatorKind::none),
-                      choices_of<IndicatorKind>(),
-                      "What tells where the mesh is too coarse or finer than needed. none: the "
-                      "mesh stays as it is. "
-                      "residual: estimate of the error of a step in the energy norm, from the "
-                      "residual inside of the "
-                      "cells, the jumps of the stress between them and the error of the contact "
-                      "condition. kelly: the jumps of "
-                      "the stress alone. distance: no estimate; cells of contact surfaces are "
-                      "refined that are, or soon will be, "
-                      "closer than `Distance` to the other side.");
-    declare("Marking",
-            choices_of<MarkingKind>(),
-            "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, "
-            "as few as make `Refine "
-            "fraction` of the whole, and coarsen those with the smallest that make `Coarsen "
-            "fraction`. tolerance: refine the "
-            "cells "
-            "that have more than their equal share of `Tolerance`, coarsen those far below it.");
-    declare("Refine fraction",
-            Double(),
-            "Of Marking = fixed fraction: the part of the squared estimate that the cells to be refined make "
-            "together (no unit), between 0 (none) and 1 (all).");
-    declare("Coarsen fraction",
-            Double(),
-            "Of Marking = fixed fraction: the part of the squared estimate that the cells to be coarsened make at most "
-            "together (no unit), between 0 and 0.5.");
-    declare("Coarsen ratio",
-            Double(),
-            "Of residual and kelly: cells are coarsened only where the squared indicator is below this part of the "
-            "threshold of "
-            "refinement (no unit), between 0 and 1. 0: 1/32 in 2d, 1/64 in 3d, so that the coarser cell of a smooth "
-            "solution is not "
-            "refined again at once. Fronts that run through a body leave fine cells behind them with that; give 0.25 "
-            "to 0.5 there.");
-    declare(
-      "Tolerance",
-      Double(),
-      "Of residual and kelly, in units of the root of an energy: nothing is refined as long as the estimate of the "
-      "whole mesh is smaller. Must be given for Marking = tolerance; 0: none.");
-    declare("Hysteresis",
-            Double(),
-            "A mesh that is good enough is kept: it changes only if the cells to be refined make at least this part of "
-            "the squared "
-            "estimate (with distance: if there are any), or those to be coarsened this part of all cells (no unit), "
-            "between 0 and "
-            "0.5.");
-    declare("Maximum level",
-            Integer(),
-            "Cells of this level are not refined. The level counts refinements of the coarse mesh, as `Refinements` of "
-            "a body "
-            "does. Must be given unless Indicator = none.");
-    declare("Minimum level",
-            Integer(),
-            "Cells of this level are not coarsened. Cells of the initial uniform mesh (level `Refinements` of their "
-            "body) never "
-            "are.");
-    declare("Maximum cells",
-            Integer(),
-            "Refinement stops at about this number of cells of all bodies together, not less than the run begins with. "
-            "0: no limit.");
-    declare("Steps between remeshings", Integer(), "The mesh may change after every so many steps.");
-    declare("Repetitions",
-            Integer(),
-            "How often a step may be repeated on a refined mesh before it is accepted, at most 20. 0: the mesh that a "
-            "step asks for "
-            "serves the next one.");
-    declare(
-      "Distance",
-      Double(),
-      "In units of length: cells are refined that have nodes closer than this to the other side, and coarsened when "
-      "they are 2.5 times farther away. With Indicator = distance 0 means three times the size of each cell, so that "
-      "the "
-      "mesh becomes finer towards the contact. With residual and kelly 0 means that contact is refined as the estimate "
-      "says; otherwise such cells are refined up to `Maximum level` before they touch.");
+    declare_marking(prm);
+    declare_limits(prm);
   }
 
 
   template <int dim>
-  AdaptivityParameters
-  parse_adaptivity(const SectionReader &in, const TimeParameters &time, const std::vector<BodyDescription<dim>> &bodies)
+  AdaptivityParameters parse_adaptivity(const SectionReader                     &in,
+                                        const TimeParameters                    &time,
+                                        const std::vector<BodyDescription<dim>> &bodies)
   {
     AdaptivityParameters adaptivity;
     adaptivity.indicator = in.choice<IndicatorKind>("Indicator");
@@ -208,17 +277,17 @@ namespace signorini
     check_mass(in, adaptivity, time);
     adaptivity.refine_fraction =
       fraction(in, "Refine fraction", 1., "it is a part of the whole. Give for example 0.5.");
-    adaptivity.coarsen_fraction =
-      fraction(in, "Coarsen fraction", 0.5, "coarsening must not undo refinement. Give for example 0.02.");
-    adaptivity.coarsen_ratio =
-      fraction(in,
-               "Coarsen ratio",
-               1.,
-               "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
-    adaptivity.hysteresis =
-      fraction(in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
-    adaptivity.tolerance     = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
-    adaptivity.distance      = not_negative(in, "Distance", "Give a length, or 0 for the default.");
+    adaptivity.coarsen_fraction = fraction(
+      in, "Coarsen fraction", 0.5, "coarsening must not undo refinement. Give for example 0.02.");
+    adaptivity.coarsen_ratio = fraction(
+      in,
+      "Coarsen ratio",
+      1.,
+      "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
+    adaptivity.hysteresis = fraction(
+      in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
+    adaptivity.tolerance = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
+    adaptivity.distance  = not_negative(in, "Distance", "Give a length, or 0 for the default.");
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
     adaptivity.minimum_level = in.integer("Minimum level", 0, highest_level);
     adaptivity.maximum_cells = in.integer("Maximum cells", 0, SectionReader::unlimited);
@@ -227,14 +296,17 @@ namespace signorini
     if (!adaptivity.any())
       return adaptivity;
     if (adaptivity.marking == MarkingKind::tolerance && adaptivity.tolerance == 0.)
-      in.fail("Tolerance", "is missing, but Marking = tolerance compares with it. Give a positive number.");
+      in.fail("Tolerance",
+              "is missing, but Marking = tolerance compares with it. Give a positive number.");
     check_levels(in, adaptivity, bodies);
     return adaptivity;
   }
 
 
-  template AdaptivityParameters
-  parse_adaptivity(const SectionReader &, const TimeParameters &, const std::vector<BodyDescription<2>> &);
-  template AdaptivityParameters
-  parse_adaptivity(const SectionReader &, const TimeParameters &, const std::vector<BodyDescription<3>> &);
+  template AdaptivityParameters parse_adaptivity(const SectionReader &,
+                                                 const TimeParameters &,
+                                                 const std::vector<BodyDescription<2>> &);
+  template AdaptivityParameters parse_adaptivity(const SectionReader &,
+                                                 const TimeParameters &,
+                                                 const std::vector<BodyDescription<3>> &);
 } // namespace signorini

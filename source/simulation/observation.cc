@@ -60,18 +60,20 @@ namespace signorini
     ++n_mesh_changes;
     const unsigned long cells =
       meshed->discretization.mesh().triangulation().n_global_active_cells();
-    fewest_cells              = std::min(fewest_cells, cells);
-    most_cells                = std::max(most_cells, cells);
+    fewest_cells = std::min(fewest_cells, cells);
+    most_cells   = std::max(most_cells, cells);
   }
 
 
   template <int dim>
-  void Observation<dim>::observe(const State &state, const StepReport &report, const double step_size)
+  void
+  Observation<dim>::observe(const State &state, const StepReport &report, const double step_size)
   {
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)
-                     + " is not a finite number. Check the loads, velocities and material constants of the scene.");
+                     + " is not a finite number. Check the loads, velocities and material "
+                       "constants of the scene.");
     largest_energy   = std::max(largest_energy, energy_of_motion());
     largest_residual = std::max(largest_residual, std::abs(booking.residual));
     write(state, report, booking, step_size);
@@ -87,7 +89,7 @@ namespace signorini
     largest_penetration = std::max(largest_penetration, contact_now.max_penetration);
     deepest             = std::max(deepest, contact_now.geometric_penetration);
     farthest_sliding    = std::max(farthest_sliding, contact_now.sliding);
-    largest_change      = std::max(largest_change, ledger.current().total() - ledger.initial().total());
+    largest_change = std::max(largest_change, ledger.current().total() - ledger.initial().total());
     force_variation.add(contact_now.normal_force);
     if (contact_now.n_active > 0)
       {
@@ -116,7 +118,8 @@ namespace signorini
         discretization.matrices().apply_standard_mass(momentum, state.velocity);
         standard_kinetic = 0.5 * (state.velocity * momentum);
       }
-    standard_change = standard_kinetic - ledger.current().kinetic + ledger.current().total() - ledger.initial().total();
+    standard_change = standard_kinetic - ledger.current().kinetic + ledger.current().total()
+                      - ledger.initial().total();
     const Momentum momentum_now = momentum(discretization, state);
     if (state.step == 0)
       initial_momentum = momentum_now;
@@ -178,40 +181,10 @@ namespace signorini
 
 
   template <int dim>
-  std::string Observation<dim>::summary() const
+  std::string Observation<dim>::warnings() const
   {
     std::ostringstream text;
-    text << std::setprecision(4) << "  energy            changed by " << 100. * relative_energy_change() << " % ("
-         << (relative_scale() > 0. ? 100. * largest_change / relative_scale() : 0.)
-         << " % at most); largest unexplained part of a step "
-         << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
-    if (n_mesh_changes > 0)
-      text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells << " and "
-           << most_cells << " cells; this changed the energy by "
-           << (relative_scale() > 0. ? 100. * transferred / relative_scale() : 0.) << " %\n";
-    if (scene.time.mass.has_massless_contact_nodes())
-      text << "                    (with the mass of the scheme; with the consistent one it changed by "
-           << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";
-    if (first_contact >= 0.)
-      text << "  contact           from " << first_contact << " to " << last_contact << ", largest force "
-           << force_variation.largest() << ", impulse " << impulse << "\n"
-           << "  oscillation       total variation of the force over twice its maximum: " << force_variation.measure()
-           << "\n"
-           << "  penetration       " << largest_penetration << " at most\n";
-    else
-      text << "  contact           none\n";
-    if (has_friction(scene.pairs))
-      text << "  friction          dissipated " << -work_friction + 0. << ", at most " << most_sticking
-           << " nodes sticking, " << most_slipping << " slipping, largest accumulated slip " << contact_now.max_slip
-           << "\n";
-    if (n_impulse_solves > 0)
-      text << "  impulses          of single nodes in " << n_impulse_solves << " steps, "
-           << static_cast<double>(n_impulse_iterations) / n_impulse_solves << " iterations each\n";
-    if (n_common_impulses > 0)
-      text << "  warning: in " << n_common_impulses
-           << " of these steps the equations of the single nodes were not solved; the common factor of\n"
-           << "           `Time/Impulses = common` was taken instead. The energy is right, the share of each node is "
-              "not.\n";
+    text << std::setprecision(4);
     const std::string &own_tolerance = scheme_info(scene.time.scheme).own_tolerance;
     if (largest_residual > 1e-6 * largest_energy)
       text << "  warning: a step changed the energy by " << largest_residual / largest_energy
@@ -223,19 +196,67 @@ namespace signorini
     if (deepest > 1e-2 * meshed->discretization.mesh().body_size())
       text << "  warning: by the true geometry a contact node was " << deepest
            << " deep in an obstacle. Contact is linearised about the\n"
-           << "           initial configuration, with one obstacle per node: do not trust motion along a curved "
+           << "           initial configuration, with one obstacle per node: do not trust motion "
+              "along a curved "
               "obstacle or in a corner.\n";
     if (farthest_sliding > 1.)
       text << "  warning: bodies in contact slid along each other by " << farthest_sliding
            << " times the size of a face. The faces that meet are\n"
-           << "           chosen once, in the initial configuration: do not trust the places where forces act after "
+           << "           chosen once, in the initial configuration: do not trust the places where "
+              "forces act after "
               "that.\n";
+    return text.str();
+  }
+
+
+  template <int dim>
+  std::string Observation<dim>::summary() const
+  {
+    std::ostringstream text;
+    text << std::setprecision(4) << "  energy            changed by "
+         << 100. * relative_energy_change() << " % ("
+         << (relative_scale() > 0. ? 100. * largest_change / relative_scale() : 0.)
+         << " % at most); largest unexplained part of a step "
+         << (largest_energy > 0. ? largest_residual / largest_energy : 0.) << " of the energy\n";
+    if (n_mesh_changes > 0)
+      text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells
+           << " and " << most_cells << " cells; this changed the energy by "
+           << (relative_scale() > 0. ? 100. * transferred / relative_scale() : 0.) << " %\n";
+    if (scene.time.mass.has_massless_contact_nodes())
+      text << "                    (with the mass of the scheme; with the consistent one it "
+              "changed by "
+           << (relative_scale() > 0. ? 100. * standard_change / relative_scale() : 0.) << " %)\n";
+    if (first_contact >= 0.)
+      text << "  contact           from " << first_contact << " to " << last_contact
+           << ", largest force " << force_variation.largest() << ", impulse " << impulse << "\n"
+           << "  oscillation       total variation of the force over twice its maximum: "
+           << force_variation.measure() << "\n"
+           << "  penetration       " << largest_penetration << " at most\n";
+    else
+      text << "  contact           none\n";
+    if (has_friction(scene.pairs))
+      text << "  friction          dissipated " << -work_friction + 0. << ", at most "
+           << most_sticking << " nodes sticking, " << most_slipping
+           << " slipping, largest accumulated slip " << contact_now.max_slip << "\n";
+    if (n_impulse_solves > 0)
+      text << "  impulses          of single nodes in " << n_impulse_solves << " steps, "
+           << static_cast<double>(n_impulse_iterations) / n_impulse_solves << " iterations each\n";
+    if (n_common_impulses > 0)
+      text << "  warning: in " << n_common_impulses
+           << " of these steps the equations of the single nodes were not solved; the common "
+              "factor of\n"
+           << "           `Time/Impulses = common` was taken instead. The energy is right, the "
+              "share of each node is "
+              "not.\n";
+    text << warnings();
     for (unsigned int p = 0; p < probes.size(); ++p)
       text << "  probe " << probes[p].name() << " at (" << probes[p].position()
-           << "): zigzag of the normal velocity in contact " << velocity_zigzags[p].amplitude() << "\n";
+           << "): zigzag of the normal velocity in contact " << velocity_zigzags[p].amplitude()
+           << "\n";
     if (scene.exact_solution.given)
-      text << "  errors            displacement " << 100. * latest_errors.relative_displacement << " %, velocity "
-           << 100. * latest_errors.relative_velocity << " % (relative, in space and time)\n";
+      text << "  errors            displacement " << 100. * latest_errors.relative_displacement
+           << " %, velocity " << 100. * latest_errors.relative_velocity
+           << " % (relative, in space and time)\n";
     return text.str();
   }
 

@@ -155,7 +155,7 @@ namespace
         moving.change_at_random(dim == 2 ? 4 : 3, 0.15, 0.5);
         moving.advance(2e-3);
         EXPECT_LE(moving.effort.linear_iterations, 1u) << "step " << step;
-        const Discretization<dim> &discretization = moving.discretization;
+        const Discretization<dim> &discretization = moving.meshed->discretization;
         Vector error = discretization.interpolate({moving.scene.bodies[0].initial_velocity});
         error -= moving.state.velocity;
         EXPECT_LT(error.linfty_norm(), 1e-10) << "step " << step;

@@ -65,6 +65,19 @@ namespace signorini
     /** Integrals over the covered part of a slave face; one row per node that moves the face. */
     struct CoveredFace
     {
+      /** Nodes and full integrals; nothing is covered yet. The face must outlive this. */
+      explicit CoveredFace(const SurfaceFace<dim> &slave);
+
+      /** N_i of all nodes at a point of the face. */
+      Eigen::VectorXd values_at(const dealii::Point<dim - 1> &xi) const;
+
+      /** Add a point of a segment to the integrals. @param normal, opposite of slave and master, unit vectors out of the bodies */
+      void add(const SegmentPoint<dim>        &point,
+               const SurfaceFace<dim>         &master,
+               const dealii::Tensor<1, dim>   &normal,
+               const dealii::Tensor<1, dim>   &opposite);
+
+      const SurfaceFace<dim>                                    *slave;
       std::vector<dealii::types::global_dof_index>               nodes;
       Eigen::MatrixXd                                            mass;     ///< int N_i N_j
       std::map<dealii::types::global_dof_index, Eigen::VectorXd> mixed;    ///< per master node l: int N_i N_l(chi)
@@ -86,6 +99,22 @@ namespace signorini
     double                        turn        = 0.;
 
     std::vector<CoveredFace> integrate(const FacingSurfaces<dim> &surfaces);
+    /** Sums of integrals over the faces around each node. */
+    struct NodeIntegrals
+    {
+      Vector covered, full, normals; ///< the first two in first components
+      Vector clearance;              ///< smallest distance, first components
+    };
+    NodeIntegrals collect(const std::vector<CoveredFace> &faces) const;
+    /**
+     * Fit the frame of a node to its support.
+     * @param complaint becomes a message if that is impossible
+     * @return whether the node may carry a multiplier
+     */
+    bool fit_to_supports(const Supports<dim> &supports,
+                         const dealii::Tensor<1, dim> &normal,
+                         ContactNode<dim>    &contact_node,
+                         std::string         &complaint);
     /** Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with ghosts */
     Vector choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports);
     /** Dual basis face by face: partners, gaps. */

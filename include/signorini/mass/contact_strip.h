@@ -54,6 +54,11 @@ namespace signorini
     std::map<Node, std::set<unsigned int>> cells_of_node; ///< indices into `cells`
 
     bool is_massless(const Node node) const { return massless.count(node) > 0; }
+
+  private:
+    void find_massless_nodes(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
+    /** Bring the cells of all processes into their order, and note where their nodes are. */
+    void index_cells();
   };
 } // namespace signorini
 

@@ -69,6 +69,8 @@ namespace signorini
     ErrorNorms    latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
+    /** What makes the results doubtful, in words; empty if nothing does. */
+    std::string warnings() const;
     /** The energy that changes are compared with. */
     double relative_scale() const;
     /** Products since the last observation. */
