@@ -69,13 +69,14 @@ namespace signorini
     const MortarCoupling<dim> mortar(discretization, supports, descriptions, pair);
     if (!mortar.faces_look_at_each_other())
       throw UserError(head
-                      + "no face of the slave looks at a face of the master along its normal, so that they can never "
-                        "touch. Check the boundary ids and the positions of the bodies.");
+                      + "no face of the slave looks at a face of the master along its normal, so "
+                        "that they can never touch. Check the boundary ids and the positions of "
+                        "the bodies.");
     if (mortar.n_nodes() == 0 && mortar.n_supported() == 0)
       throw UserError(
         head
-        + "the master covers so little of the faces of the slave that no node of the slave can see it. Refine the "
-          "slave, or exchange slave and master.");
+        + "the master covers so little of the faces of the slave that no node of the slave can see "
+          "it. Refine the slave, or exchange slave and master.");
     if (mortar.largest_turn() > 0.)
       {
         std::ostringstream note;
@@ -146,9 +147,8 @@ namespace signorini
       message << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
               << " share the node at (" << node.position
               << "). A node can have one partner only, and neighbouring faces of a body share the "
-                 "nodes of their edge. "
-                 "Choose "
-                 "surfaces that do not meet, or make the other body the slave of one of the pairs.";
+                 "nodes of their edge. Choose surfaces that do not meet, or make the other body "
+                 "the slave of one of the pairs.";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)

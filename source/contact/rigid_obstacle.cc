@@ -91,8 +91,9 @@ namespace signorini
         const double slope = gradient.norm();
         if (!(slope > 1e-8))
           throw UserError("Obstacles/" + name
-                          + "/Signed distance does not change near a contact node (its gradient vanishes), "
-                            "so it has no normal there. Give a distance function whose gradient has length 1.");
+                          + "/Signed distance does not change near a contact node (its gradient "
+                            "vanishes), so it has no normal there. Give a distance function whose "
+                            "gradient has length 1.");
         return {function->value(p) / slope, -gradient / slope};
       }
 

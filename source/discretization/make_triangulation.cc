@@ -82,11 +82,9 @@ namespace signorini
             throw UserError(message.str()
                             + (body.shape == BodyShape::file
                                  ? "/File has more than 20000 cells, which every process must "
-                                   "keep. Make a coarser mesh "
-                                   "and use Refinements."
+                                   "keep. Make a coarser mesh and use Refinements."
                                  : "/Repetitions gives more than 20000 coarse cells, which every "
-                                   "process must keep. Use "
-                                   "fewer repetitions and more Refinements."));
+                                   "process must keep. Use fewer repetitions and more Refinements."));
           message << "/Refinements = " << body.refinements << " gives " << cells
                   << " cells, too many for " << n_processes
                   << " process(es). Use fewer refinements or more processes.";

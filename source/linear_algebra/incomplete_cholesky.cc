@@ -68,8 +68,9 @@ namespace signorini
       {
         shift = shift == 0. ? 1e-3 : 4. * shift;
         if (shift > 1e3)
-          throw RunError("The incomplete Cholesky factor does not exist: the matrix of the step is not positive "
-                         "definite. Check the mesh for inverted cells, or set Solver/Preconditioner = jacobi.");
+          throw RunError("The incomplete Cholesky factor does not exist: the matrix of the step is "
+                         "not positive definite. Check the mesh for inverted cells, or set "
+                         "Solver/Preconditioner = jacobi.");
       }
     std::vector<Origin>().swap(origins); // assignment of an empty list would keep the memory
     set_held_nodes({});

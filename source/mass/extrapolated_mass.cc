@@ -142,8 +142,7 @@ namespace signorini
             message << "Time/Mass = redistributed: behind the contact node at ("
                     << strip.positions.at(node)
                     << ") are too few nodes that could take its mass. The body needs at least two "
-                       "layers of cells there: "
-                       "increase Refinements or Repetitions.";
+                       "layers of cells there: increase Refinements or Repetitions.";
             throw UserError(message.str());
           }
       }

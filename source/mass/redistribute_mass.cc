@@ -99,10 +99,9 @@ namespace signorini
     if (surface.n_global_nodes() == 0)
       throw UserError(head
                       + "no node can come into contact (no pair, nothing faces an obstacle, or "
-                        "supports hold all of them), so that "
-                        "there is no mass to move. Set `Mass = consistent`, and a scheme that does "
-                        "not need massless "
-                        "contact nodes (see `signorini --print-schemes`).");
+                        "supports hold all of them), so that there is no mass to move. Set `Mass = "
+                        "consistent`, and a scheme that does not need massless contact nodes (see "
+                        "`signorini --print-schemes`).");
 
     const ContactStrip<dim> strip(discretization, surface);
     check_that_mass_is_left(discretization, strip, head);
@@ -117,8 +116,8 @@ namespace signorini
     if (!(smallest > 0.))
       throw UserError(head + "the construction `" + name_of(mass.redistribution)
                       + "` gives a mass that is not positive definite on this mesh, and every run "
-                        "with it would blow up. Set "
-                        "Mass redistribution = extrapolation, which is always positive definite.");
+                        "with it would blow up. Set Mass redistribution = extrapolation, which is "
+                        "always positive definite.");
     text << ", smallest eigenvalue " << smallest << " of its diagonal";
     return text.str();
   }

@@ -133,8 +133,8 @@ namespace signorini
           && !std::regex_match(keyword.value("TYPE"), std::regex("C3D8[A-Z]*|(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*")))
         throw MeshFileError(
           "it has elements of type `" + keyword.value("TYPE")
-          + "`. Only quadrilaterals with 4 vertices (2d, CPE4 or CPS4) and hexahedra with 8 (3d, C3D8) "
-            "can be used; mesh the body with these.");
+          + "`. Only quadrilaterals with 4 vertices (2d, CPE4 or CPS4) and hexahedra with 8 (3d, "
+            "C3D8) can be used; mesh the body with these.");
     }
 
     long Translator::integer(const std::string &word) const
@@ -209,8 +209,7 @@ namespace signorini
       const bool is_number = words[0].find_first_not_of("0123456789") == std::string::npos;
       if (sets.count(words[0]) == 0 && !is_number)
         throw MeshFileError("the file is broken: the surface `" + name + "` has the line `" + line
-                            + "`, but there is no "
-                              "element set `"
+                            + "`, but there is no element set `"
                             + words[0] + "`. " + MeshFileError::remedy);
       const std::vector<long> labels =
         sets.count(words[0]) > 0 ? sets.at(words[0]) : std::vector<long>{integer(words[0])};

@@ -173,8 +173,8 @@ namespace signorini
           if (found == n_vertices_of.end())
             throw MeshFileError(
               "cell " + std::to_string(c) + " (counted from 0) has the VTK type " + std::to_string(type)
-              + ". Only quadrilaterals (2d, type 9) and hexahedra (3d, type 12) can be used; mesh the "
-                "body with these.");
+              + ". Only quadrilaterals (2d, type 9) and hexahedra (3d, type 12) can be used; mesh "
+                "the body with these.");
           if (found->second != n_vertices[c])
             throw MeshFileError("the file is broken: cell " + std::to_string(c) + " (counted from 0) of VTK type "
                                 + std::to_string(type) + " has " + std::to_string(n_vertices[c]) + " vertices. "
@@ -204,8 +204,8 @@ namespace signorini
           has_types = true;
         }
     if (!has_types)
-      throw MeshFileError("it is not a VTK file (legacy format) with an unstructured grid: `POINTS`, `CELLS` or "
-                          "`CELL_TYPES` is missing. "
+      throw MeshFileError("it is not a VTK file (legacy format) with an unstructured grid: "
+                          "`POINTS`, `CELLS` or `CELL_TYPES` is missing. "
                           + MeshFileError::remedy);
   }
 } // namespace signorini

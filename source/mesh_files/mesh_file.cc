@@ -133,8 +133,8 @@ namespace signorini
         dim == 3 && mesh_text.format == dealii::GridIn<3>::ucd ? find_inverted_hexahedron(mesh_text.text) : "";
       if (!cell.empty())
         throw MeshFileError(cell
-                            + " is inverted: it lists its vertices in the other direction of rotation than most cells. "
-                              "Correct the order of its vertices.");
+                            + " is inverted: it lists its vertices in the other direction of "
+                              "rotation than most cells. Correct the order of its vertices.");
     }
 
     template <int dim>

@@ -101,8 +101,8 @@ namespace signorini
       else if (line == "end" || line == "END")
         {
           if (section.empty())
-            fail("`end` closes nothing: every `subsection` above has its `end` already. "
-                 "Remove this line, or add the missing `subsection`.");
+            fail("`end` closes nothing: every `subsection` above has its `end` already. Remove "
+                 "this line, or add the missing `subsection`.");
           section.pop_back();
           section_origin.pop_back();
         }
@@ -114,8 +114,8 @@ namespace signorini
         fail("`" + line + "` is not a statement. Write `set " + line + "`.");
       else
         fail("`" + line
-             + "` is not a statement. Valid: `set key = value`, `subsection name`, `end`, "
-               "`include file`; comments start with #.");
+             + "` is not a statement. Valid: `set key = value`, `subsection name`, `end`, `include "
+               "file`; comments start with #.");
     }
 
     void Scanner::set(const std::string &assignment)

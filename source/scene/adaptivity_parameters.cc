@@ -80,8 +80,7 @@ namespace signorini
           in,
           {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
           "belongs to indicators that estimate an error, but Indicator = distance refines by "
-          "`Distance` "
-          "alone. Remove this key.");
+          "`Distance` alone. Remove this key.");
       if (adaptivity.marking == MarkingKind::tolerance)
         refuse_if_given(in,
                         {"Refine fraction", "Coarsen fraction"},
@@ -147,64 +146,50 @@ namespace signorini
                         name_of(IndicatorKind::none),
                         choices_of<IndicatorKind>(),
                         "What tells where the mesh is too coarse or finer than needed. none: the "
-                        "mesh stays as it is. "
-                        "residual: estimate of the error of a step in the energy norm, from the "
-                        "residual inside of the "
-                        "cells, the jumps of the stress between them and the error of the contact "
-                        "condition. kelly: the jumps of "
-                        "the stress alone. distance: no estimate; cells of contact surfaces are "
-                        "refined that are, or soon will be, "
-                        "closer than `Distance` to the other side.");
+                        "mesh stays as it is. residual: estimate of the error of a step in the "
+                        "energy norm, from the residual inside of the cells, the jumps of the "
+                        "stress between them and the error of the contact condition. kelly: the "
+                        "jumps of the stress alone. distance: no estimate; cells of contact "
+                        "surfaces are refined that are, or soon will be, closer than `Distance` to "
+                        "the other side.");
       declare(
         prm,
         "Marking",
         choices_of<MarkingKind>(),
-        "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, "
-        "as few as make `Refine "
-        "fraction` of the whole, and coarsen those with the smallest that make `Coarsen "
-        "fraction`. tolerance: refine the "
-        "cells "
-        "that have more than their equal share of `Tolerance`, coarsen those far below it.");
+        "Of residual and kelly. fixed fraction: refine the cells with the largest indicators, as "
+        "few as make `Refine fraction` of the whole, and coarsen those with the smallest that make "
+        "`Coarsen fraction`. tolerance: refine the cells that have more than their equal share of "
+        "`Tolerance`, coarsen those far below it.");
       declare(prm,
               "Refine fraction",
               Double(),
               "Of Marking = fixed fraction: the part of the squared estimate that the cells to be "
-              "refined make "
-              "together (no unit), between 0 (none) and 1 (all).");
+              "refined make together (no unit), between 0 (none) and 1 (all).");
       declare(prm,
               "Coarsen fraction",
               Double(),
               "Of Marking = fixed fraction: the part of the squared estimate that the cells to be "
-              "coarsened make at most "
-              "together (no unit), between 0 and 0.5.");
+              "coarsened make at most together (no unit), between 0 and 0.5.");
       declare(prm,
               "Coarsen ratio",
               Double(),
               "Of residual and kelly: cells are coarsened only where the squared indicator is "
-              "below this part of the "
-              "threshold of "
-              "refinement (no unit), between 0 and 1. 0: 1/32 in 2d, 1/64 in 3d, so that the "
-              "coarser cell of a smooth "
-              "solution is not "
-              "refined again at once. Fronts that run through a body leave fine cells behind them "
-              "with that; give 0.25 "
-              "to 0.5 there.");
+              "below this part of the threshold of refinement (no unit), between 0 and 1. 0: 1/32 "
+              "in 2d, 1/64 in 3d, so that the coarser cell of a smooth solution is not refined "
+              "again at once. Fronts that run through a body leave fine cells behind them with "
+              "that; give 0.25 to 0.5 there.");
       declare(prm,
               "Tolerance",
               Double(),
               "Of residual and kelly, in units of the root of an energy: nothing is refined as "
-              "long as the estimate of the "
-              "whole mesh is smaller. Must be given for Marking = tolerance; 0: none.");
+              "long as the estimate of the whole mesh is smaller. Must be given for Marking = "
+              "tolerance; 0: none.");
       declare(prm,
               "Hysteresis",
               Double(),
               "A mesh that is good enough is kept: it changes only if the cells to be refined make "
-              "at least this part of "
-              "the squared "
-              "estimate (with distance: if there are any), or those to be coarsened this part of "
-              "all cells (no unit), "
-              "between 0 and "
-              "0.5.");
+              "at least this part of the squared estimate (with distance: if there are any), or "
+              "those to be coarsened this part of all cells (no unit), between 0 and 0.5.");
     }
 
 
@@ -215,22 +200,17 @@ namespace signorini
               "Maximum level",
               Integer(),
               "Cells of this level are not refined. The level counts refinements of the coarse "
-              "mesh, as `Refinements` of "
-              "a body "
-              "does. Must be given unless Indicator = none.");
+              "mesh, as `Refinements` of a body does. Must be given unless Indicator = none.");
       declare(prm,
               "Minimum level",
               Integer(),
               "Cells of this level are not coarsened. Cells of the initial uniform mesh (level "
-              "`Refinements` of their "
-              "body) never "
-              "are.");
+              "`Refinements` of their body) never are.");
       declare(prm,
               "Maximum cells",
               Integer(),
               "Refinement stops at about this number of cells of all bodies together, not less "
-              "than the run begins with. "
-              "0: no limit.");
+              "than the run begins with. 0: no limit.");
       declare(prm,
               "Steps between remeshings",
               Integer(),
@@ -239,20 +219,16 @@ namespace signorini
               "Repetitions",
               Integer(),
               "How often a step may be repeated on a refined mesh before it is accepted, at most "
-              "20. 0: the mesh that a "
-              "step asks for "
-              "serves the next one.");
+              "20. 0: the mesh that a step asks for serves the next one.");
       declare(prm,
               "Distance",
               Double(),
               "In units of length: cells are refined that have nodes closer than this to the other "
-              "side, and coarsened when "
-              "they are 2.5 times farther away. With Indicator = distance 0 means three times the "
-              "size of each cell, so that "
-              "the "
-              "mesh becomes finer towards the contact. With residual and kelly 0 means that "
-              "contact is refined as the estimate "
-              "says; otherwise such cells are refined up to `Maximum level` before they touch.");
+              "side, and coarsened when they are 2.5 times farther away. With Indicator = distance "
+              "0 means three times the size of each cell, so that the mesh becomes finer towards "
+              "the contact. With residual and kelly 0 means that contact is refined as the "
+              "estimate says; otherwise such cells are refined up to `Maximum level` before they "
+              "touch.");
     }
   } // namespace
 

@@ -28,8 +28,8 @@ namespace signorini
     prm.declare_entry("Initial displacement",
                       zero_vector<dim>(),
                       Anything(),
-                      "Displacement at time 0 (length): one expression in x, y, z per component, separated by "
-                      "semicolons.");
+                      "Displacement at time 0 (length): one expression in x, y, z per component, "
+                      "separated by semicolons.");
     prm.declare_entry("Initial velocity",
                       zero_vector<dim>(),
                       Anything(),
@@ -37,8 +37,8 @@ namespace signorini
     prm.declare_entry("Body force",
                       zero_vector<dim>(),
                       Anything(),
-                      "Force per mass, that is, an acceleration such as gravity (length per time squared): "
-                      "expressions in x, y, z, t, separated by semicolons.");
+                      "Force per mass, that is, an acceleration such as gravity (length per time "
+                      "squared): expressions in x, y, z, t, separated by semicolons.");
     declare_conditions<dim>(prm);
   }
 

@@ -15,8 +15,7 @@ namespace signorini
   namespace
   {
     const std::string grammar = "Write `id: expression; expression; ...` with one expression per "
-                                "component, `-` for a free component, and | "
-                                "between the boundaries.";
+                                "component, `-` for a free component, and | between the boundaries.";
 
     /** Split at single |; a || is the logical or of an expression. */
     std::vector<std::string> split_conditions(const std::string &text)
@@ -103,9 +102,8 @@ namespace signorini
               in.fail("Traction",
                       std::string("the ") + "xyz"[d] + " component on boundary id "
                         + std::to_string(traction.boundary_id)
-                        + " is prescribed as a displacement by `Dirichlet` already. Write - for this "
-                          "component in one "
-                          "of the two.");
+                        + " is prescribed as a displacement by `Dirichlet` already. Write - for "
+                          "this component in one of the two.");
     }
   } // namespace
 
@@ -113,8 +111,8 @@ namespace signorini
   void declare_conditions(dealii::ParameterHandler &prm)
   {
     using dealii::Patterns::Anything;
-    const std::string form = "`id: expressions` per boundary, separated by |, expressions in x, y, z, t separated by "
-                             "semicolons; a - leaves a component free. Example: ";
+    const std::string form = "`id: expressions` per boundary, separated by |, expressions in x, y, "
+                             "z, t separated by semicolons; a - leaves a component free. Example: ";
     prm.declare_entry("Dirichlet",
                       "",
                       Anything(),

@@ -21,8 +21,8 @@ namespace signorini
                       "0",
                       Double(),
                       std::string("Box: radius (length) of the ") + (dim == 2 ? "circle" : "sphere")
-                        + " that the face `Cap boundary` becomes part of. It bulges outwards: its centre stays where "
-                          "it is and its edges recede. 0: all faces are flat.");
+                        + " that the face `Cap boundary` becomes part of. It bulges outwards: its "
+                          "centre stays where it is and its edges recede. 0: all faces are flat.");
     prm.declare_entry(
       "Cap boundary", "", Anything(), "Box: boundary id of the face that becomes curved, if `Cap radius` is given.");
   }

@@ -52,8 +52,7 @@ namespace signorini
                         name_of(CellGeometry::linear),
                         choices_of<CellGeometry>(),
                         "linear: cells with straight edges, isoparametric; curved: quadratic "
-                        "cells, which follow round "
-                        "shapes more closely.");
+                        "cells, which follow round shapes more closely.");
     }
 
     void declare_contact(dealii::ParameterHandler &prm, const std::vector<PairName> &pairs)
@@ -63,9 +62,9 @@ namespace signorini
         "",
         dealii::Patterns::Anything(),
         "What may touch: `body : obstacle`, or `slave : master` for two bodies; with boundary ids, "
-        "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The nodes "
-        "of the slave may not enter the master: take the finer or the curved surface as slave. Each "
-        "pair may have a subsection of its name.");
+        "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The "
+        "nodes of the slave may not enter the master: take the finer or the curved surface as "
+        "slave. Each pair may have a subsection of its name.");
       for (const PairName &pair : pairs)
         section(prm, pair.text(), declare_pair);
     }

@@ -16,8 +16,8 @@ namespace signorini
     prm.declare_entry("Displacement",
                       "",
                       Anything(),
-                      "Exact displacement (length), to be compared with: expressions in x, y, z, t, separated by "
-                      "semicolons. Empty: not known.");
+                      "Exact displacement (length), to be compared with: expressions in x, y, z, "
+                      "t, separated by semicolons. Empty: not known.");
     prm.declare_entry("Velocity",
                       "",
                       Anything(),

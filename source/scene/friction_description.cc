@@ -51,12 +51,13 @@ namespace signorini
         return friction;
       if (!in.given(coefficient_key))
         in.fail(bound_key,
-                "limits the friction that `Friction coefficient` gives, but that is not given. Add it, or set "
-                "`Friction law = tresca` for a bound that does not depend on the pressure.");
+                "limits the friction that `Friction coefficient` gives, but that is not given. Add "
+                "it, or set `Friction law = tresca` for a bound that does not depend on the "
+                "pressure.");
       if (check_and_see_if_zero(in, bound_key, points, "Give a positive stress, or remove this key."))
         in.fail(bound_key,
-                "leaves no friction at all, whatever `Friction coefficient` says. Give a positive stress or remove "
-                "this key; without friction, set `Friction coefficient = 0`.");
+                "leaves no friction at all, whatever `Friction coefficient` says. Give a positive "
+                "stress or remove this key; without friction, set `Friction coefficient = 0`.");
       return friction;
     }
 
@@ -66,12 +67,13 @@ namespace signorini
       if (in.text(bound_key).empty())
         in.fail(
           bound_key,
-          "is the largest tangential stress, which `Friction law = tresca` needs. Give it, or set `Friction law = "
-          "coulomb`.");
+          "is the largest tangential stress, which `Friction law = tresca` needs. Give it, or set "
+          "`Friction law = coulomb`.");
       if (constant_value(in.text(coefficient_key)) != 0.)
         in.fail(coefficient_key,
-                "is not used by `Friction law = tresca`, whose bound does not depend on the pressure. Remove this key, "
-                "or set `Friction law = coulomb`; there `Friction bound` limits the friction.");
+                "is not used by `Friction law = tresca`, whose bound does not depend on the "
+                "pressure. Remove this key, or set `Friction law = coulomb`; there `Friction "
+                "bound` limits the friction.");
       FrictionDescription friction;
       friction.law   = FrictionKind::tresca;
       friction.bound = in.text(bound_key);
@@ -89,19 +91,18 @@ namespace signorini
       choices_of<FrictionKind>(),
       "What the tangential stress can reach before the surfaces slide. coulomb: the coefficient of "
       "friction times the pressure, at most the bound if there is one. tresca: the bound, in steps "
-      "that "
-      "begin with the node in contact.");
+      "that begin with the node in contact.");
     prm.declare_entry("Friction coefficient",
                       "0",
                       Anything(),
-                      "coulomb: coefficient of friction (no unit), an expression in x, y, z of the undeformed body. "
-                      "Friction is known to the schemes "
+                      "coulomb: coefficient of friction (no unit), an expression in x, y, z of the "
+                      "undeformed body. Friction is known to the schemes "
                         + names_of_schemes_with_friction() + ".");
     prm.declare_entry("Friction bound",
                       "",
                       Anything(),
-                      "Largest tangential stress (force per area), an expression in x, y, z of the undeformed body; "
-                      "tresca needs it. Empty: none.");
+                      "Largest tangential stress (force per area), an expression in x, y, z of the "
+                      "undeformed body; tresca needs it. Empty: none.");
   }
 
   template <int dim>

@@ -29,8 +29,7 @@ namespace signorini
     if (nu == .5)
       in.fail("Poisson's ratio",
               "0.5 is an incompressible material, whose first Lame parameter is infinite; it would "
-              "need a mixed method "
-              "with a pressure. Use a value smaller than 0.5, for example 0.49.");
+              "need a mixed method with a pressure. Use a value smaller than 0.5, for example 0.49.");
     if (nu == -1.)
       in.fail("Poisson's ratio",
               "-1 makes the shear modulus infinite: such a material changes its volume only. Use a "

@@ -33,8 +33,8 @@ namespace signorini
     prm.declare_entry("Signed distance",
                       "",
                       Anything(),
-                      "Function: expression in x, y, z (length), positive where the bodies may be, near its zero set "
-                      "the distance to it. Example, a bowl: z - 0.1*(x^2 + y^2)");
+                      "Function: expression in x, y, z (length), positive where the bodies may be, "
+                      "near its zero set the distance to it. Example, a bowl: z - 0.1*(x^2 + y^2)");
   }
 
   namespace

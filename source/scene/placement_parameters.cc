@@ -33,15 +33,16 @@ namespace signorini
       prm.declare_entry("Rotation",
                         "0",
                         Double(),
-                        "Angle in degrees, counter-clockwise, by which the shape is rotated. Boundary ids are those of "
-                        "the shape before.");
+                        "Angle in degrees, counter-clockwise, by which the shape is rotated. "
+                        "Boundary ids are those of the shape before.");
     else
       prm.declare_entry("Rotation",
                         zero,
                         List(Double(), dim, dim),
-                        "Angles in degrees by which the shape is rotated: about the x axis first, then about the y "
-                        "axis, then about the z axis (axes of space, not of the body). Boundary ids are those of the "
-                        "shape before. Expressions are not rotated.");
+                        "Angles in degrees by which the shape is rotated: about the x axis first, "
+                        "then about the y axis, then about the z axis (axes of space, not of the "
+                        "body). Boundary ids are those of the shape before. Expressions are not "
+                        "rotated.");
     prm.declare_entry("Rotation centre",
                       "",
                       List(Double(), 0, dim),

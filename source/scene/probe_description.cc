@@ -15,8 +15,7 @@ namespace signorini
                       dim == 2 ? "0, 0" : "0, 0, 0",
                       List(Double(), dim, dim),
                       "The probe is the node of a contact surface that is closest to this point of "
-                      "the undeformed body "
-                      "(length).");
+                      "the undeformed body (length).");
   }
 
   template <int dim>

@@ -32,9 +32,8 @@ namespace signorini
     {
       if (!names.empty() && scene.pairs.empty())
         in.fail("Names",
-                "a probe is a node of a contact surface, but the scene has no contact pair. Add one to "
-                "`Contact/Pairs`, "
-                "or remove the probes.");
+                "a probe is a node of a contact surface, but the scene has no contact pair. Add "
+                "one to `Contact/Pairs`, or remove the probes.");
       for (const std::string &name : names)
         scene.probes.push_back(parse_probe<dim>(in.section(name), name));
     }
@@ -49,8 +48,9 @@ namespace signorini
         for (const std::string &expression : body.initial_displacement)
           if (constant_value(expression) != 0.)
             in.section(body.name).fail("Initial displacement",
-                                       "does not fit `Time/Start = equilibrium`, where the loads determine the "
-                                       "displacement. Remove this key, or set `Time/Start = given`.");
+                                       "does not fit `Time/Start = equilibrium`, where the loads "
+                                       "determine the displacement. Remove this key, or set "
+                                       "`Time/Start = given`.");
     }
 
     /** All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on where it lies. */

@@ -79,8 +79,8 @@ namespace signorini
       if (needed && mass.kind == MassKind::lumped)
         in.fail("Mass",
                 "does not fit Scheme = " + time.scheme
-                  + ", which needs contact nodes without mass. Remove this key, or set "
-                    "`Mass = redistributed`.");
+                  + ", which needs contact nodes without mass. Remove this key, or set `Mass = "
+                    "redistributed`.");
       if (needed && mass.kind == MassKind::consistent)
         mass.kind = MassKind::redistributed;
       if (mass.redistribution != MassRedistribution::automatic
@@ -133,8 +133,7 @@ namespace signorini
         in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
       if (!(beta >= 0.25 && beta <= 1.))
         in.fail("Newmark beta",
-                "must lie between 0.25 and 1. Below, the method is not stable for every step "
-                "size.");
+                "must lie between 0.25 and 1. Below, the method is not stable for every step size.");
       if (!(gamma >= 0.5 && gamma <= 2. * beta + 1e-12))
         in.fail("Newmark gamma",
                 "must lie between 0.5 and twice `Newmark beta` = " + in.text("Newmark beta")

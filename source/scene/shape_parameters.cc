@@ -39,10 +39,10 @@ namespace signorini
         "Refine where",
         "",
         Anything(),
-        "Expression in x, y, z, the centre of a cell, and h, its size (its diameter over the root of the "
-        "dimension, the edge of a cube): positive values select the cell for local refinement, for "
-        "example 0.2 - z near the plane z = 0, or 3*h - sqrt(x^2 + y^2 + z^2) for cells that become "
-        "smaller and smaller towards the origin.");
+        "Expression in x, y, z, the centre of a cell, and h, its size (its diameter over the root "
+        "of the dimension, the edge of a cube): positive values select the cell for local "
+        "refinement, for example 0.2 - z near the plane z = 0, or 3*h - sqrt(x^2 + y^2 + z^2) for "
+        "cells that become smaller and smaller towards the origin.");
     }
 
     template <int dim>
@@ -105,10 +105,9 @@ namespace signorini
       "Shape",
       name_of(BodyShape::ball),
       choices_of<BodyShape>(),
-      "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: "
-      "y-, y+; 4, 5: z-, z+), "
-      "cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top), or file (a mesh; boundary ids of the "
-      "file).");
+      "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: y-, y+; 4, 5: "
+      "z-, z+), cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top), or file (a mesh; boundary "
+      "ids of the file).");
     prm.declare_entry("Centre", coordinates<dim>("0"), point, "Ball, cylinder: the centre (length).");
     prm.declare_entry("Radius", "1", Double(), "Ball, cylinder: the radius (length), > 0.");
     prm.declare_entry("Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
@@ -122,10 +121,11 @@ namespace signorini
     prm.declare_entry("File",
                       "",
                       Anything(),
-                      "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative to the folder of the "
-                      "scene. Gmsh (.msh, text of version 2.2 or 4.1; boundary ids: numbers of the physical groups), "
-                      "Abaqus (.inp; boundary ids: numbers in the names of the surfaces, such as SS3 or Surf-3), UCD "
-                      "(.inp, .ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary id 0.");
+                      "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative "
+                      "to the folder of the scene. Gmsh (.msh, text of version 2.2 or 4.1; "
+                      "boundary ids: numbers of the physical groups), Abaqus (.inp; boundary ids: "
+                      "numbers in the names of the surfaces, such as SS3 or Surf-3), UCD (.inp, "
+                      ".ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary id 0.");
     declare_cap<dim>(prm);
     declare_placement<dim>(prm);
     declare_refinement(prm);
@@ -154,9 +154,8 @@ namespace signorini
     body.refine_where      = in.text("Refine where");
     if (body.local_refinements > 0 && body.refine_where.empty())
       in.fail("Local refinements",
-              "`Refine where` does not say which cells to refine. Give it an expression such as 0.2 "
-              "- z, or use "
-              "`Refinements`.");
+              "`Refine where` does not say which cells to refine. Give it an expression such as "
+              "0.2 - z, or use `Refinements`.");
     if (!body.refine_where.empty())
       check_expression<dim>(in, "Refine where", body.refine_where, {centre_of(body)}, "h");
   }

@@ -31,14 +31,13 @@ namespace signorini
                       name_of(defaults.preconditioner),
                       choices_of<PreconditionerKind>(),
                       "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, ml "
-                      "(algebraic multigrid), "
-                      "or automatic (chosen from the Courant number).");
+                      "(algebraic multigrid), or automatic (chosen from the Courant number).");
     prm.declare_entry("Tolerance",
                       as_text(defaults.tolerance),
                       Double(),
-                      "Accuracy of each step: error in the energy norm divided by the root of the largest energy of "
-                      "the "
-                      "run (no unit), between 0 and 0.01. The energy ledger closes to this accuracy.");
+                      "Accuracy of each step: error in the energy norm divided by the root of the "
+                      "largest energy of the run (no unit), between 0 and 0.01. The energy ledger "
+                      "closes to this accuracy.");
     prm.declare_entry("Maximum active set iterations",
                       std::to_string(defaults.maximum_active_set_iterations),
                       Integer(),
@@ -46,8 +45,8 @@ namespace signorini
     prm.declare_entry("Maximum linear iterations",
                       std::to_string(defaults.maximum_linear_iterations),
                       Integer(),
-                      "Conjugate gradient iterations of one linear solve before the active set method gives way to the "
-                      "slower MPRGP.");
+                      "Conjugate gradient iterations of one linear solve before the active set "
+                      "method gives way to the slower MPRGP.");
   }
 
   SolverParameters parse_solver(const SectionReader &in)

@@ -16,33 +16,31 @@ namespace signorini
                       name_of(defaults.control),
                       choices_of<StepSizeControl>(),
                       "How long steps are. fixed: all as long as Step size. doubling: so that the "
-                      "error of a step, estimated by taking "
-                      "it once more in two halves, stays below Step tolerance; the halves are "
-                      "kept. embedded: the same with the "
+                      "error of a step, estimated by taking it once more in two halves, stays "
+                      "below Step tolerance; the halves are kept. embedded: the same with the "
                       "difference from what the last step predicted, which costs nothing but is "
-                      "coarser. force: that of embedded in "
-                      "contact, "
-                      "and by the change of contact forces; flight takes the longest steps, "
-                      "whatever vibrates. Step size is then the "
-                      "first one, and with force the one with which contact begins.");
+                      "coarser. force: that of embedded in contact, and by the change of contact "
+                      "forces; flight takes the longest steps, whatever vibrates. Step size is "
+                      "then the first one, and with force the one with which contact begins.");
     prm.declare_entry(
       "Step tolerance",
       "1e-2",
       Double(),
-      "Accepted error of a step of variable size (no unit): in the energy norm, relative to the square root of the "
-      "largest kinetic and elastic energy of the motion so far; with force also that part of the largest contact force "
-      "by which a step of length Step size may change it (twice the length: a quarter of that).");
+      "Accepted error of a step of variable size (no unit): in the energy norm, relative to the "
+      "square root of the largest kinetic and elastic energy of the motion so far; with force also "
+      "that part of the largest contact force by which a step of length Step size may change it "
+      "(twice the length: a quarter of that).");
     prm.declare_entry("Minimum step size",
                       "0",
                       Double(),
-                      "Steps of variable size are not shorter, whatever their error (but for the halves of doubling). "
-                      "0: half the time that a wave takes through "
-                      "the smallest cell (with doubling all of it), or Step size if that is shorter.");
+                      "Steps of variable size are not shorter, whatever their error (but for the "
+                      "halves of doubling). 0: half the time that a wave takes through the "
+                      "smallest cell (with doubling all of it), or Step size if that is shorter.");
     prm.declare_entry("Maximum step size",
                       "0",
                       Double(),
-                      "Steps of variable size are not longer. 0: a tenth of End time. Make it short enough that no "
-                      "change of loads and supports can be stepped over.");
+                      "Steps of variable size are not longer. 0: a tenth of End time. Make it "
+                      "short enough that no change of loads and supports can be stepped over.");
   }
 
 
@@ -57,8 +55,8 @@ namespace signorini
     const auto check_unused = [&](const std::string &key, const double value, const double unused) {
       if (value != unused)
         in.fail(key,
-                "is for steps of variable size, but Step size control = fixed. Remove this key or set "
-                "`Step size control = doubling`.");
+                "is for steps of variable size, but Step size control = fixed. Remove this key or "
+                "set `Step size control = doubling`.");
     };
     if (!sizes.is_variable())
       {

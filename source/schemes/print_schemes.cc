@@ -47,8 +47,9 @@ namespace signorini
 
   void print_schemes(std::ostream &out)
   {
-    out << "| scheme | energy at contact | friction | massless contact nodes | predictor | contact force belongs to | "
-           "changing mesh | variable step | in one sentence |\n|---|---|---|---|---|---|---|---|---|\n";
+    out << "| scheme | energy at contact | friction | massless contact nodes | predictor | contact "
+           "force belongs to | changing mesh | variable step | in one sentence |\n"
+           "|---|---|---|---|---|---|---|---|---|\n";
     for (const SchemeInfo &info : scheme_table())
       out << "| `" << info.name << "` | " << spelling_of(info.energy) << " | " << yes_or_no(info.friction) << " | "
           << spelling_of(info.massless) << " | " << yes_or_no(info.predictor) << " | " << instant(info) << " | "

@@ -156,8 +156,9 @@ namespace signorini
     const MovingSupports *supports = system.capabilities().moving_supports;
     if (supports != nullptr && supports->supports_move(state.time, state.time + tau))
       throw UserError(
-        "Time/Scheme: this integration does not follow supports that move, and a Dirichlet condition changes in time. "
-        "Take another scheme for contact nodes without mass, with a small step size.");
+        "Time/Scheme: this integration does not follow supports that move, and a Dirichlet "
+        "condition changes in time. Take another scheme for contact nodes without mass, with a "
+        "small step size.");
     Equation     equation(system, state, tau);
     const auto   massless = massless_entries(system);
     const Vector start    = state.displacement;

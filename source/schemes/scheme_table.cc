@@ -81,8 +81,8 @@ namespace signorini
     {
       SchemeInfo info = contact_stabilized();
       info.name       = "contact-stabilized-projected";
-      info.summary    = "contact-stabilized whose projection acts on the velocity, too: nodes that stay in contact "
-                        "have no normal velocity";
+      info.summary    = "contact-stabilized whose projection acts on the velocity, too: nodes that "
+                        "stay in contact have no normal velocity";
       info.make       = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes);
       };
@@ -231,8 +231,8 @@ namespace signorini
     {
       SchemeInfo info = common("reference",
                                EnergyLaw::none,
-                               "the mass-redistributed problem integrated with error control; slow, measures the "
-                               "error of others in time");
+                               "the mass-redistributed problem integrated with error control; "
+                               "slow, measures the error of others in time");
       need_massless_nodes(info);
       info.balance          = StepBalance::end;
       info.force_before_end = "0";

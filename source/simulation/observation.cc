@@ -197,14 +197,12 @@ namespace signorini
       text << "  warning: by the true geometry a contact node was " << deepest
            << " deep in an obstacle. Contact is linearised about the\n"
            << "           initial configuration, with one obstacle per node: do not trust motion "
-              "along a curved "
-              "obstacle or in a corner.\n";
+              "along a curved obstacle or in a corner.\n";
     if (farthest_sliding > 1.)
       text << "  warning: bodies in contact slid along each other by " << farthest_sliding
            << " times the size of a face. The faces that meet are\n"
            << "           chosen once, in the initial configuration: do not trust the places where "
-              "forces act after "
-              "that.\n";
+              "forces act after that.\n";
     return text.str();
   }
 
@@ -246,8 +244,7 @@ namespace signorini
            << " of these steps the equations of the single nodes were not solved; the common "
               "factor of\n"
            << "           `Time/Impulses = common` was taken instead. The energy is right, the "
-              "share of each node is "
-              "not.\n";
+              "share of each node is not.\n";
     text << warnings();
     for (unsigned int p = 0; p < probes.size(); ++p)
       text << "  probe " << probes[p].name() << " at (" << probes[p].position()

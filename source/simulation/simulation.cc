@@ -209,8 +209,8 @@ namespace signorini
          << mesh.courant_number(scene.time.step_size) << "\n  processes         "
          << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
-      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none faces its obstacle, or "
-              "supports hold them all\n";
+      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none "
+              "faces its obstacle, or supports hold them all\n";
     if (meshed->surface.n_supported() > 0)
       text
         << "  note: " << meshed->surface.n_supported()
@@ -221,9 +221,8 @@ namespace signorini
             return body.shape == BodyShape::ball || body.shape == BodyShape::cylinder
                    || body.cap_radius > 0.;
           }))
-      text << "  warning: on a mesh that changes, a round body keeps the facets of its initial `Refinements`, however "
-              "fine the mesh "
-              "becomes.\n           Set `Mapping = curved`.\n";
+      text << "  warning: on a mesh that changes, a round body keeps the facets of its initial "
+              "`Refinements`, however fine the mesh becomes.\n           Set `Mapping = curved`.\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by " << perturbation_of_velocities()
            << " of themselves\n";

@@ -261,8 +261,8 @@ namespace signorini
       }
     if (!(norm <= goal))
       throw RunError(
-        "The inequality of this step was not solved to its tolerance: neither the active set method nor MPRGP "
-        "converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
+        "The inequality of this step was not solved to its tolerance: neither the active set "
+        "method nor MPRGP converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
 
     return_solution(problem, scaled, iteration.point(), active, solution, residual);
     report.n_active = dealii::Utilities::MPI::sum(

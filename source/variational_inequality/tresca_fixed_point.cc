@@ -58,7 +58,8 @@ namespace signorini
           bounds[k] += relaxation * changes[k];
       }
     throw RunError(
-      "The inequality of this step was not solved to its tolerance: neither Newton's method nor the fixed point of "
-      "Tresca's friction converged. The friction is too strong for this step: choose a smaller Time/Step size.");
+      "The inequality of this step was not solved to its tolerance: neither Newton's method nor "
+      "the fixed point of Tresca's friction converged. The friction is too strong for this step: "
+      "choose a smaller Time/Step size.");
   }
 } // namespace signorini

@@ -271,7 +271,8 @@ namespace signorini
           }
         descent.proximal_step();
       }
-    throw RunError("The inequality of this step was not solved to its tolerance: the minimisation with given bounds of "
-                   "friction did not converge. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
+    throw RunError("The inequality of this step was not solved to its tolerance: the minimisation "
+                   "with given bounds of friction did not converge. Choose a larger "
+                   "Solver/Tolerance or a smaller Time/Step size.");
   }
 } // namespace signorini
