@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/finite_elements/cell_map.h>
 #include <signorini/adaptivity/residual_parts.h>
+#include <signorini/finite_elements/cell_map.h>
 
 namespace signorini
 {
@@ -22,7 +22,8 @@ namespace signorini
           nodes[v] = cell.nodes[vertex_of_face<dim>(face, v)];
       }
 
-      double scalar(const Vector &field, const unsigned int q, const unsigned int component = 0) const
+      double
+      scalar(const Vector &field, const unsigned int q, const unsigned int component = 0) const
       {
         double result = 0.;
         for (unsigned int v = 0; v < nodes.size(); ++v)
@@ -46,7 +47,9 @@ namespace signorini
 
     /** The mean of a given traction at both ends of the step. */
     template <int dim>
-    Tensor<1, dim> mean_traction(FunctionParser<dim> &function, const ForceBalance &balance, const Point<dim> &point)
+    Tensor<1, dim> mean_traction(FunctionParser<dim> &function,
+                                 const ForceBalance  &balance,
+                                 const Point<dim>    &point)
     {
       Tensor<1, dim> result;
       for (const double time : {balance.start_time, balance.end_time})
@@ -76,8 +79,9 @@ namespace signorini
         {
           const auto &mapping = stress.mesh.discretization.mesh().mapping();
           const auto  support = support_points(mapping, stress.mesh.cells[outer.cell].cell);
-          const auto  points =
-            GaussTables<dim>::of_degree(mapping.get_degree()).faces[outer.face].values(numbers(support));
+          const auto  points  = GaussTables<dim>::of_degree(mapping.get_degree())
+                                .faces[outer.face]
+                                .values(numbers(support));
           for (unsigned int q = 0; q < result.size(); ++q)
             {
               Point<dim> point;
@@ -90,7 +94,10 @@ namespace signorini
     }
 
 
-    /** int |sigma n - traction|^2 without held components, and without the normal parts of full-contact nodes on a slave surface. */
+    /**
+     * int |sigma n - traction|^2 without held components, and without the normal parts of
+     * full-contact nodes on a slave surface.
+     */
     template <int dim>
     double squared_residual(const StressVectors<dim> &stress,
                             const OuterFace<dim>     &outer,
@@ -104,14 +111,17 @@ namespace signorini
       double                  result   = 0.;
       for (unsigned int q = 0; q < residual.size(); ++q)
         {
-          if (role.is_slave || role.is_master) // nodes at the edge of a contact surface belong to other faces, too
+          if (role.is_slave
+              || role
+                   .is_master) // nodes at the edge of a contact surface belong to other faces, too
             residual[q] -= here.vector(fields.traction, q);
           for (unsigned int c = 0; role.condition != nullptr && c < dim; ++c)
             if (role.condition->held[c])
               residual[q][c] = 0.;
           double square = 0.;
           if (role.is_slave)
-            if (const Tensor<1, dim> normal = here.vector(fields.normal, q); normal.norm_square() > 0.)
+            if (const Tensor<1, dim> normal = here.vector(fields.normal, q);
+                normal.norm_square() > 0.)
               {
                 const Tensor<1, dim> nu            = normal / normal.norm();
                 const double         normal_stress = residual[q] * nu;
@@ -126,8 +136,9 @@ namespace signorini
 
     /** int s gap. */
     template <int dim>
-    double
-    energy_of_gap(const StressVectors<dim> &stress, const OuterFace<dim> &outer, const ContactFields<dim> &fields)
+    double energy_of_gap(const StressVectors<dim> &stress,
+                         const OuterFace<dim>     &outer,
+                         const ContactFields<dim> &fields)
     {
       const FieldsOnFace<dim> here(stress.mesh.cells[outer.cell], outer.face);
       const FourNumbers      &area   = stress.of_face(outer.cell, outer.face).area;
@@ -153,8 +164,8 @@ namespace signorini
         const OuterFace<dim> &outer    = mesh.outer_faces[i];
         const LocalCell<dim> &cell     = mesh.cells[outer.cell];
         const Material       &material = mesh.discretization.mesh().bodies()[cell.body].material;
-        squares(cell.index) +=
-          weights.face(material, outer.size) * squared_residual(stress, outer, roles[i], balance, fields);
+        squares(cell.index) += weights.face(material, outer.size)
+                               * squared_residual(stress, outer, roles[i], balance, fields);
         if (roles[i].is_slave)
           squares(cell.index) += weights.complementarity() * energy_of_gap(stress, outer, fields);
       }

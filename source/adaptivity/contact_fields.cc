@@ -51,7 +51,8 @@ namespace signorini
             const FourNumbers     area  = stress.of_face(outer.cell, outer.face).area;
             for (unsigned int v = 0; v < vertex_functions.size(); ++v)
               {
-                const unsigned int node = mesh.cells[outer.cell].nodes[vertex_of_face<dim>(outer.face, v)];
+                const unsigned int node =
+                  mesh.cells[outer.cell].nodes[vertex_of_face<dim>(outer.face, v)];
                 for (unsigned int q = 0; q < PointTable<dim>::n_points; ++q)
                   result.local_element(dim * node) += vertex_functions[v][q] * area[q];
               }
@@ -60,7 +61,10 @@ namespace signorini
       return result;
     }
 
-    /** Nodes of slave surfaces (first component > 0) around which contact is not closed everywhere, or where there is tension. */
+    /**
+     * Nodes of slave surfaces (first component > 0) around which contact is not closed everywhere,
+     * or where there is tension.
+     */
     template <int dim>
     Vector nodes_at_open_faces(const StressVectors<dim>  &stress,
                                const SurfaceRoles<dim>   &roles,
@@ -72,7 +76,8 @@ namespace signorini
       const CellNeighbors<dim> &mesh = stress.mesh;
       Vector                    open = mesh.make_vector();
       open                           = 1.;
-      for (const auto &entry : supports.nodes()) // without contact, it is held in the normal direction
+      for (const auto &entry :
+           supports.nodes()) // without contact, it is held in the normal direction
         open.local_element(dim * entry.first) = 0.;
       for (std::size_t k = 0; k < closed.size(); ++k)
         open.local_element(dim * surface.nodes()[k].node) = closed[k] ? 0. : 1.;
@@ -83,7 +88,9 @@ namespace signorini
         bool                  is_open = false;
         for (unsigned int v = 0; v < GaussTables<dim>::n_face_points; ++v)
           is_open = is_open || there.tension[v] > tension
-                    || open.local_element(dim * mesh.cells[outer.cell].nodes[vertex_of_face<dim>(outer.face, v)]) > 0.;
+                    || open.local_element(
+                         dim * mesh.cells[outer.cell].nodes[vertex_of_face<dim>(outer.face, v)])
+                         > 0.;
         return is_open && roles[i].is_slave;
       });
     }
@@ -113,14 +120,20 @@ namespace signorini
                                     const ForceBalance        &balance)
   {
     const CellNeighbors<dim> &mesh = stress.mesh;
-    ContactFields<dim>        fields{
-      mesh.make_vector(), mesh.make_vector(), mesh.make_vector(), mesh.make_vector(), mesh.make_vector()};
-    const unsigned int n_owned = fields.normal.locally_owned_size() / dim;
-    const Vector       areas   = areas_of_nodes(stress, [&](const std::size_t i) { return roles[i].is_master; });
+    ContactFields<dim>        fields{mesh.make_vector(),
+                              mesh.make_vector(),
+                              mesh.make_vector(),
+                              mesh.make_vector(),
+                              mesh.make_vector()};
+    const unsigned int        n_owned = fields.normal.locally_owned_size() / dim;
+    const Vector              areas =
+      areas_of_nodes(stress, [&](const std::size_t i) { return roles[i].is_master; });
     for (unsigned int node = 0; node < n_owned; ++node)
       if (areas.local_element(dim * node) > 0.)
-        set_node_value<dim>(
-          fields.traction, node, node_value<dim>(balance.contact_force, node) / areas.local_element(dim * node));
+        set_node_value<dim>(fields.traction,
+                            node,
+                            node_value<dim>(balance.contact_force, node)
+                              / areas.local_element(dim * node));
 
     const std::vector<double> forces  = compression(surface, balance.contact_force);
     const std::vector<bool>   closed  = closed_nodes(surface, balance.contact_force);
@@ -132,9 +145,10 @@ namespace signorini
         const double            s     = std::max(0., forces[k]) / node.weight;
         largest                       = std::max(largest, s);
         set_node_value<dim>(fields.normal, node.node, node.normal());
-        set_node_value<dim>(fields.traction, node.node, (force + forces[k] * node.normal()) / node.weight);
+        set_node_value<dim>(
+          fields.traction, node.node, (force + forces[k] * node.normal()) / node.weight);
         fields.pressure.local_element(dim * node.node) = s;
-        fields.gap.local_element(dim * node.node)      = closed[k] ? 0. : std::max(0., balance.gap[k]);
+        fields.gap.local_element(dim * node.node) = closed[k] ? 0. : std::max(0., balance.gap[k]);
       }
     largest = Utilities::MPI::max(largest, mesh.discretization.communicator());
 
@@ -143,7 +157,8 @@ namespace signorini
     for (unsigned int node = 0; node < n_owned; ++node)
       if (at_open_faces.local_element(dim * node) > 0.)
         fields.open.local_element(dim * node) = 1.;
-    for (Vector *field : {&fields.normal, &fields.traction, &fields.open, &fields.pressure, &fields.gap})
+    for (Vector *field :
+         {&fields.normal, &fields.traction, &fields.open, &fields.pressure, &fields.gap})
       *field = mesh.interpolate_hanging_nodes(*field);
     return fields;
   }

@@ -15,7 +15,10 @@ namespace signorini
   {
     constexpr double largest_indicator = 4.;
 
-    /** 1 / gap in the first component of contact nodes and of the nodes that move their other side, the largest one counts. */
+    /**
+     * 1 / gap in the first component of contact nodes and of the nodes that move their other side,
+     * the largest one counts.
+     */
     template <int dim>
     Vector closeness(const Discretization<dim> &discretization,
                      const ContactSurface<dim> &surface,
@@ -32,7 +35,9 @@ namespace signorini
         {
           const ContactNode<dim> &node  = surface.nodes()[k];
           const double            value = 1. / std::max(gap[k], smallest);
-          const auto raise = [&](const types::global_dof_index dof) { result(dof) = std::max(result(dof), value); };
+          const auto              raise = [&](const types::global_dof_index dof) {
+            result(dof) = std::max(result(dof), value);
+          };
           raise(partitioner.local_to_global(dim * node.node));
           for (const auto &[partner, weight] : node.partners)
             raise(dim * partner);
@@ -69,7 +74,8 @@ namespace signorini
     for (std::size_t k = 0; k < gap.size(); ++k)
       gap[k] = std::min(gap[k], gap_soon[k]);
 
-    const Vector           close = discretization.interpolate_hanging_nodes(closeness(discretization, surface, gap));
+    const Vector close =
+      discretization.interpolate_hanging_nodes(closeness(discretization, surface, gap));
     dealii::Vector<double> result(discretization.mesh().triangulation().n_active_cells());
     for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())

@@ -31,10 +31,13 @@ namespace signorini
 
   void remove_round_off(const State &state, dealii::Vector<double> &indicator)
   {
-    // Steps are solved to about 1e-11 in the energy norm; indicators of what is left may be larger by constants.
+    // Steps are solved to about 1e-11 in the energy norm; indicators of what is left may be larger
+    // by constants.
     constexpr double round_off = 1e-8;
-    const double     energy    = state.velocity * state.momentum + state.displacement * state.internal_force;
-    const double     square = dealii::Utilities::MPI::sum(indicator.norm_sqr(), state.velocity.get_mpi_communicator());
+    const double     energy =
+      state.velocity * state.momentum + state.displacement * state.internal_force;
+    const double square =
+      dealii::Utilities::MPI::sum(indicator.norm_sqr(), state.velocity.get_mpi_communicator());
     if (square <= round_off * round_off * energy)
       indicator = 0.;
   }

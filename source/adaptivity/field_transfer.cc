@@ -18,7 +18,10 @@ namespace signorini
     }
 
 
-    /** Numbers as bytes, blocks of zeros left out: a byte per block says whether it is there. Contact is on few cells. */
+    /**
+     * Numbers as bytes, blocks of zeros left out: a byte per block says whether it is there.
+     * Contact is on few cells.
+     */
     std::vector<char> compress(const std::vector<double> &numbers, const std::size_t block_size)
     {
       const std::size_t n_blocks = numbers.size() / block_size;
@@ -31,7 +34,9 @@ namespace signorini
           const double *const begin = &numbers[block_size * b], *const end = begin + block_size;
           bytes[1 + b] = std::any_of(begin, end, [](const double number) { return number != 0.; });
           if (bytes[1 + b])
-            bytes.insert(bytes.end(), reinterpret_cast<const char *>(begin), reinterpret_cast<const char *>(end));
+            bytes.insert(bytes.end(),
+                         reinterpret_cast<const char *>(begin),
+                         reinterpret_cast<const char *>(end));
         }
       return bytes;
     }
@@ -60,7 +65,8 @@ namespace signorini
     : mesh(mesh)
     , discretization(&before)
   {
-    for (const Source &source : old_fields) // not by assignment, which would keep the ghosts of the old vector
+    for (const Source &source :
+         old_fields) // not by assignment, which would keep the ghosts of the old vector
       sources.push_back({discretization->interpolate_hanging_nodes(source.field), source.moments});
     for (const Source &source : sources)
       source.field.update_ghost_values(); // copies have none
@@ -76,11 +82,12 @@ namespace signorini
                                                        active_cell->level(),
                                                        active_cell->index(),
                                                        &discretization->dof_handler());
-    VertexValues values;
+    VertexValues                                  values;
     values.reserve(n_values);
     for (const unsigned int v : cell->vertex_indices())
       {
-        const unsigned int first = field.get_partitioner()->global_to_local(cell->vertex_dof_index(v, 0));
+        const unsigned int first =
+          field.get_partitioner()->global_to_local(cell->vertex_dof_index(v, 0));
         for (unsigned int c = 0; c < dim; ++c) // a node has consecutive degrees of freedom
           values.push_back(field.local_element(first + c));
       }
@@ -108,13 +115,16 @@ namespace signorini
         }
     if (status == Triangulation<dim>::CELL_COARSEN)
       for (const Source &source : sources)
-        append(source.moments != nullptr ? moments_of_children(cell, source) : VertexValues(n_values, 0.), fields);
+        append(source.moments != nullptr ? moments_of_children(cell, source)
+                                         : VertexValues(n_values, 0.),
+               fields);
     return compress(fields, n_values);
   }
 
 
   template <int dim>
-  VertexValues FieldTransfer<dim>::moments_of_children(const Cell &parent, const Source &source) const
+  VertexValues FieldTransfer<dim>::moments_of_children(const Cell   &parent,
+                                                       const Source &source) const
   {
     VertexValues sum(n_values, 0.);
     for (unsigned int child = 0; child < parent->n_children(); ++child)
@@ -153,12 +163,12 @@ namespace signorini
 
 
   template <int dim>
-  typename FieldTransfer<dim>::CellFields FieldTransfer<dim>::prolongate(const CellFields  &parent,
-                                                                         const unsigned int child) const
+  typename FieldTransfer<dim>::CellFields
+  FieldTransfer<dim>::prolongate(const CellFields &parent, const unsigned int child) const
   {
     const FullMatrix<double> &weights =
       discretization->fe().base_element(0).get_prolongation_matrix(child);
-    CellFields                fields(parent.size(), 0.);
+    CellFields fields(parent.size(), 0.);
     for (unsigned int begin = 0; begin < parent.size(); begin += n_values)
       for (unsigned int a = 0; a < weights.m(); ++a)
         for (unsigned int b = 0; b < weights.n(); ++b)
@@ -203,8 +213,9 @@ namespace signorini
 
 
   template <int dim>
-  Vector
-  FieldTransfer<dim>::lost_moments(const std::vector<CellFields> &cells, const unsigned int source, const Vector &field)
+  Vector FieldTransfer<dim>::lost_moments(const std::vector<CellFields> &cells,
+                                          const unsigned int             source,
+                                          const Vector                  &field)
   {
     const Vector                         filled = discretization->interpolate_hanging_nodes(field);
     Vector                               result = discretization->make_vector();
@@ -242,8 +253,8 @@ namespace signorini
   {
     discretization                      = &after;
     const std::vector<CellFields> cells = receive();
-    const bool                    here =
-      std::any_of(cells.begin(), cells.end(), [&](const CellFields &cell) { return is_coarsened(cell); });
+    const bool                    here  = std::any_of(
+      cells.begin(), cells.end(), [&](const CellFields &cell) { return is_coarsened(cell); });
     const bool coarsened =
       Utilities::MPI::max(static_cast<unsigned int>(here), discretization->communicator()) > 0;
 

@@ -25,7 +25,8 @@ namespace signorini
     balance.specific_force = body_force.at(balance.end_time);
     if (balance.start_time != balance.end_time)
       balance.specific_force.sadd(0.5, 0.5, body_force.at(balance.start_time));
-    balance.specific_force.add(-1. / step.step_size, step.end.velocity, 1. / step.step_size, step.start.velocity);
+    balance.specific_force.add(
+      -1. / step.step_size, step.end.velocity, 1. / step.step_size, step.start.velocity);
     balance.gap = surface.distance(step.end.displacement);
     return balance;
   }
@@ -49,18 +50,20 @@ namespace signorini
                                const Vector              &contact_force,
                                const double               time)
   {
-    return {
-      displacement, BodyForce<dim>(discretization).at(time), contact_force, surface.distance(displacement), time, time};
+    return {displacement,
+            BodyForce<dim>(discretization).at(time),
+            contact_force,
+            surface.distance(displacement),
+            time,
+            time};
   }
 
 
 #define INSTANTIATE(dim)                                                                           \
   template ForceBalance balance_of_step(                                                           \
-    const ContactSurface<dim> &, const StepRecord &, StepBalance, BodyForce<dim> &);       \
-  template ForceBalance balance_of_step(const Discretization<dim> &,                               \
-                                        const ContactSurface<dim> &,                               \
-                                        const StepRecord &,                                        \
-                                        StepBalance);                                      \
+    const ContactSurface<dim> &, const StepRecord &, StepBalance, BodyForce<dim> &);               \
+  template ForceBalance balance_of_step(                                                           \
+    const Discretization<dim> &, const ContactSurface<dim> &, const StepRecord &, StepBalance);    \
   template ForceBalance balance_at_rest(const Discretization<dim> &,                               \
                                         const ContactSurface<dim> &,                               \
                                         const Vector &,                                            \

@@ -17,9 +17,10 @@ namespace signorini
 
 
   template <int dim>
-  IndicatorDistribution::IndicatorDistribution(const dealii::parallel::distributed::Triangulation<dim> &triangulation,
-                                               const dealii::Vector<double>                            &squares,
-                                               const std::vector<bool>                                 &counts)
+  IndicatorDistribution::IndicatorDistribution(
+    const dealii::parallel::distributed::Triangulation<dim> &triangulation,
+    const dealii::Vector<double>                            &squares,
+    const std::vector<bool>                                 &counts)
     : n(triangulation.n_global_active_cells())
     , sums(n_bins)
     , numbers(n_bins)
@@ -29,11 +30,14 @@ namespace signorini
       largest = std::max(largest, value);
     largest = dealii::Utilities::MPI::max(largest, communicator);
     for (const auto &cell : triangulation.active_cell_iterators())
-      if (const unsigned int index = cell->active_cell_index(); cell->is_locally_owned() && squares(index) > 0.)
+      if (const unsigned int index = cell->active_cell_index();
+          cell->is_locally_owned() && squares(index) > 0.)
         {
-          // Half a bin away from the largest one: values that agree with it but for round-off share its bin.
+          // Half a bin away from the largest one: values that agree with it but for round-off share
+          // its bin.
           const double       octaves = std::log2(largest / squares(index));
-          const unsigned int bin     = std::min(n_bins - 1., std::floor(std::max(0., bins_per_octave * octaves + 0.5)));
+          const unsigned int bin =
+            std::min(n_bins - 1., std::floor(std::max(0., bins_per_octave * octaves + 0.5)));
           sums[bin] += squares(index);
           numbers[bin] += counts[index];
         }
@@ -46,7 +50,8 @@ namespace signorini
 
   double IndicatorDistribution::lower_end(const unsigned int bin) const
   {
-    return bin + 1 == n_bins ? std::numeric_limits<double>::min() : largest * std::exp2(-(bin + 0.5) / bins_per_octave);
+    return bin + 1 == n_bins ? std::numeric_limits<double>::min()
+                             : largest * std::exp2(-(bin + 0.5) / bins_per_octave);
   }
 
 
@@ -91,10 +96,12 @@ namespace signorini
   }
 
 
-  template IndicatorDistribution::IndicatorDistribution(const dealii::parallel::distributed::Triangulation<2> &,
-                                                        const dealii::Vector<double> &,
-                                                        const std::vector<bool> &);
-  template IndicatorDistribution::IndicatorDistribution(const dealii::parallel::distributed::Triangulation<3> &,
-                                                        const dealii::Vector<double> &,
-                                                        const std::vector<bool> &);
+  template IndicatorDistribution::IndicatorDistribution(
+    const dealii::parallel::distributed::Triangulation<2> &,
+    const dealii::Vector<double> &,
+    const std::vector<bool> &);
+  template IndicatorDistribution::IndicatorDistribution(
+    const dealii::parallel::distributed::Triangulation<3> &,
+    const dealii::Vector<double> &,
+    const std::vector<bool> &);
 } // namespace signorini

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/finite_elements/cell_map.h>
 #include <signorini/adaptivity/residual_parts.h>
+#include <signorini/finite_elements/cell_map.h>
 
 #include <cmath>
 
@@ -11,9 +11,11 @@ namespace signorini
   namespace
   {
     /**
-     * div sigma = (lambda + mu) grad div u + mu Laplace u at four points; bilinear functions have mixed second derivatives. By x they are, with K = d xi/d x,
+     * div sigma = (lambda + mu) grad div u + mu Laplace u at four points; bilinear functions have
+     * mixed second derivatives. By x they are, with K = d xi/d x,
      *
-     *   d2 u_c/(dx_i dx_j) = sum_ab K_ai K_bj W_c,ab,   W_c,ab = d2 u_c/(dxi_a dxi_b) - sum_k du_c/dx_k d2 x_k/(dxi_a dxi_b).
+     *   d2 u_c/(dx_i dx_j) = sum_ab K_ai K_bj W_c,ab,   W_c,ab = d2 u_c/(dxi_a dxi_b) - sum_k
+     * du_c/dx_k d2 x_k/(dxi_a dxi_b).
      */
     template <int dim>
     FourVectors<dim> divergence_of_stress(const PointTable<dim>   &polynomials,
@@ -43,7 +45,8 @@ namespace signorini
               for (unsigned int c = 0; c < dim; ++c)
                 {
                   along_a += K[b][c] * W[c][Table::pair(std::min(a, b), std::max(a, b))];
-                  result[c] += material.mu() * metric * W[c][Table::pair(std::min(a, b), std::max(a, b))];
+                  result[c] +=
+                    material.mu() * metric * W[c][Table::pair(std::min(a, b), std::max(a, b))];
                 }
             }
           for (unsigned int i = 0; i < dim; ++i)
@@ -61,9 +64,9 @@ namespace signorini
                              const ResidualWeights    &weights,
                              dealii::Vector<double>   &squares)
   {
-    const auto                         &mapping = mesh.discretization.mesh().mapping();
-    const auto                         &tables  = GaussTables<dim>::of_degree(1).interior;
-    const auto                         &of_map  = GaussTables<dim>::of_degree(mapping.get_degree()).interior;
+    const auto &mapping = mesh.discretization.mesh().mapping();
+    const auto &tables  = GaussTables<dim>::of_degree(1).interior;
+    const auto &of_map  = GaussTables<dim>::of_degree(mapping.get_degree()).interior;
     std::array<double, dim *(1 << dim)> values, forces;
     for (const LocalCell<dim> &cell : mesh.cells)
       if (cell.owned)
@@ -81,8 +84,8 @@ namespace signorini
               for (auto &row : K)
                 for (auto &entry : row)
                   entry /= volume;
-              FourVectors<dim> residual =
-                divergence_of_stress<dim>(tables[t], of_map[t], K, material, values.data(), numbers(points));
+              FourVectors<dim> residual = divergence_of_stress<dim>(
+                tables[t], of_map[t], K, material, values.data(), numbers(points));
               const FourVectors<dim> force = tables[t].values(forces.data());
               for (unsigned int c = 0; c < dim; ++c)
                 {
@@ -90,7 +93,8 @@ namespace signorini
                   square += residual[c] * residual[c] * volume;
                 }
             }
-          const double weight = weights.cell(material, cell.cell->diameter() / std::sqrt(double(dim))) / (1 << dim);
+          const double weight =
+            weights.cell(material, cell.cell->diameter() / std::sqrt(double(dim))) / (1 << dim);
           squares(cell.index) += weight * (square[0] + square[1] + square[2] + square[3]);
         }
   }

@@ -18,7 +18,10 @@ namespace signorini
 
   namespace
   {
-    /** The part of the squared estimate that cells with squares >= a threshold make which may be refined. */
+    /**
+     * The part of the squared estimate that cells with squares >= a threshold make which may be
+     * refined.
+     */
     template <int dim>
     double refinable_part(const parallel::distributed::Triangulation<dim> &triangulation,
                           const dealii::Vector<double>                    &squares,
@@ -42,7 +45,10 @@ namespace signorini
         }
     }
 
-    /** Let all processes know which of their ghost cells are going to be refined: by active_cell_index. */
+    /**
+     * Let all processes know which of their ghost cells are going to be refined: by
+     * active_cell_index.
+     */
     template <int dim>
     std::vector<char>
     refine_flags_with_ghosts(const parallel::distributed::Triangulation<dim> &triangulation)
@@ -60,8 +66,9 @@ namespace signorini
 
 
     /**
-     * Coarsen no family beside cells that are finer or become so. If the finer ones are coarsened, too, the family is next. The
-     * triangulation would allow both at once, but only where it sees the flags, not across processes.
+     * Coarsen no family beside cells that are finer or become so. If the finer ones are coarsened,
+     * too, the family is next. The triangulation would allow both at once, but only where it sees
+     * the flags, not across processes.
      */
     template <int dim>
     void keep_families_beside_finer_cells(parallel::distributed::Triangulation<dim> &triangulation)

@@ -17,9 +17,10 @@ namespace signorini
 
 
     /**
-     * The part of the threshold of refinement below which cells may be coarsened. By default what a smooth solution allows: a cell that replaces its
-     * 2^dim children has about 4 * 2^dim times the square of one of them (linear elements, error in the energy norm), and this is to stay
-     * below half of the threshold. Behind a front the error is not smooth, and no such law holds.
+     * The part of the threshold of refinement below which cells may be coarsened. By default what a
+     * smooth solution allows: a cell that replaces its 2^dim children has about 4 * 2^dim times the
+     * square of one of them (linear elements, error in the energy norm), and this is to stay below
+     * half of the threshold. Behind a front the error is not smooth, and no such law holds.
      */
     template <int dim>
     double coarsen_ratio(const AdaptivityParameters &parameters)
@@ -42,7 +43,8 @@ namespace signorini
         const double bulk    = distribution.threshold_of_part(parameters.refine_fraction);
         const double coarsen = distribution.threshold_of_rest(parameters.coarsen_fraction);
         const bool   is_good = std::sqrt(distribution.total()) <= parameters.tolerance;
-        return {is_good ? out_of_reach : bulk, std::min(coarsen, coarsen_ratio<dim>(parameters) * bulk)};
+        return {is_good ? out_of_reach : bulk,
+                std::min(coarsen, coarsen_ratio<dim>(parameters) * bulk)};
       }
 
     private:
@@ -81,7 +83,8 @@ namespace signorini
       MarkingThresholds thresholds(const IndicatorDistribution &) const override
       {
         using Distance = DistanceIndicator<dim>;
-        return {Distance::too_close * Distance::too_close, Distance::far_enough * Distance::far_enough};
+        return {Distance::too_close * Distance::too_close,
+                Distance::far_enough * Distance::far_enough};
       }
       bool weighs_parts() const override { return false; }
     };

@@ -24,7 +24,8 @@ namespace signorini
     dealii::Vector<double>   result(mesh.discretization.mesh().triangulation().n_active_cells());
     const Vector             u = mesh.interpolate_hanging_nodes(balance.displacement);
     const StressVectors<dim> stress(mesh, u);
-    add_interior_residual(mesh, u, mesh.interpolate_hanging_nodes(balance.specific_force), weights, result);
+    add_interior_residual(
+      mesh, u, mesh.interpolate_hanging_nodes(balance.specific_force), weights, result);
     add_stress_jumps(stress, weights, result);
     const auto fields = contact_fields(stress, roles, surface, supports, balance);
     add_boundary_residual(stress, roles, balance, fields, weights, result);

@@ -26,7 +26,9 @@ namespace signorini
     /** The fields of a state in the order in which they travel. */
     template <int dim>
     std::vector<typename FieldTransfer<dim>::Source>
-    sources(const ContactSurface<dim> &surface, const ContactCoordinates<dim> &coordinates, const State &state)
+    sources(const ContactSurface<dim>     &surface,
+            const ContactCoordinates<dim> &coordinates,
+            const State                   &state)
     {
       std::vector<typename FieldTransfer<dim>::Source> result = {
         {state.displacement, &stiffness_moments<dim>},

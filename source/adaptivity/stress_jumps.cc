@@ -6,8 +6,9 @@
 namespace signorini
 {
   template <int dim>
-  void
-  add_stress_jumps(const StressVectors<dim> &stress, const ResidualWeights &weights, dealii::Vector<double> &squares)
+  void add_stress_jumps(const StressVectors<dim> &stress,
+                        const ResidualWeights    &weights,
+                        dealii::Vector<double>   &squares)
   {
     const auto &cells = stress.mesh.cells;
     for (const InnerFace<dim> &face : stress.mesh.inner_faces)
@@ -16,8 +17,9 @@ namespace signorini
         FaceStress<dim>        part;
         if (face.subface >= 0)
           part = stress.of_subface(face.cells[1], face.faces[1], face.subface);
-        const FaceStress<dim> &theirs = face.subface >= 0 ? part : stress.of_face(face.cells[1], face.faces[1]);
-        double                 square = 0.;
+        const FaceStress<dim> &theirs =
+          face.subface >= 0 ? part : stress.of_face(face.cells[1], face.faces[1]);
+        double square = 0.;
         for (unsigned int q = 0; q < face.points.size(); ++q)
           for (unsigned int c = 0; c < dim; ++c)
             {
@@ -26,7 +28,7 @@ namespace signorini
             }
         const Material &material =
           stress.mesh.discretization.mesh().bodies()[cells[face.cells[0]].body].material;
-        const double    half     = 0.5 * weights.face(material, face.size) * square;
+        const double half = 0.5 * weights.face(material, face.size) * square;
         for (const unsigned int cell : face.cells)
           if (cells[cell].owned)
             squares(cells[cell].index) += half;
@@ -34,6 +36,8 @@ namespace signorini
   }
 
 
-  template void add_stress_jumps(const StressVectors<2> &, const ResidualWeights &, dealii::Vector<double> &);
-  template void add_stress_jumps(const StressVectors<3> &, const ResidualWeights &, dealii::Vector<double> &);
+  template void
+  add_stress_jumps(const StressVectors<2> &, const ResidualWeights &, dealii::Vector<double> &);
+  template void
+  add_stress_jumps(const StressVectors<3> &, const ResidualWeights &, dealii::Vector<double> &);
 } // namespace signorini

@@ -14,7 +14,8 @@ namespace signorini
   namespace
   {
     template <int dim>
-    std::map<types::boundary_id, SurfaceCondition<dim>> conditions_of(const BodyDescription<dim> &body)
+    std::map<types::boundary_id, SurfaceCondition<dim>>
+    conditions_of(const BodyDescription<dim> &body)
     {
       std::map<types::boundary_id, SurfaceCondition<dim>> result;
       for (const auto &dirichlet : body.dirichlet)
@@ -33,14 +34,16 @@ namespace signorini
                         const unsigned int                                    face)
     {
       return std::any_of(pairs.begin(), pairs.end(), [&](const PairDescription &pair) {
-        return pair.of_two_bodies() && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
+        return pair.of_two_bodies()
+               && is_surface_face<dim>(cell, face, pair.master, pair.master_boundary_ids);
       });
     }
   } // namespace
 
 
   template <int dim>
-  SurfaceRoles<dim>::SurfaceRoles(const CellNeighbors<dim> &mesh, const ContactSurface<dim> &surface)
+  SurfaceRoles<dim>::SurfaceRoles(const CellNeighbors<dim>  &mesh,
+                                  const ContactSurface<dim> &surface)
   {
     for (const auto &body : mesh.discretization.mesh().bodies())
       conditions.push_back(conditions_of(body));

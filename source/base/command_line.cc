@@ -11,15 +11,21 @@ namespace signorini
 {
   namespace
   {
-    const std::vector<std::string> options =
-      {"--set", "--validate", "--print-parameters", "--print-schemes", "--quiet", "--version", "--help"};
+    const std::vector<std::string> options = {"--set",
+                                              "--validate",
+                                              "--print-parameters",
+                                              "--print-schemes",
+                                              "--quiet",
+                                              "--version",
+                                              "--help"};
 
     std::pair<std::string, std::string> parse_override(const std::string &assignment)
     {
       const std::size_t equal = assignment.find('=');
       if (equal == std::string::npos || trim(assignment.substr(0, equal)).empty())
-        throw UserError("--set \"" + assignment
-                        + "\": a key and a value are needed. Write --set \"Section/Subsection/Key=value\".");
+        throw UserError(
+          "--set \"" + assignment
+          + "\": a key and a value are needed. Write --set \"Section/Subsection/Key=value\".");
       return {trim(assignment.substr(0, equal)), trim(assignment.substr(equal + 1))};
     }
 
@@ -54,20 +60,23 @@ namespace signorini
         if (argument == "--set")
           {
             if (++i == arguments.size())
-              throw UserError("--set needs a key and a value. Write --set \"Section/Subsection/Key=value\".");
+              throw UserError(
+                "--set needs a key and a value. Write --set \"Section/Subsection/Key=value\".");
             result.overrides.push_back(parse_override(arguments[i]));
           }
         else if (!argument.empty() && argument[0] == '-')
           parse_option(argument, result);
         else if (!result.scene.empty())
-          throw UserError("two scenes, " + result.scene + " and " + argument + ". Name one; each runs on its own.");
+          throw UserError("two scenes, " + result.scene + " and " + argument
+                          + ". Name one; each runs on its own.");
         else
           result.scene = argument;
       }
     const bool only_information =
       result.help || result.version || result.print_parameters || result.print_schemes;
     if (result.scene.empty() && !arguments.empty() && !only_information)
-      throw UserError("no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");
+      throw UserError(
+        "no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");
     return result;
   }
 

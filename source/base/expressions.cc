@@ -12,15 +12,19 @@
 namespace signorini
 {
   template <int dim, std::size_t n_components>
-  std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions,
-                                                             const std::string &further_variable)
+  std::unique_ptr<dealii::FunctionParser<dim>>
+  make_function(const std::array<std::string, n_components> &expressions,
+                const std::string                           &further_variable)
   {
     std::vector<std::string> texts(expressions.begin(), expressions.end());
     for (std::string &text : texts)
       if (text.empty() || text == "-")
         text = "0";
     auto function = std::make_unique<dealii::FunctionParser<dim>>(n_components);
-    function->initialize((dim == 2 ? "x,y," : "x,y,z,") + further_variable, texts, {{"pi", dealii::numbers::PI}}, true);
+    function->initialize((dim == 2 ? "x,y," : "x,y,z,") + further_variable,
+                         texts,
+                         {{"pi", dealii::numbers::PI}},
+                         true);
     return function;
   }
 
@@ -38,21 +42,22 @@ namespace signorini
   bool has_time(const std::array<std::string, n_components> &expressions)
   {
     static const std::regex name("\\bt\\b");
-    return std::any_of(
-      expressions.begin(), expressions.end(), [](const std::string &text) { return std::regex_search(text, name); });
+    return std::any_of(expressions.begin(), expressions.end(), [](const std::string &text) {
+      return std::regex_search(text, name);
+    });
   }
 
 
-  template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 1>(const std::array<std::string, 1> &,
-                                                                          const std::string &);
-  template std::unique_ptr<dealii::FunctionParser<2>> make_function<2, 2>(const std::array<std::string, 2> &,
-                                                                          const std::string &);
-  template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 1>(const std::array<std::string, 1> &,
-                                                                          const std::string &);
-  template std::unique_ptr<dealii::FunctionParser<3>> make_function<3, 3>(const std::array<std::string, 3> &,
-                                                                          const std::string &);
-  template bool                                       is_given(const std::array<std::string, 2> &);
-  template bool                                       is_given(const std::array<std::string, 3> &);
-  template bool                                       has_time(const std::array<std::string, 2> &);
-  template bool                                       has_time(const std::array<std::string, 3> &);
+  template std::unique_ptr<dealii::FunctionParser<2>>
+  make_function<2, 1>(const std::array<std::string, 1> &, const std::string &);
+  template std::unique_ptr<dealii::FunctionParser<2>>
+  make_function<2, 2>(const std::array<std::string, 2> &, const std::string &);
+  template std::unique_ptr<dealii::FunctionParser<3>>
+  make_function<3, 1>(const std::array<std::string, 1> &, const std::string &);
+  template std::unique_ptr<dealii::FunctionParser<3>>
+                make_function<3, 3>(const std::array<std::string, 3> &, const std::string &);
+  template bool is_given(const std::array<std::string, 2> &);
+  template bool is_given(const std::array<std::string, 3> &);
+  template bool has_time(const std::array<std::string, 2> &);
+  template bool has_time(const std::array<std::string, 3> &);
 } // namespace signorini

@@ -43,7 +43,8 @@ namespace signorini
   unsigned int edit_distance(const std::string &first, const std::string &second)
   {
     const auto same = [](const char a, const char b) {
-      return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+      return std::tolower(static_cast<unsigned char>(a))
+             == std::tolower(static_cast<unsigned char>(b));
     };
     // One row of Levenshtein's table at a time: row[j] is the distance of the beginnings.
     std::vector<unsigned int> row(second.size() + 1);
@@ -69,7 +70,8 @@ namespace signorini
     for (const std::string &candidate : valid)
       {
         const unsigned int distance = edit_distance(word, candidate);
-        if (2 * distance <= std::max(word.size(), candidate.size()) && (best.empty() || distance < best_distance))
+        if (2 * distance <= std::max(word.size(), candidate.size())
+            && (best.empty() || distance < best_distance))
           {
             best          = candidate;
             best_distance = distance;

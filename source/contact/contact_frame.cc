@@ -12,7 +12,8 @@ namespace signorini
   namespace
   {
     template <int dim>
-    std::array<double, dim * dim> frame_of(const Tensor<1, dim> &normal, const Tensor<1, dim> &tangent)
+    std::array<double, dim * dim> frame_of(const Tensor<1, dim> &normal,
+                                           const Tensor<1, dim> &tangent)
     {
       std::array<double, dim * dim> frame;
       for (unsigned int c = 0; c < dim; ++c)
@@ -90,12 +91,14 @@ namespace signorini
   }
 
 
-  template std::array<double, 4> contact_frame(const Tensor<1, 2> &);
-  template std::array<double, 9> contact_frame(const Tensor<1, 3> &);
-  template bool
-  contact_frame_with_supports<2>(const Tensor<1, 2> &, const std::array<bool, 2> &, std::array<double, 4> &);
-  template bool
-  contact_frame_with_supports<3>(const Tensor<1, 3> &, const std::array<bool, 3> &, std::array<double, 9> &);
+  template std::array<double, 4>       contact_frame(const Tensor<1, 2> &);
+  template std::array<double, 9>       contact_frame(const Tensor<1, 3> &);
+  template bool                        contact_frame_with_supports<2>(const Tensor<1, 2> &,
+                                               const std::array<bool, 2> &,
+                                               std::array<double, 4> &);
+  template bool                        contact_frame_with_supports<3>(const Tensor<1, 3> &,
+                                               const std::array<bool, 3> &,
+                                               std::array<double, 9> &);
   template std::array<unsigned int, 2> rows_along_axes<2>(const std::array<double, 4> &);
   template std::array<unsigned int, 3> rows_along_axes<3>(const std::array<double, 9> &);
 } // namespace signorini

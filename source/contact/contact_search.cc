@@ -53,7 +53,8 @@ namespace signorini
         const Tensor<1, dim> normal = face.unit_normal();
         double               depth  = 0.;
         for (unsigned int c = 0; c < dim; ++c)
-          depth += 0.25 * std::abs(normal[c]) * (slave_body.side_length(c) + master_body.side_length(c));
+          depth +=
+            0.25 * std::abs(normal[c]) * (slave_body.side_length(c) + master_body.side_length(c));
         return depth;
       }
 
@@ -74,22 +75,26 @@ namespace signorini
 
     /** Send each master face to the processes in whose boxes it lies. */
     template <int dim>
-    std::vector<SurfaceFace<dim>>
-    exchange(const std::vector<SurfaceFace<dim>> &owned, const Boxes<dim> &search_boxes, const MPI_Comm communicator)
+    std::vector<SurfaceFace<dim>> exchange(const std::vector<SurfaceFace<dim>> &owned,
+                                           const Boxes<dim>                    &search_boxes,
+                                           const MPI_Comm                       communicator)
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return owned;
       // A few boxes that contain all: the top of the tree.
-      const Boxes<dim> summary = search_boxes.empty() ? Boxes<dim>() : extract_rtree_level(pack_rtree(search_boxes), 0);
-      const auto       summaries = Utilities::MPI::all_gather(communicator, summary);
+      const Boxes<dim> summary =
+        search_boxes.empty() ? Boxes<dim>() : extract_rtree_level(pack_rtree(search_boxes), 0);
+      const auto summaries = Utilities::MPI::all_gather(communicator, summary);
       std::map<unsigned int, std::vector<SurfaceFace<dim>>> outgoing;
       for (const SurfaceFace<dim> &face : owned)
         {
           const BoundingBox<dim> box = face.bounding_box();
           for (unsigned int rank = 0; rank < summaries.size(); ++rank)
-            if (std::any_of(summaries[rank].begin(), summaries[rank].end(), [&](const BoundingBox<dim> &search_box) {
-                  return boost::geometry::intersects(box, search_box);
-                }))
+            if (std::any_of(summaries[rank].begin(),
+                            summaries[rank].end(),
+                            [&](const BoundingBox<dim> &search_box) {
+                              return boost::geometry::intersects(box, search_box);
+                            }))
               outgoing[rank].push_back(face);
         }
       std::vector<SurfaceFace<dim>> received;
@@ -106,17 +111,19 @@ namespace signorini
       double closest = std::numeric_limits<double>::max();
       for (const Segment<dim> &segment : segments)
         closest = std::min(closest, std::abs(segment.gap));
-      segments.erase(
-        std::remove_if(segments.begin(),
-                       segments.end(),
-                       [&](const Segment<dim> &segment) { return std::abs(segment.gap) > closest + face_size; }),
-        segments.end());
+      segments.erase(std::remove_if(segments.begin(),
+                                    segments.end(),
+                                    [&](const Segment<dim> &segment) {
+                                      return std::abs(segment.gap) > closest + face_size;
+                                    }),
+                     segments.end());
     }
   } // namespace
 
 
   template <int dim>
-  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization, const PairDescription &pair)
+  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
+                                           const PairDescription     &pair)
   {
     FacingSurfaces<dim>    result;
     const SearchBoxes<dim> search_box(discretization.mesh().bounding_box(pair.slave),
@@ -126,9 +133,10 @@ namespace signorini
     Boxes<dim> search_boxes;
     for (const SurfaceFace<dim> &face : result.slaves)
       search_boxes.push_back(search_box(face));
-    result.masters = exchange(owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
-                              search_boxes,
-                              discretization.communicator());
+    result.masters =
+      exchange(owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
+               search_boxes,
+               discretization.communicator());
 
     const Boxes<dim> master_boxes = bounding_boxes(result.masters); // the tree refers to them
     const auto       tree         = pack_rtree_of_indices(master_boxes);
@@ -137,8 +145,10 @@ namespace signorini
       {
         const SurfaceFace<dim>  &slave = result.slaves[f];
         std::vector<std::size_t> candidates;
-        tree.query(boost::geometry::index::intersects(search_boxes[f]), std::back_inserter(candidates));
-        std::sort(candidates.begin(), candidates.end()); // the order of sums must not depend on the tree
+        tree.query(boost::geometry::index::intersects(search_boxes[f]),
+                   std::back_inserter(candidates));
+        std::sort(candidates.begin(),
+                  candidates.end()); // the order of sums must not depend on the tree
         double size = slave.diameter();
         for (const std::size_t m : candidates)
           {
@@ -155,6 +165,8 @@ namespace signorini
   }
 
 
-  template FacingSurfaces<2> find_facing_surfaces(const Discretization<2> &, const PairDescription &);
-  template FacingSurfaces<3> find_facing_surfaces(const Discretization<3> &, const PairDescription &);
+  template FacingSurfaces<2> find_facing_surfaces(const Discretization<2> &,
+                                                  const PairDescription &);
+  template FacingSurfaces<3> find_facing_surfaces(const Discretization<3> &,
+                                                  const PairDescription &);
 } // namespace signorini

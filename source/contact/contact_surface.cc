@@ -40,19 +40,22 @@ namespace signorini
     for (unsigned int p = 0; p < pairs.size(); ++p)
       if (pairs[p].of_two_bodies())
         add_pair_of_bodies(p, supports);
-    std::stable_sort(contact_nodes.begin(),
-                     contact_nodes.end(),
-                     [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
+    std::stable_sort(
+      contact_nodes.begin(),
+      contact_nodes.end(),
+      [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
     assign_friction(discretization, supports, pairs, contact_nodes);
     node_coupling = std::make_unique<NodeCoupling<dim>>(
       contact_nodes, discretization.matrices().pattern.partitioner);
     check_that_pairs_are_disjoint();
-    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), discretization.communicator());
+    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()),
+                                   discretization.communicator());
   }
 
 
   template <int dim>
-  void ContactSurface<dim>::add_pair_of_bodies(const unsigned int pair, const Supports<dim> &supports)
+  void ContactSurface<dim>::add_pair_of_bodies(const unsigned int   pair,
+                                               const Supports<dim> &supports)
   {
     const auto            &bodies      = discretization.mesh().bodies();
     const PairDescription &description = descriptions[pair];
@@ -81,9 +84,11 @@ namespace signorini
       {
         std::ostringstream note;
         note << std::setprecision(3) << description.name
-             << ": supports hold directions in which normals of contact have a part; these normals are turned by up to "
+             << ": supports hold directions in which normals of contact have a part; these normals "
+                "are turned by up to "
              << mortar.largest_turn()
-             << " degrees. Right at a plane of symmetry, otherwise forces along the support are missing";
+             << " degrees. Right at a plane of symmetry, otherwise forces along the support are "
+                "missing";
         assumptions.push_back(note.str());
       }
     auto nodes = mortar.nodes();
@@ -95,15 +100,16 @@ namespace signorini
     if (!description.slave_boundary_ids.empty() && covered < 0.999)
       {
         std::ostringstream note;
-        note << std::setprecision(3) << description.name << ": the master is opposite to " << 100. * covered
-             << " % of the slave surface; the rest of it is taken to be free";
+        note << std::setprecision(3) << description.name << ": the master is opposite to "
+             << 100. * covered << " % of the slave surface; the rest of it is taken to be free";
         assumptions.push_back(note.str());
       }
   }
 
 
   template <int dim>
-  void ContactSurface<dim>::settle_gaps(const unsigned int pair, std::vector<ContactNode<dim>> &nodes)
+  void ContactSurface<dim>::settle_gaps(const unsigned int             pair,
+                                        std::vector<ContactNode<dim>> &nodes)
   {
     const double round_off = gap_round_off(discretization.mesh().body_size());
     double       deepest   = 0.;
@@ -113,9 +119,8 @@ namespace signorini
         const double depth     = -node.clearance;
         if (std::abs(node.gap) < round_off)
           node.gap = 0.;
-        if (
-          depth
-          < round_off) // apart: dual functions are partly negative, and so may be their mean of a curved gap
+        if (depth < round_off) // apart: dual functions are partly negative, and so may be their
+                               // mean of a curved gap
           node.gap = node.gap < 0. ? std::max(0., node.clearance) * node.transmission : node.gap;
         else if (depth < facet_overlap * face_size)
           {
@@ -147,8 +152,8 @@ namespace signorini
       message << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
               << " share the node at (" << node.position
               << "). A node can have one partner only, and neighbouring faces of a body share the "
-                 "nodes of their edge. Choose surfaces that do not meet, or make the other body "
-                 "the slave of one of the pairs.";
+              << "nodes of their edge. Choose surfaces that do not meet, or make the other body "
+              << "the slave of one of the pairs.";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
@@ -167,7 +172,7 @@ namespace signorini
 
   template <int dim>
   bool ContactSurface<dim>::contains(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                                     const unsigned int                                    face) const
+                                     const unsigned int face) const
   {
     return std::any_of(descriptions.begin(), descriptions.end(), [&](const PairDescription &pair) {
       return is_surface_face<dim>(cell, face, pair.slave, pair.slave_boundary_ids);
@@ -237,7 +242,8 @@ namespace signorini
 
 
   template <int dim>
-  double ContactSurface<dim>::largest_sliding(const Vector &displacement, const Vector &contact_force) const
+  double ContactSurface<dim>::largest_sliding(const Vector &displacement,
+                                              const Vector &contact_force) const
   {
     if (!node_coupling->any())
       return 0.;

@@ -16,7 +16,8 @@ namespace signorini
         carriers.push_back(i);
     const Eigen::Index m = carriers.size();
 
-    // The carriers with their share of the others: a basis of the multipliers that contains the constants.
+    // The carriers with their share of the others: a basis of the multipliers that contains the
+    // constants.
     Eigen::MatrixXd extended = Eigen::MatrixXd::Constant(m, n, 1. / static_cast<double>(m));
     for (Eigen::Index a = 0; a < m; ++a)
       for (Eigen::Index b = 0; b < m; ++b)

@@ -45,16 +45,22 @@ namespace signorini
     };
 
 
-    /** The reference coordinates of the point of a face that lies over a point of the plane, by Newton's method. */
+    /**
+     * The reference coordinates of the point of a face that lies over a point of the plane, by
+     * Newton's method.
+     */
     template <int dim>
-    Point<dim - 1> map_back(const SurfaceFace<dim> &face, const FacePlane<dim> &plane, const Point<dim - 1> &target)
+    Point<dim - 1> map_back(const SurfaceFace<dim> &face,
+                            const FacePlane<dim>   &plane,
+                            const Point<dim - 1>   &target)
     {
       Point<dim - 1> xi = face.middle();
       for (unsigned int iteration = 0; iteration < 20; ++iteration)
         {
-          const Tensor<1, dim - 1> defect = target - plane.project(face.position(xi) - plane.origin);
-          const auto               t      = face.tangents(xi);
-          Tensor<2, dim - 1>       jacobian;
+          const Tensor<1, dim - 1> defect =
+            target - plane.project(face.position(xi) - plane.origin);
+          const auto         t = face.tangents(xi);
+          Tensor<2, dim - 1> jacobian;
           for (unsigned int d = 0; d < dim - 1; ++d)
             {
               const Point<dim - 1> column = plane.project(t[d]);
@@ -104,7 +110,8 @@ namespace signorini
     std::vector<Point<1>> overlap(const std::vector<Point<1>> &a, const std::vector<Point<1>> &b)
     {
       const double lower = std::max(a[0][0], b[0][0]), upper = std::min(a[1][0], b[1][0]);
-      return lower < upper ? std::vector<Point<1>>{Point<1>(lower), Point<1>(upper)} : std::vector<Point<1>>();
+      return lower < upper ? std::vector<Point<1>>{Point<1>(lower), Point<1>(upper)}
+                           : std::vector<Point<1>>();
     }
 
     Polygon overlap(const Polygon &a, const Polygon &b)
@@ -128,14 +135,16 @@ namespace signorini
       const double                             length = measure(interval);
       std::vector<std::pair<Point<1>, double>> result;
       for (unsigned int q = 0; q < rule.size(); ++q)
-        result.emplace_back(interval[0] + length * Tensor<1, 1>(rule.point(q)), length * rule.weight(q));
+        result.emplace_back(interval[0] + length * Tensor<1, 1>(rule.point(q)),
+                            length * rule.weight(q));
       return result;
     }
 
 
     /**
-     * Points and weights on a polygon, on each triangle of a fan around its centre. Degree 4 is enough for parallelograms; the higher
-     * degree serves other quadrilaterals, whose shape functions are no polynomials in space.
+     * Points and weights on a polygon, on each triangle of a fan around its centre. Degree 4 is
+     * enough for parallelograms; the higher degree serves other quadrilaterals, whose shape
+     * functions are no polynomials in space.
      */
     std::vector<std::pair<Point<2>, double>> quadrature(const Polygon &polygon)
     {
@@ -146,10 +155,12 @@ namespace signorini
         centre += p / static_cast<double>(polygon.size());
       for (std::size_t i = 0; i < polygon.size(); ++i)
         {
-          const Tensor<1, 2> a = polygon[i] - centre, b = polygon[(i + 1) % polygon.size()] - centre;
-          const double       jacobian = a[0] * b[1] - a[1] * b[0];
+          const Tensor<1, 2> a  = polygon[i] - centre,
+                             b  = polygon[(i + 1) % polygon.size()] - centre;
+          const double jacobian = a[0] * b[1] - a[1] * b[0];
           for (unsigned int q = 0; q < rule.size(); ++q)
-            result.emplace_back(centre + rule.point(q)[0] * a + rule.point(q)[1] * b, jacobian * rule.weight(q));
+            result.emplace_back(centre + rule.point(q)[0] * a + rule.point(q)[1] * b,
+                                jacobian * rule.weight(q));
         }
       return result;
     }
@@ -159,9 +170,10 @@ namespace signorini
   template <int dim>
   Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
   {
-    Segment<dim>     segment;
+    Segment<dim>         segment;
     const FacePlane<dim> plane(slave);
-    // Beyond 84 degrees faces do not look at each other; a projection would be distorted without bound.
+    // Beyond 84 degrees faces do not look at each other; a projection would be distorted without
+    // bound.
     if (master.unit_normal() * plane.normal > -0.1)
       return segment;
 
@@ -177,10 +189,12 @@ namespace signorini
     segment.smallest_gap = std::numeric_limits<double>::max();
     for (const Point<dim - 1> &corner : common)
       segment.smallest_gap =
-        std::min(segment.smallest_gap, distance(map_back(slave, plane, corner), map_back(master, plane, corner)));
+        std::min(segment.smallest_gap,
+                 distance(map_back(slave, plane, corner), map_back(master, plane, corner)));
     for (const auto &[point, weight] : quadrature(common))
       {
-        const Point<dim - 1> xi = map_back(slave, plane, point), eta = map_back(master, plane, point);
+        const Point<dim - 1> xi      = map_back(slave, plane, point),
+                             eta     = map_back(master, plane, point);
         const Tensor<1, dim> surface = slave.area_vector(xi);
         segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
         segment.gap += weight / segment.area * distance(xi, eta);

@@ -10,7 +10,9 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  void MeanCurvature<dim>::add(const double weight, const Point<dim> &position, const Tensor<1, dim> &unit_normal)
+  void MeanCurvature<dim>::add(const double          weight,
+                               const Point<dim>     &position,
+                               const Tensor<1, dim> &unit_normal)
   {
     this->weight += weight;
     squares += weight * position.square();
@@ -25,19 +27,23 @@ namespace signorini
     const double total = Utilities::MPI::sum(weight, communicator);
     if (!(total > 0.))
       return 0.;
-    const double spread_of_normals = 1. - (Utilities::MPI::sum(normals, communicator) / total).norm_square();
-    const double spread_of_points  = Utilities::MPI::sum(squares, communicator) / total
-                                    - (Utilities::MPI::sum(positions, communicator) / total).norm_square();
+    const double spread_of_normals =
+      1. - (Utilities::MPI::sum(normals, communicator) / total).norm_square();
+    const double spread_of_points =
+      Utilities::MPI::sum(squares, communicator) / total
+      - (Utilities::MPI::sum(positions, communicator) / total).norm_square();
     constexpr double round_off = 1e-12;
-    return spread_of_normals > round_off && spread_of_points > 0. ? std::sqrt(spread_of_normals / spread_of_points)
-                                                                  : 0.;
+    return spread_of_normals > round_off && spread_of_points > 0.
+             ? std::sqrt(spread_of_normals / spread_of_points)
+             : 0.;
   }
 
 
   NormalWeights weights_of_normals(const double slave_curvature, const double master_curvature)
   {
     const double sum = slave_curvature + master_curvature;
-    return sum > 0. ? NormalWeights{master_curvature / sum, slave_curvature / sum} : NormalWeights();
+    return sum > 0. ? NormalWeights{master_curvature / sum, slave_curvature / sum}
+                    : NormalWeights();
   }
 
 

@@ -20,11 +20,11 @@ namespace signorini
 
   namespace
   {
-    // A sliver this small has no well-conditioned dual basis, and a node of which so little is covered (on the faces that are covered at
-    // all) would extrapolate.
+    // A sliver this small has no well-conditioned dual basis, and a node of which so little is
+    // covered (on the faces that are covered at all) would extrapolate.
     constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
-    // Part of a normal in the directions that supports leave free: below the first, about 18 degrees, supports hold the normal; above the
-    // second they are tangential.
+    // Part of a normal in the directions that supports leave free: below the first, about 18
+    // degrees, supports hold the normal; above the second they are tangential.
     constexpr double held_normal = 0.3, free_normal = 0.95;
 
     template <int dim>
@@ -46,12 +46,15 @@ namespace signorini
 
 
     /**
-     * Give a node with supports a frame in which they hold tangential entries. The normal of a curved surface at a plane of symmetry is
-     * an average over one side only; its small part in the held direction means nothing and is dropped.
-     * @return the part of the normal in free directions: its square is 1 if the supports are tangential, 0 if they hold the normal
+     * Give a node with supports a frame in which they hold tangential entries. The normal of a
+     * curved surface at a plane of symmetry is an average over one side only; its small part in the
+     * held direction means nothing and is dropped.
+     * @return the part of the normal in free directions: its square is 1 if the supports are
+     * tangential, 0 if they hold the normal
      */
     template <int dim>
-    double fit_frame_to_supports(const typename Supports<dim>::Components &components, ContactNode<dim> &contact_node)
+    double fit_frame_to_supports(const typename Supports<dim>::Components &components,
+                                 ContactNode<dim>                         &contact_node)
     {
       std::array<bool, dim> held;
       Tensor<1, dim>        normal = contact_node.normal();
@@ -90,11 +93,12 @@ namespace signorini
       for (const auto &[node, weight] : weights)
         if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
           nodes.push_back(node);
-    const Eigen::Index n = nodes.size();
+    const Eigen::Index    n = nodes.size();
     const QGauss<dim - 1> quadrature(3);
     full = Eigen::VectorXd::Zero(n);
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      full += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm() * values_at(quadrature.point(q));
+      full += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm()
+              * values_at(quadrature.point(q));
     mass     = Eigen::MatrixXd::Zero(n, n);
     normals  = Eigen::MatrixXd::Zero(n, dim);
     opposite = normals;
@@ -128,10 +132,11 @@ namespace signorini
         opposite.col(c) += point.weight * opposite_normal[c] * values;
         distance.col(c) += point.weight * apart[c] * values;
       }
-    for_each_node<dim>(master, point.master, [&](const types::global_dof_index node, const double value) {
-      const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
-      entry->second += point.weight * value * values;
-    });
+    for_each_node<dim>(
+      master, point.master, [&](const types::global_dof_index node, const double value) {
+        const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
+        entry->second += point.weight * value * values;
+      });
   }
 
 
@@ -175,8 +180,8 @@ namespace signorini
       weights_of_normals(slave_curvature.value(communicator), master_curvature.value(communicator));
     for (CoveredFace &face : result)
       face.normals = weights.slave * face.normals - weights.master * face.opposite;
-    any_segment        = Utilities::MPI::max(static_cast<unsigned int>(any_segment), communicator) > 0;
-    total_area         = Utilities::MPI::sum(total_area, communicator);
+    any_segment = Utilities::MPI::max(static_cast<unsigned int>(any_segment), communicator) > 0;
+    total_area  = Utilities::MPI::sum(total_area, communicator);
     total_covered_area = Utilities::MPI::sum(total_covered_area, communicator);
     return result;
   }
@@ -244,7 +249,8 @@ namespace signorini
 
 
   template <int dim>
-  Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports)
+  Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces,
+                                                 const Supports<dim>            &supports)
   {
     const NodeIntegrals sums    = collect(faces);
     Vector              carries = discretization.make_vector();
@@ -273,15 +279,16 @@ namespace signorini
       if (!message.empty())
         throw UserError(message);
     n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, communicator);
-    n_global           = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), communicator);
-    turn               = Utilities::MPI::max(turn, communicator);
+    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), communicator);
+    turn     = Utilities::MPI::max(turn, communicator);
     carries.update_ghost_values();
     return carries;
   }
 
 
   template <int dim>
-  void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace> &faces, const Vector &carries)
+  void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace> &faces,
+                                          const Vector                   &carries)
   {
     Rows   rows;
     Vector integrals = discretization.make_vector(), distance = integrals;
@@ -320,10 +327,12 @@ namespace signorini
         for (const auto &[partner, value] : rows[node])
           if (std::abs(value) > 1e-14 * contact_node.weight)
             contact_node.partners.emplace_back(partner, value / contact_node.weight);
-        contact_node.transmission = integrals.local_element(dim * contact_node.node) / contact_node.weight;
+        contact_node.transmission =
+          integrals.local_element(dim * contact_node.node) / contact_node.weight;
         for (unsigned int c = 0; c < dim; ++c)
-          contact_node.gap +=
-            contact_node.frame[c] * distance.local_element(dim * contact_node.node + c) / contact_node.weight;
+          contact_node.gap += contact_node.frame[c]
+                              * distance.local_element(dim * contact_node.node + c)
+                              / contact_node.weight;
       }
   }
 
@@ -336,7 +345,8 @@ namespace signorini
     for (const auto &[node, row] : rows)
       if (!owned.is_element(dim * node))
         strangers.add_index(dim * node);
-    const auto owners = Utilities::MPI::compute_index_owner(owned, strangers, discretization.communicator());
+    const auto owners =
+      Utilities::MPI::compute_index_owner(owned, strangers, discretization.communicator());
 
     Rows                                                                                 result;
     std::map<unsigned int, std::vector<std::pair<types::global_dof_index, NodeWeights>>> outgoing;
@@ -344,9 +354,10 @@ namespace signorini
       if (owned.is_element(dim * node))
         result[node] = row;
       else
-        outgoing[owners[strangers.index_within_set(dim * node)]].emplace_back(node,
-                                                                              NodeWeights(row.begin(), row.end()));
-    for (const auto &[rank, parts] : Utilities::MPI::some_to_some(discretization.communicator(), outgoing))
+        outgoing[owners[strangers.index_within_set(dim * node)]].emplace_back(
+          node, NodeWeights(row.begin(), row.end()));
+    for (const auto &[rank, parts] :
+         Utilities::MPI::some_to_some(discretization.communicator(), outgoing))
       for (const auto &[node, row] : parts)
         for (const auto &[partner, value] : row)
           result[node][partner] += value;

@@ -78,7 +78,8 @@ namespace signorini
 
     /** Supports prescribe displacements of the node itself. */
     template <int dim>
-    std::array<bool, dim> relative_directions(const ContactNode<dim> &node, const Supports<dim> &supports)
+    std::array<bool, dim> relative_directions(const ContactNode<dim> &node,
+                                              const Supports<dim>    &supports)
     {
       std::array<bool, dim> relative{};
       if (node.partners.empty())

@@ -10,8 +10,9 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  NodeCoupling<dim>::NodeCoupling(const std::vector<ContactNode<dim>>                      &nodes,
-                                  const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
+  NodeCoupling<dim>::NodeCoupling(
+    const std::vector<ContactNode<dim>>                      &nodes,
+    const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
     : n_owned_entries(partitioner->locally_owned_size())
   {
     IndexSet ghosts(partitioner->size());
@@ -20,7 +21,8 @@ namespace signorini
         if (!partitioner->in_local_range(dim * partner))
           ghosts.add_range(dim * partner, dim * (partner + 1));
     const MPI_Comm communicator = partitioner->get_mpi_communicator();
-    partners = std::make_shared<Utilities::MPI::Partitioner>(partitioner->locally_owned_range(), ghosts, communicator);
+    partners                    = std::make_shared<Utilities::MPI::Partitioner>(
+      partitioner->locally_owned_range(), ghosts, communicator);
     ghost_values.resize(partners->n_ghost_indices());
     import_storage.resize(partners->n_import_indices());
 
@@ -39,7 +41,8 @@ namespace signorini
           entries.emplace_back(partners->global_to_local(dim * partner), weight);
         row_start.push_back(entries.size());
       }
-    has_partners = Utilities::MPI::max(static_cast<unsigned int>(!entries.empty()), communicator) > 0;
+    has_partners =
+      Utilities::MPI::max(static_cast<unsigned int>(!entries.empty()), communicator) > 0;
   }
 
 
@@ -74,8 +77,9 @@ namespace signorini
       for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
         {
           const auto &[entry, weight] = entries[j];
-          const double *values =
-            entry < n_owned_entries ? u.begin() + entry : ghost_values.data() + (entry - n_owned_entries);
+          const double *values        = entry < n_owned_entries
+                                          ? u.begin() + entry
+                                          : ghost_values.data() + (entry - n_owned_entries);
           for (unsigned int c = 0; c < dim; ++c)
             result[k][c] += weight * values[c];
         }
@@ -108,8 +112,9 @@ namespace signorini
 
 
   template <int dim>
-  void NodeCoupling<dim>::add_blocks_to_partners(const std::vector<std::array<double, dim * dim>> &blocks,
-                                                 Vector                                           &d) const
+  void NodeCoupling<dim>::add_blocks_to_partners(
+    const std::vector<std::array<double, dim * dim>> &blocks,
+    Vector                                           &d) const
   {
     scatter(d, [&](const std::size_t k, const double weight, double *sum) {
       for (unsigned int r = relative_start[k]; r < relative_start[k + 1]; ++r)
@@ -134,16 +139,21 @@ namespace signorini
           const auto &[entry, weight] = entries[j];
           add(k,
               weight,
-              entry < n_owned_entries ? target.begin() + entry : ghost_values.data() + (entry - n_owned_entries));
+              entry < n_owned_entries ? target.begin() + entry
+                                      : ghost_values.data() + (entry - n_owned_entries));
         }
     std::vector<MPI_Request> requests;
-    partners->import_from_ghosted_array_start(
-      VectorOperation::add, 0, make_array_view(ghost_values), make_array_view(import_storage), requests);
-    partners->import_from_ghosted_array_finish(VectorOperation::add,
-                                               ArrayView<const double>(import_storage.data(), import_storage.size()),
-                                               ArrayView<double>(target.begin(), n_owned_entries),
-                                               make_array_view(ghost_values),
-                                               requests);
+    partners->import_from_ghosted_array_start(VectorOperation::add,
+                                              0,
+                                              make_array_view(ghost_values),
+                                              make_array_view(import_storage),
+                                              requests);
+    partners->import_from_ghosted_array_finish(
+      VectorOperation::add,
+      ArrayView<const double>(import_storage.data(), import_storage.size()),
+      ArrayView<double>(target.begin(), n_owned_entries),
+      make_array_view(ghost_values),
+      requests);
   }
 
 

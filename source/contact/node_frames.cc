@@ -6,9 +6,10 @@
 namespace signorini
 {
   template <int dim>
-  NodeFrames<dim>::NodeFrames(const std::map<unsigned int, Frame>                              &frames,
-                              const std::vector<unsigned int>                                  &contact_nodes,
-                              const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner)
+  NodeFrames<dim>::NodeFrames(
+    const std::map<unsigned int, Frame>                              &frames,
+    const std::vector<unsigned int>                                  &contact_nodes,
+    const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner)
     : mask_values(partitioner)
   {
     // Ghosts learn their frames row by row, and what they are from a flag: 1 supported, 2 contact.
@@ -26,7 +27,8 @@ namespace signorini
     flags.update_ghost_values();
     for (Vector &row : rows)
       row.update_ghost_values();
-    for (unsigned int node = 0; node < (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
+    for (unsigned int node = 0;
+         node < (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
          ++node)
       if (const double flag = flags.local_element(dim * node); flag > 0.)
         {

@@ -79,13 +79,15 @@ namespace signorini
         // Across the normal, where an equator or the side of a box is, round-off must not decide.
         const bool faces = facing > 1e-8 * weight;
         if (faces && (known == closest.end() || projection.gap < known->second.gap))
-          closest[node] = {node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
+          closest[node] = {
+            node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
       }
   }
 
 
   template <int dim>
-  void ObstacleContact<dim>::integrate(const PairDescription &pair, Vector &area, Vector &outward) const
+  void
+  ObstacleContact<dim>::integrate(const PairDescription &pair, Vector &area, Vector &outward) const
   {
     const FE_Q<dim>                      scalar_fe(1);
     FEFaceValues<dim>                    fe_values(discretization.mesh().mapping(),
@@ -118,7 +120,8 @@ namespace signorini
           }
     area.compress(VectorOperation::add);
     outward.compress(VectorOperation::add);
-    // Shape functions that do not live on a face contribute round-off; what is tiny is not on the surface.
+    // Shape functions that do not live on a face contribute round-off; what is tiny is not on the
+    // surface.
     const double threshold = 1e-10 * area.linfty_norm();
     for (unsigned int i = 0; i < area.locally_owned_size(); ++i)
       if (area.local_element(i) < threshold)
@@ -182,8 +185,9 @@ namespace signorini
         if (minimum < -tolerance)
           {
             for (unsigned int c = 0; c < dim; ++c)
-              place[c] = Utilities::MPI::max(deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
-                                             discretization.communicator());
+              place[c] = Utilities::MPI::max(
+                deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
+                discretization.communicator());
             std::ostringstream message;
             message
               << "Contact/Pairs = " << pair.name << ": the body '"

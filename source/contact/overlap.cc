@@ -19,7 +19,8 @@ namespace signorini
     using CoarseCell = typename Triangulation<dim>::cell_iterator;
 
     template <int dim>
-    std::vector<CoarseCell<dim>> coarse_cells(const Discretization<dim> &discretization, const unsigned int body)
+    std::vector<CoarseCell<dim>> coarse_cells(const Discretization<dim> &discretization,
+                                              const unsigned int         body)
     {
       std::vector<CoarseCell<dim>> cells;
       for (const auto &cell : discretization.mesh().triangulation().cell_iterators_on_level(0))
@@ -29,7 +30,10 @@ namespace signorini
     }
 
 
-    /** Whether a point is inside a cell, not just at its boundary; what lies nearer to that, the gap between the surfaces shows. */
+    /**
+     * Whether a point is inside a cell, not just at its boundary; what lies nearer to that, the
+     * gap between the surfaces shows.
+     */
     template <int dim>
     bool is_well_inside(const CoarseCell<dim> &cell, const Point<dim> &point)
     {
@@ -73,10 +77,12 @@ namespace signorini
 
 
   template <int dim>
-  std::optional<Point<dim>>
-  find_deep_overlap(const Discretization<dim> &discretization, const unsigned int body, const unsigned int other_body)
+  std::optional<Point<dim>> find_deep_overlap(const Discretization<dim> &discretization,
+                                              const unsigned int         body,
+                                              const unsigned int         other_body)
   {
-    const auto cells = coarse_cells(discretization, body), others = coarse_cells(discretization, other_body);
+    const auto cells  = coarse_cells(discretization, body),
+               others = coarse_cells(discretization, other_body);
     if (const auto point =
           point_inside<dim>(cells, discretization.mesh().bounding_box(other_body), others))
       return point;
@@ -84,6 +90,8 @@ namespace signorini
   }
 
 
-  template std::optional<Point<2>> find_deep_overlap(const Discretization<2> &, unsigned int, unsigned int);
-  template std::optional<Point<3>> find_deep_overlap(const Discretization<3> &, unsigned int, unsigned int);
+  template std::optional<Point<2>>
+  find_deep_overlap(const Discretization<2> &, unsigned int, unsigned int);
+  template std::optional<Point<3>>
+  find_deep_overlap(const Discretization<3> &, unsigned int, unsigned int);
 } // namespace signorini

@@ -42,7 +42,8 @@ namespace signorini
             if (side[i] >= 0.)
               clipped.push_back(result[i]);
             if ((side[i] > 0. && side[next] < 0.) || (side[i] < 0. && side[next] > 0.))
-              clipped.push_back(result[i] + side[i] / (side[i] - side[next]) * (result[next] - result[i]));
+              clipped.push_back(result[i]
+                                + side[i] / (side[i] - side[next]) * (result[next] - result[i]));
           }
         result = clipped;
       }

@@ -21,7 +21,10 @@ namespace signorini
       {
       }
 
-      ObstacleProjection<dim> project(const Point<dim> &p) const override { return {(p - point) * normal, -normal}; }
+      ObstacleProjection<dim> project(const Point<dim> &p) const override
+      {
+        return {(p - point) * normal, -normal};
+      }
 
     private:
       const Point<dim>     point;
@@ -34,7 +37,10 @@ namespace signorini
     class Round : public RigidObstacle<dim>
     {
     public:
-      Round(const Point<dim> &centre, const Tensor<1, dim> &axis, const double radius, const bool bodies_inside)
+      Round(const Point<dim>     &centre,
+            const Tensor<1, dim> &axis,
+            const double          radius,
+            const bool            bodies_inside)
         : centre(centre)
         , axis(axis.norm() > 0. ? axis / axis.norm() : axis)
         , radius(radius)
@@ -70,7 +76,10 @@ namespace signorini
     };
 
 
-    /** Level set of an expression that is a signed distance near its zero, so that one division corrects its slope. */
+    /**
+     * Level set of an expression that is a signed distance near its zero, so that one division
+     * corrects its slope.
+     */
     template <int dim>
     class LevelSet : public RigidObstacle<dim>
     {
@@ -88,7 +97,7 @@ namespace signorini
         // surface has features much smaller than its distance from the origin.
         function->set_h(1e-4 * std::max(1e-3, p.norm()));
         const Tensor<1, dim> gradient = function->gradient(p);
-        const double slope = gradient.norm();
+        const double         slope    = gradient.norm();
         if (!(slope > 1e-8))
           throw UserError("Obstacles/" + name
                           + "/Signed distance does not change near a contact node (its gradient "

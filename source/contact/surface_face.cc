@@ -10,7 +10,8 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  std::array<double, SurfaceFace<dim>::n_vertices> SurfaceFace<dim>::shape_values(const Point<dim - 1> &xi)
+  std::array<double, SurfaceFace<dim>::n_vertices>
+  SurfaceFace<dim>::shape_values(const Point<dim - 1> &xi)
   {
     std::array<double, n_vertices> values;
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -36,7 +37,8 @@ namespace signorini
     std::array<Tensor<1, dim>, dim - 1> result;
     for (unsigned int v = 0; v < n_vertices; ++v)
       {
-        const Tensor<1, dim - 1> gradient = GeometryInfo<dim - 1>::d_linear_shape_function_gradient(xi, v);
+        const Tensor<1, dim - 1> gradient =
+          GeometryInfo<dim - 1>::d_linear_shape_function_gradient(xi, v);
         for (unsigned int d = 0; d < dim - 1; ++d)
           result[d] += gradient[d] * vertices[v];
       }
@@ -97,15 +99,18 @@ namespace signorini
                        const unsigned int                                    body,
                        const std::vector<types::boundary_id>                &ids)
   {
-    return cell->is_locally_owned() && cell->material_id() == body && cell->face(face)->at_boundary()
-           && (ids.empty() || std::find(ids.begin(), ids.end(), cell->face(face)->boundary_id()) != ids.end());
+    return cell->is_locally_owned() && cell->material_id() == body
+           && cell->face(face)->at_boundary()
+           && (ids.empty()
+               || std::find(ids.begin(), ids.end(), cell->face(face)->boundary_id()) != ids.end());
   }
 
 
   template <int dim>
-  std::vector<SurfaceFace<dim>> owned_surface_faces(const Discretization<dim>             &discretization,
-                                                    const unsigned int                     body,
-                                                    const std::vector<types::boundary_id> &boundary_ids)
+  std::vector<SurfaceFace<dim>>
+  owned_surface_faces(const Discretization<dim>             &discretization,
+                      const unsigned int                     body,
+                      const std::vector<types::boundary_id> &boundary_ids)
   {
     const auto                   &constraints = discretization.hanging_node_constraints();
     std::vector<SurfaceFace<dim>> faces;
@@ -144,8 +149,10 @@ namespace signorini
                                    unsigned int,
                                    unsigned int,
                                    const std::vector<types::boundary_id> &);
-  template std::vector<SurfaceFace<2>>
-  owned_surface_faces(const Discretization<2> &, unsigned int, const std::vector<types::boundary_id> &);
-  template std::vector<SurfaceFace<3>>
-  owned_surface_faces(const Discretization<3> &, unsigned int, const std::vector<types::boundary_id> &);
+  template std::vector<SurfaceFace<2>> owned_surface_faces(const Discretization<2> &,
+                                                           unsigned int,
+                                                           const std::vector<types::boundary_id> &);
+  template std::vector<SurfaceFace<3>> owned_surface_faces(const Discretization<3> &,
+                                                           unsigned int,
+                                                           const std::vector<types::boundary_id> &);
 } // namespace signorini

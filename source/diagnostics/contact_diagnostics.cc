@@ -19,16 +19,17 @@ namespace signorini
 
 
   template <int dim>
-  ContactSummary
-  contact_summary(const ContactSurface<dim> &surface, const Discretization<dim> &discretization, const State &state)
+  ContactSummary contact_summary(const ContactSurface<dim> &surface,
+                                 const Discretization<dim> &discretization,
+                                 const State               &state)
   {
     const MPI_Comm            communicator = discretization.communicator();
     const std::vector<double> gap          = surface.distance(state.displacement);
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
-        const ContactNode<dim> &node     = surface.nodes()[k];
-        const double            force    = normal_force(node, state.contact_force);
+        const ContactNode<dim>    &node     = surface.nodes()[k];
+        const double               force    = normal_force(node, state.contact_force);
         const FrictionReading<dim> friction = friction_at(surface, state.friction, k);
         summary.normal_force += std::abs(node.transmission * force);
         summary.friction_force += node.transmission * friction.force.norm();
@@ -41,24 +42,26 @@ namespace signorini
         summary.max_tension     = std::max(summary.max_tension, force);
         summary.max_penetration = std::max(summary.max_penetration, -gap[k]);
       }
-    summary.normal_force          = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
-    summary.n_active              = dealii::Utilities::MPI::sum(summary.n_active, communicator);
-    summary.friction_force        = dealii::Utilities::MPI::sum(summary.friction_force, communicator);
-    summary.n_stick               = dealii::Utilities::MPI::sum(summary.n_stick, communicator);
-    summary.n_slip                = dealii::Utilities::MPI::sum(summary.n_slip, communicator);
-    summary.max_slip              = dealii::Utilities::MPI::max(summary.max_slip, communicator);
-    summary.max_tension           = dealii::Utilities::MPI::max(summary.max_tension, communicator);
-    summary.max_penetration       = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
+    summary.normal_force    = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
+    summary.n_active        = dealii::Utilities::MPI::sum(summary.n_active, communicator);
+    summary.friction_force  = dealii::Utilities::MPI::sum(summary.friction_force, communicator);
+    summary.n_stick         = dealii::Utilities::MPI::sum(summary.n_stick, communicator);
+    summary.n_slip          = dealii::Utilities::MPI::sum(summary.n_slip, communicator);
+    summary.max_slip        = dealii::Utilities::MPI::max(summary.max_slip, communicator);
+    summary.max_tension     = dealii::Utilities::MPI::max(summary.max_tension, communicator);
+    summary.max_penetration = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
     summary.geometric_penetration = surface.geometric_penetration(state.displacement);
-    summary.sliding               = surface.largest_sliding(state.displacement, state.contact_force);
+    summary.sliding = surface.largest_sliding(state.displacement, state.contact_force);
     for (double &component : summary.resultant)
       component = dealii::Utilities::MPI::sum(component, communicator);
     return summary;
   }
 
 
-  template double         normal_force(const ContactNode<2> &, const Vector &);
-  template double         normal_force(const ContactNode<3> &, const Vector &);
-  template ContactSummary contact_summary(const ContactSurface<2> &, const Discretization<2> &, const State &);
-  template ContactSummary contact_summary(const ContactSurface<3> &, const Discretization<3> &, const State &);
+  template double normal_force(const ContactNode<2> &, const Vector &);
+  template double normal_force(const ContactNode<3> &, const Vector &);
+  template ContactSummary
+  contact_summary(const ContactSurface<2> &, const Discretization<2> &, const State &);
+  template ContactSummary
+  contact_summary(const ContactSurface<3> &, const Discretization<3> &, const State &);
 } // namespace signorini

@@ -34,13 +34,14 @@ namespace signorini
     booking.external  = report.work_support;
     if (load != nullptr)
       {
-        // The loads act with their mean, so that E with -f'u changes by the work of the change of f.
+        // The loads act with their mean, so that E with -f'u changes by the work of the change of
+        // f.
         Vector change = *load;
         change -= last_load;
         booking.external -= 0.5 * (change * last_displacement + change * state.displacement);
       }
-    booking.residual = now.total() - last.total() - booking.contact - booking.predictor - booking.friction
-                       - booking.scheme - booking.external;
+    booking.residual = now.total() - last.total() - booking.contact - booking.predictor
+                       - booking.friction - booking.scheme - booking.external;
     booking.transfer = std::exchange(transferred, 0.); // `last` contains it
     last             = now;
     remember(state, load);

@@ -9,7 +9,8 @@
 namespace signorini
 {
   template <int dim>
-  void ErrorEvaluation<dim>::Squares::advance(const std::pair<double, double> &error_and_norm, const double step_size)
+  void ErrorEvaluation<dim>::Squares::advance(const std::pair<double, double> &error_and_norm,
+                                              const double                     step_size)
   {
     error_integral += step_size / 2. * (error + error_and_norm.first);
     norm_integral += step_size / 2. * (norm + error_and_norm.second);
@@ -52,7 +53,8 @@ namespace signorini
   {
     const std::vector<std::array<std::string, dim>> everywhere(
       discretization.mesh().bodies().size(), exact);
-    Vector exact_field = discretization.interpolate(everywhere, time), product = discretization.make_vector();
+    Vector exact_field = discretization.interpolate(everywhere, time),
+           product     = discretization.make_vector();
     discretization.matrices().apply_mass(product, exact_field);
     const double norm = exact_field * product;
     exact_field -= field;

@@ -9,11 +9,13 @@ namespace signorini
 {
   namespace
   {
-    std::array<double, 3> sum_over_processes(const std::array<double, 3> &values, const MPI_Comm communicator)
+    std::array<double, 3> sum_over_processes(const std::array<double, 3> &values,
+                                             const MPI_Comm               communicator)
     {
       std::array<double, 3> sums;
-      dealii::Utilities::MPI::sum(
-        dealii::ArrayView<const double>(values.data(), 3), communicator, dealii::ArrayView<double>(sums.data(), 3));
+      dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(values.data(), 3),
+                                  communicator,
+                                  dealii::ArrayView<double>(sums.data(), 3));
       return sums;
     }
   } // namespace

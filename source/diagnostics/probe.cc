@@ -31,12 +31,13 @@ namespace signorini
         }
     if (surface.n_global_nodes() == 0)
       throw UserError("Probes/" + probe_name
-                      + ": there is no contact node that it could observe. Check Contact/Pairs, or remove the probe.");
+                      + ": there is no contact node that it could observe. Check Contact/Pairs, or "
+                        "remove the probe.");
     const auto closest = Utilities::MPI::min_max_avg(distance, communicator);
     owner              = closest.min_index;
     const bool is_here = Utilities::MPI::this_mpi_process(communicator) == owner;
-    node_position =
-      Utilities::MPI::broadcast(communicator, is_here ? surface.nodes()[node].position : Point<dim>(), owner);
+    node_position      = Utilities::MPI::broadcast(
+      communicator, is_here ? surface.nodes()[node].position : Point<dim>(), owner);
   }
 
 
@@ -48,9 +49,9 @@ namespace signorini
     ProbeReading reading;
     if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
-        const ContactNode<dim> &contact_node = surface->nodes()[node];
+        const ContactNode<dim>    &contact_node = surface->nodes()[node];
         const FrictionReading<dim> friction     = friction_at(*surface, state.friction, node);
-        const double            scale        = 1. / contact_node.transmission;
+        const double               scale        = 1. / contact_node.transmission;
         // Zero is added: there is no negative zero in tables.
         reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;
         reading.normal_displacement = scale * displacement[node] + 0.;

@@ -12,7 +12,10 @@ namespace signorini
 
   namespace
   {
-    /** Fill, with room to grow: a mesh that becomes a little finer shall not have to ask the system for memory. */
+    /**
+     * Fill, with room to grow: a mesh that becomes a little finer shall not have to ask the system
+     * for memory.
+     */
     template <typename T>
     void assign_with_room(std::vector<T> &values, const std::size_t size, const T &value)
     {
@@ -27,12 +30,13 @@ namespace signorini
 
 
   template <int dim>
-  void
-  assemble_matrices(const Discretization<dim> &discretization, ElasticMatrices<dim> &matrices, const MassChange &change)
+  void assemble_matrices(const Discretization<dim> &discretization,
+                         ElasticMatrices<dim>      &matrices,
+                         const MassChange          &change)
   {
-    const MPI_Comm           communicator = discretization.communicator();
-    const bool               mass_changes = Utilities::MPI::logical_or(!change.empty(), communicator);
-    const bool               is_alone     = Utilities::MPI::n_mpi_processes(communicator) == 1;
+    const MPI_Comm communicator = discretization.communicator();
+    const bool     mass_changes = Utilities::MPI::logical_or(!change.empty(), communicator);
+    const bool     is_alone     = Utilities::MPI::n_mpi_processes(communicator) == 1;
     const CellCouplings<dim> couplings(discretization);
 
     // What the cells of this process contribute is all, if nobody else contributes.
@@ -56,6 +60,8 @@ namespace signorini
   }
 
 
-  template void assemble_matrices(const Discretization<2> &, ElasticMatrices<2> &, const MassChange &);
-  template void assemble_matrices(const Discretization<3> &, ElasticMatrices<3> &, const MassChange &);
+  template void
+  assemble_matrices(const Discretization<2> &, ElasticMatrices<2> &, const MassChange &);
+  template void
+  assemble_matrices(const Discretization<3> &, ElasticMatrices<3> &, const MassChange &);
 } // namespace signorini

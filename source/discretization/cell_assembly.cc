@@ -54,14 +54,16 @@ namespace signorini
             const unsigned int a = ascending[r].second, b = ascending[s].second;
             const unsigned int pair = CellMatrix<dim>::pair(std::min(a, b), std::max(a, b));
             sum.mass[k] += cell.mass_factor * cell.matrix->mass[pair];
-            add_block<dim>(sum.stiffness[k], cell.matrix->stiffness[pair], cell.stiffness_factor, a > b);
+            add_block<dim>(
+              sum.stiffness[k], cell.matrix->stiffness[pair], cell.stiffness_factor, a > b);
           }
       }
   }
 
 
   template <int dim>
-  void CellAssembly<dim>::add_resolved(const unsigned int *vertices, const ScaledCellMatrix<dim> &cell)
+  void CellAssembly<dim>::add_resolved(const unsigned int          *vertices,
+                                       const ScaledCellMatrix<dim> &cell)
   {
     find_places(vertices);
     for (unsigned int a = 0; a < n_vertices; ++a)
@@ -75,7 +77,10 @@ namespace signorini
                   const unsigned int k      = places[r * nodes.size() + s];
                   const double       weight = row_weight * column_weight;
                   sum.mass[k] += weight * cell.mass_factor * cell.matrix->mass[pair];
-                  add_block<dim>(sum.stiffness[k], cell.matrix->stiffness[pair], weight * cell.stiffness_factor, a > b);
+                  add_block<dim>(sum.stiffness[k],
+                                 cell.matrix->stiffness[pair],
+                                 weight * cell.stiffness_factor,
+                                 a > b);
                 }
         }
   }
@@ -90,7 +95,8 @@ namespace signorini
       {
         parts[v].clear();
         for (const auto &[node, weight] : couplings.parts(vertices[v]))
-          parts[v].emplace_back(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin(), weight);
+          parts[v].emplace_back(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin(),
+                                weight);
       }
     places.resize(n * n);
     for (unsigned int r = 0; r < n; ++r)

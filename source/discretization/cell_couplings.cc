@@ -16,8 +16,9 @@ namespace signorini
     number_nodes(discretization);
     is_resolved.resize(cell_vertices.size() / n_vertices);
     for (unsigned int cell = 0; cell < is_resolved.size(); ++cell)
-      is_resolved[cell] = std::any_of(
-        vertices(cell), vertices(cell) + n_vertices, [this](const unsigned int node) { return is_hanging(node); });
+      is_resolved[cell] = std::any_of(vertices(cell),
+                                      vertices(cell) + n_vertices,
+                                      [this](const unsigned int node) { return is_hanging(node); });
   }
 
 
@@ -79,7 +80,8 @@ namespace signorini
 
 
   template <int dim>
-  void CellCouplings<dim>::coupled_nodes(const unsigned int *vertices, std::vector<unsigned int> &nodes) const
+  void CellCouplings<dim>::coupled_nodes(const unsigned int        *vertices,
+                                         std::vector<unsigned int> &nodes) const
   {
     nodes.clear();
     for (unsigned int v = 0; v < n_vertices; ++v)
@@ -94,7 +96,8 @@ namespace signorini
   NodePattern CellCouplings<dim>::pattern() const
   {
     // The nodes of each cell, and from them the cells of each node.
-    std::vector<unsigned int> nodes_start(1, 0), nodes, coupled, cells_start(local_nodes.size() + 1, 0);
+    std::vector<unsigned int> nodes_start(1, 0), nodes, coupled,
+      cells_start(local_nodes.size() + 1, 0);
     nodes.reserve(cell_vertices.size());
     for (unsigned int cell = 0; cell < is_resolved.size(); ++cell)
       {

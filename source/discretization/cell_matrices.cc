@@ -18,7 +18,10 @@ namespace signorini
 
   namespace
   {
-    /** To compute a matrix takes hardly longer than to fetch it from main memory, so that many shapes are not worth keeping. */
+    /**
+     * To compute a matrix takes hardly longer than to fetch it from main memory, so that many
+     * shapes are not worth keeping.
+     */
     constexpr unsigned int most_shapes = 64;
 
 
@@ -44,9 +47,10 @@ namespace signorini
 
 
   template <int dim>
-  typename CellMatrix<dim>::Block ScaledCellMatrix<dim>::stiffness(const unsigned int a, const unsigned int b) const
+  typename CellMatrix<dim>::Block ScaledCellMatrix<dim>::stiffness(const unsigned int a,
+                                                                   const unsigned int b) const
   {
-    const auto                     &block = matrix->stiffness[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
+    const auto &block = matrix->stiffness[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
     typename CellMatrix<dim>::Block result;
     for (unsigned int c = 0; c < dim; ++c)
       for (unsigned int d = 0; d < dim; ++d)
@@ -125,7 +129,8 @@ namespace signorini
     const auto  scaled = [this, &shape](std::pair<Shape, Kept> &found) {
       found.second.last_mesh = mesh;
       const double ratio     = shape.size / found.first.size;
-      return ScaledCellMatrix<dim>{&found.second.matrix, std::pow(ratio, dim), dim == 2 ? 1. : ratio};
+      return ScaledCellMatrix<dim>{
+        &found.second.matrix, std::pow(ratio, dim), dim == 2 ? 1. : ratio};
     };
     if (latest != nullptr && shape.is_same(latest->first))
       return scaled(*latest);
@@ -135,7 +140,8 @@ namespace signorini
       if (shape.is_same(candidate->second.first))
         return scaled(*(latest = &candidate->second));
 
-    // Where all cells differ, a new shape takes the place of another one: that stays in the cache of the processor.
+    // Where all cells differ, a new shape takes the place of another one: that stays in the cache
+    // of the processor.
     if (shapes.size() >= most_shapes)
       shapes.erase(shapes.begin());
     latest = &shapes.emplace(hash, std::pair<Shape, Kept>(shape, {}))->second;
@@ -171,7 +177,8 @@ namespace signorini
     result.mass.fill(0.);
     for (auto &block : result.stiffness)
       block.fill(0.);
-    // First the integrals of the products of derivatives, d_c phi_a d_d phi_b; all of the stiffness is made of them.
+    // First the integrals of the products of derivatives, d_c phi_a d_d phi_b; all of the stiffness
+    // is made of them.
     std::array<double, n_vertices>         value;
     std::array<Tensor<1, dim>, n_vertices> gradient;
     for (const unsigned int q : fe_values.quadrature_point_indices())
@@ -200,7 +207,8 @@ namespace signorini
           trace += products[dim * c + c];
         for (unsigned int d = 0; d < dim; ++d)
           for (unsigned int c = 0; c < dim; ++c)
-            block[dim * d + c] = material.lambda() * products[dim * d + c] + material.mu() * products[dim * c + d]
+            block[dim * d + c] = material.lambda() * products[dim * d + c]
+                                 + material.mu() * products[dim * c + d]
                                  + (c == d ? material.mu() * trace : 0.);
       }
   }
@@ -235,8 +243,8 @@ namespace signorini
   template <int dim>
   std::size_t CellMatrices<dim>::Shape::hash() const
   {
-    // Much coarser than the tolerance. The odd offset keeps simple fractions away from where rounding jumps; where it does jump, a
-    // shape is kept twice, and nothing else happens.
+    // Much coarser than the tolerance. The odd offset keeps simple fractions away from where
+    // rounding jumps; where it does jump, a shape is kept twice, and nothing else happens.
     std::size_t seed = material;
     for (const double coordinate : vertices)
       boost::hash_combine(seed, std::llround(1e6 * coordinate + 0.3719));

@@ -20,7 +20,8 @@ namespace signorini
     void place(const Placement<dim> &placement, Triangulation<dim> &mesh)
     {
       if (!placement.is_identity())
-        GridTools::transform([&placement](const Point<dim> &point) { return placement.place(point); }, mesh);
+        GridTools::transform(
+          [&placement](const Point<dim> &point) { return placement.place(point); }, mesh);
     }
 
     template <int dim>
@@ -43,7 +44,8 @@ namespace signorini
       if (body.cap_radius > 0.)
         {
           const CapManifold<dim> manifold(body);
-          GridTools::transform([&manifold](const Point<dim> &point) { return manifold.push_forward(point); }, mesh);
+          GridTools::transform(
+            [&manifold](const Point<dim> &point) { return manifold.push_forward(point); }, mesh);
           mesh.set_all_manifold_ids(0);
           mesh.set_manifold(0, manifold);
         }
@@ -66,7 +68,9 @@ namespace signorini
       place(body.placement, mesh);
       Tensor<1, 3> direction;
       direction[body.axis] = 1.;
-      mesh.set_manifold(0, CylindricalManifold<3>(body.placement.turn(direction), body.placement.place(body.centre)));
+      mesh.set_manifold(
+        0,
+        CylindricalManifold<3>(body.placement.turn(direction), body.placement.place(body.centre)));
     }
   } // namespace
 

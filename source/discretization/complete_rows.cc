@@ -69,8 +69,9 @@ namespace signorini
 
     /** What the rows of other processes get from the cells of this one. */
     template <int dim>
-    Messages<dim>
-    contributions_to_others(const ElasticMatrices<dim> &matrices, const LocalNodes &nodes, const Owners &owner)
+    Messages<dim> contributions_to_others(const ElasticMatrices<dim> &matrices,
+                                          const LocalNodes           &nodes,
+                                          const Owners               &owner)
     {
       Messages<dim>             result;
       const NodePattern        &pattern = matrices.pattern;
@@ -81,8 +82,11 @@ namespace signorini
         for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
           if (const unsigned int column = pattern.columns[k]; column >= nodes.n_owned)
             {
-              const Entry<dim> entry{
-                nodes.global(row), nodes.global(column), matrices.mass[k], 0., matrices.stiffness[k]};
+              const Entry<dim>   entry{nodes.global(row),
+                                     nodes.global(column),
+                                     matrices.mass[k],
+                                     0.,
+                                     matrices.stiffness[k]};
               const unsigned int owner_of_column = owner_of_ghost[column - nodes.n_owned];
               if (row < nodes.n_owned)
                 result[owner_of_column].push_back(entry.transposed());
@@ -107,9 +111,10 @@ namespace signorini
           entry.row    = nodes.local(entry.row);
           entry.column = nodes.local(entry.column);
         }
-      std::stable_sort(entries.begin(), entries.end(), [](const Entry<dim> &a, const Entry<dim> &b) {
-        return std::tie(a.row, a.column) < std::tie(b.row, b.column);
-      });
+      std::stable_sort(
+        entries.begin(), entries.end(), [](const Entry<dim> &a, const Entry<dim> &b) {
+          return std::tie(a.row, a.column) < std::tie(b.row, b.column);
+        });
     }
 
 
@@ -174,8 +179,10 @@ namespace signorini
 
     /** The finished rows that others have as ghosts, as far as their ghosts can be columns. */
     template <int dim>
-    Messages<dim>
-    rows_for_others(const NodePattern &pattern, const Rows<dim> &rows, const LocalNodes &nodes, const Owners &owner)
+    Messages<dim> rows_for_others(const NodePattern &pattern,
+                                  const Rows<dim>   &rows,
+                                  const LocalNodes  &nodes,
+                                  const Owners      &owner)
     {
       Messages<dim> result;
       // Whose ghosts are which owned nodes: rank by rank, dim entries per node.
@@ -193,8 +200,9 @@ namespace signorini
             for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
               {
                 const unsigned int column = pattern.columns[k];
-                if (column < pattern.n_owned ? std::binary_search(wanted.begin(), wanted.end(), column)
-                                             : owner(nodes.global(column)) != rank)
+                if (column < pattern.n_owned
+                      ? std::binary_search(wanted.begin(), wanted.end(), column)
+                      : owner(nodes.global(column)) != rank)
                   {
                     message.push_back(rows.entry(k));
                     message.back().row    = nodes.global(row);
@@ -219,7 +227,7 @@ namespace signorini
 
   template <int dim>
   std::shared_ptr<const Utilities::MPI::Partitioner> make_partitioner(const LocalNodes &nodes,
-                                                                      const MPI_Comm    communicator)
+                                                                      const MPI_Comm communicator)
   {
     const Node n_nodes = Utilities::MPI::sum(Node(nodes.n_owned), communicator);
     IndexSet   owned(dim * n_nodes), ghosts(dim * n_nodes);
@@ -264,7 +272,8 @@ namespace signorini
         for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
           {
             const unsigned int column = all_nodes.local(nodes.global(pattern.columns[k]));
-            for (; addition != additions.end() && addition->row == row && addition->column < column; ++addition)
+            for (; addition != additions.end() && addition->row == row && addition->column < column;
+                 ++addition)
               rows.add(*addition);
             rows.add({row, column, contributions.mass[k], 0., contributions.stiffness[k]});
           }
@@ -288,10 +297,15 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void complete_rows(                                                                                         \
-    const ElasticMatrices<dim> &, const LocalNodes &, const MassChange &, bool, MPI_Comm, ElasticMatrices<dim> &);     \
-  template std::shared_ptr<const Utilities::MPI::Partitioner> make_partitioner<dim>(const LocalNodes &, MPI_Comm);
+#define INSTANTIATE(dim)                                                                           \
+  template void complete_rows(const ElasticMatrices<dim> &,                                        \
+                              const LocalNodes &,                                                  \
+                              const MassChange &,                                                  \
+                              bool,                                                                \
+                              MPI_Comm,                                                            \
+                              ElasticMatrices<dim> &);                                             \
+  template std::shared_ptr<const Utilities::MPI::Partitioner> make_partitioner<dim>(               \
+    const LocalNodes &, MPI_Comm);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -77,8 +77,9 @@ namespace signorini
 
 
   template <int dim>
-  Vector Discretization<dim>::interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body,
-                                          const double                                     time) const
+  Vector Discretization<dim>::interpolate(
+    const std::vector<std::array<std::string, dim>> &expressions_by_body,
+    const double                                     time) const
   {
     std::vector<FunctionParser<dim> *> functions;
     for (const auto &expressions : expressions_by_body)

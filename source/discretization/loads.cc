@@ -75,7 +75,8 @@ namespace signorini
   template <int dim>
   Vector Loads<dim>::assemble(const double time)
   {
-    // Body forces by nodal interpolation and the consistent mass: exact for constants, second order otherwise.
+    // Body forces by nodal interpolation and the consistent mass: exact for constants, second order
+    // otherwise.
     Vector result = discretization.make_vector();
     discretization.matrices().apply_mass(result, body_force.at(time));
     const auto &bodies = discretization.mesh().bodies();

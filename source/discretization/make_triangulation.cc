@@ -17,7 +17,10 @@ namespace signorini
 
   namespace
   {
-    /** Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold ids by `offset`. */
+    /**
+     * Append a coarse mesh to the lists of vertices, cells and boundary faces; shift its manifold
+     * ids by `offset`.
+     */
     template <int dim>
     void append(const Triangulation<dim>   &mesh,
                 const types::material_id    material_id,
@@ -79,12 +82,13 @@ namespace signorini
           std::ostringstream message;
           message << "Bodies/" << body.name;
           if (coarse_meshes[b].n_active_cells() > most_coarse)
-            throw UserError(message.str()
-                            + (body.shape == BodyShape::file
-                                 ? "/File has more than 20000 cells, which every process must "
-                                   "keep. Make a coarser mesh and use Refinements."
-                                 : "/Repetitions gives more than 20000 coarse cells, which every "
-                                   "process must keep. Use fewer repetitions and more Refinements."));
+            throw UserError(
+              message.str()
+              + (body.shape == BodyShape::file
+                   ? "/File has more than 20000 cells, which every process must keep. Make a "
+                     "coarser mesh and use Refinements."
+                   : "/Repetitions gives more than 20000 coarse cells, which every process must "
+                     "keep. Use fewer repetitions and more Refinements."));
           message << "/Refinements = " << body.refinements << " gives " << cells
                   << " cells, too many for " << n_processes
                   << " process(es). Use fewer refinements or more processes.";

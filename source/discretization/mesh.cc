@@ -29,8 +29,8 @@ namespace signorini
 
 
     /**
-     * Points per direction more than the degree needs. Where curved cells are refined, the same function is integrated by
-     * other points: what this changes in the energy has to be small.
+     * Points per direction more than the degree needs. Where curved cells are refined, the same
+     * function is integrated by other points: what this changes in the energy has to be small.
      */
     template <int dim>
     unsigned int extra_points(const MeshGeometry<dim> &geometry)

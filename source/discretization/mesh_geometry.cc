@@ -19,7 +19,8 @@ namespace signorini
     };
 
 
-    std::vector<std::vector<std::pair<unsigned int, double>>> sparse_rows(const FullMatrix<double> &matrix)
+    std::vector<std::vector<std::pair<unsigned int, double>>>
+    sparse_rows(const FullMatrix<double> &matrix)
     {
       std::vector<std::vector<std::pair<unsigned int, double>>> rows(matrix.m());
       for (unsigned int i = 0; i < matrix.m(); ++i)
@@ -62,10 +63,12 @@ namespace signorini
             if (level <= base_levels[cell->material_id()])
               {
                 const auto known = base_points.find(cell->id());
-                mine             = known != base_points.end()
-                                     ? known->second
-                                     : base_points.emplace(cell->id(), manifold_points.compute_mapping_support_points(cell))
-                             .first->second;
+                mine =
+                  known != base_points.end()
+                    ? known->second
+                    : base_points
+                        .emplace(cell->id(), manifold_points.compute_mapping_support_points(cell))
+                        .first->second;
                 continue;
               }
             const auto   &parent = cell->parent();
@@ -81,8 +84,9 @@ namespace signorini
               cell->vertex(v) = mine[v];
           }
       }
-    cached_mapping.initialize(triangulation,
-                              [&](const auto &cell) { return std::move(points[cell->level()][cell->index()]); });
+    cached_mapping.initialize(triangulation, [&](const auto &cell) {
+      return std::move(points[cell->level()][cell->index()]);
+    });
   }
 
 

@@ -17,12 +17,14 @@ namespace signorini
         {
           const unsigned int index = functions.size();
           functions.push_back(make_function<dim, dim>(condition.expressions));
-          // Flags travel as numbers: a process may own a node without owning a cell at this part of the boundary.
+          // Flags travel as numbers: a process may own a node without owning a cell at this part of
+          // the boundary.
           Vector flags = discretization.make_vector();
           for (const auto &cell : discretization.dof_handler().active_cell_iterators())
             if (cell->is_locally_owned() && cell->material_id() == b)
               for (const unsigned int f : cell->face_indices())
-                if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)
+                if (cell->face(f)->at_boundary()
+                    && cell->face(f)->boundary_id() == condition.boundary_id)
                   for (const unsigned int v : cell->face(f)->vertex_indices())
                     if (const auto dof = cell->face(f)->vertex_dof_index(v, 0);
                         !discretization.hanging_node_constraints().is_constrained(dof))

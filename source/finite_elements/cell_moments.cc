@@ -9,7 +9,7 @@ namespace signorini
   {
     /** Sum over all pairs of vertices; add(moments at a, matrix, a, b, values at b). */
     template <int dim, typename Add>
-    VertexValues sum_over_pairs(const Discretization<dim>                                &discretization,
+    VertexValues sum_over_pairs(const Discretization<dim> &discretization,
                                 const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                 const VertexValues                                       &values,
                                 const Add                                                &add)
@@ -26,45 +26,53 @@ namespace signorini
 
 
   template <int dim>
-  VertexValues mass_moments(const Discretization<dim>                                &discretization,
+  VertexValues mass_moments(const Discretization<dim> &discretization,
                             const typename dealii::Triangulation<dim>::cell_iterator &cell,
                             const VertexValues                                       &values)
   {
-    return sum_over_pairs(
-      discretization,
-      cell,
-      values,
-      [](double *moments, const auto &matrix, const unsigned int a, const unsigned int b, const double *value) {
-        const double mass = matrix.mass(a, b);
-        for (unsigned int c = 0; c < dim; ++c)
-          moments[c] += mass * value[c];
-      });
+    return sum_over_pairs(discretization,
+                          cell,
+                          values,
+                          [](double            *moments,
+                             const auto        &matrix,
+                             const unsigned int a,
+                             const unsigned int b,
+                             const double      *value) {
+                            const double mass = matrix.mass(a, b);
+                            for (unsigned int c = 0; c < dim; ++c)
+                              moments[c] += mass * value[c];
+                          });
   }
 
 
   template <int dim>
-  VertexValues stiffness_moments(const Discretization<dim>                                &discretization,
+  VertexValues stiffness_moments(const Discretization<dim> &discretization,
                                  const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                  const VertexValues                                       &values)
   {
-    return sum_over_pairs(
-      discretization,
-      cell,
-      values,
-      [](double *moments, const auto &matrix, const unsigned int a, const unsigned int b, const double *value) {
-        const auto block = matrix.stiffness(a, b); // column by column
-        for (unsigned int d = 0; d < dim; ++d)
-          for (unsigned int c = 0; c < dim; ++c)
-            moments[c] += block[dim * d + c] * value[d];
-      });
+    return sum_over_pairs(discretization,
+                          cell,
+                          values,
+                          [](double            *moments,
+                             const auto        &matrix,
+                             const unsigned int a,
+                             const unsigned int b,
+                             const double      *value) {
+                            const auto block = matrix.stiffness(a, b); // column by column
+                            for (unsigned int d = 0; d < dim; ++d)
+                              for (unsigned int c = 0; c < dim; ++c)
+                                moments[c] += block[dim * d + c] * value[d];
+                          });
   }
 
 
-#define INSTANTIATE(dim)                                                                                               \
-  template VertexValues mass_moments(                                                                                  \
-    const Discretization<dim> &, const dealii::Triangulation<dim>::cell_iterator &, const VertexValues &);             \
-  template VertexValues stiffness_moments(                                                                             \
-    const Discretization<dim> &, const dealii::Triangulation<dim>::cell_iterator &, const VertexValues &);
+#define INSTANTIATE(dim)                                                                           \
+  template VertexValues mass_moments(const Discretization<dim> &,                                  \
+                                     const dealii::Triangulation<dim>::cell_iterator &,            \
+                                     const VertexValues &);                                        \
+  template VertexValues stiffness_moments(const Discretization<dim> &,                             \
+                                          const dealii::Triangulation<dim>::cell_iterator &,       \
+                                          const VertexValues &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -14,7 +14,8 @@ namespace signorini
   {
     /** The vertices of a face, by their numbers in the mesh. */
     template <int dim, typename Cell>
-    std::array<unsigned int, GaussTables<dim>::n_subfaces> vertices_of_face(const Cell &cell, const unsigned int face)
+    std::array<unsigned int, GaussTables<dim>::n_subfaces> vertices_of_face(const Cell        &cell,
+                                                                            const unsigned int face)
     {
       std::array<unsigned int, GaussTables<dim>::n_subfaces> result;
       for (unsigned int v = 0; v < result.size(); ++v)
@@ -55,9 +56,11 @@ namespace signorini
     for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (!cell->is_artificial())
         {
-          cells.push_back({cell, {}, cell->active_cell_index(), cell->material_id(), cell->is_locally_owned()});
+          cells.push_back(
+            {cell, {}, cell->active_cell_index(), cell->material_id(), cell->is_locally_owned()});
           for (const unsigned int v : cell->vertex_indices())
-            cells.back().nodes[v] = partitioner->global_to_local(cell->vertex_dof_index(v, 0)) / dim;
+            cells.back().nodes[v] =
+              partitioner->global_to_local(cell->vertex_dof_index(v, 0)) / dim;
         }
   }
 
@@ -72,7 +75,8 @@ namespace signorini
           bool        known = true; // not at the far end of cells of other processes
           for (const auto &[dof, weight] : line.entries)
             {
-              known = known && (partitioner->in_local_range(dof) || partitioner->is_ghost_entry(dof));
+              known =
+                known && (partitioner->in_local_range(dof) || partitioner->is_ghost_entry(dof));
               if (known)
                 node.masters.emplace_back(partitioner->global_to_local(dof) / dim, weight);
             }
@@ -107,15 +111,19 @@ namespace signorini
           const bool         coarser = neighbor->level() < cell->level();
           if ((!coarser && j < i) || !(cells[i].owned || cells[j].owned))
             continue;
-          const unsigned int neighbor_face =
-            coarser ? cell->neighbor_of_coarser_neighbor(face).first : cell->neighbor_of_neighbor(face);
-          InnerFace<dim> inner{{{i, j}},
-                               {{static_cast<unsigned char>(face), static_cast<unsigned char>(neighbor_face)}},
-                               -1,
-                               {},
-                               scale * cell->face(face)->diameter()};
-          // There is a Gauss point for each vertex. The parent has the same vertices as a coarser neighbour.
-          const auto mine   = coarser ? vertices_of_face<dim>(cell->parent(), face) : vertices_of_face<dim>(cell, face);
+          const unsigned int neighbor_face = coarser
+                                               ? cell->neighbor_of_coarser_neighbor(face).first
+                                               : cell->neighbor_of_neighbor(face);
+          InnerFace<dim>     inner{
+            {{i, j}},
+            {{static_cast<unsigned char>(face), static_cast<unsigned char>(neighbor_face)}},
+            -1,
+            {},
+            scale * cell->face(face)->diameter()};
+          // There is a Gauss point for each vertex. The parent has the same vertices as a coarser
+          // neighbour.
+          const auto mine   = coarser ? vertices_of_face<dim>(cell->parent(), face)
+                                      : vertices_of_face<dim>(cell, face);
           const auto theirs = vertices_of_face<dim>(neighbor, neighbor_face);
           for (unsigned int v = 0; v < mine.size(); ++v)
             inner.points[v] = std::find(theirs.begin(), theirs.end(), mine[v]) - theirs.begin();

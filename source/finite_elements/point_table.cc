@@ -13,10 +13,13 @@ namespace signorini
 
   namespace
   {
-    /** sum_k numbers[k] weights[k], for each component of the numbers and each entry of the weights. */
+    /**
+     * sum_k numbers[k] weights[k], for each component of the numbers and each entry of the
+     * weights.
+     */
     template <int dim, std::size_t n>
-    inline std::array<std::array<FourNumbers, n>, dim> combine(const std::vector<std::array<FourNumbers, n>> &weights,
-                                                               const double                                  *numbers)
+    inline std::array<std::array<FourNumbers, n>, dim>
+    combine(const std::vector<std::array<FourNumbers, n>> &weights, const double *numbers)
     {
       std::array<std::array<FourNumbers, n>, dim> sum{};
       for (const auto &weight : weights)

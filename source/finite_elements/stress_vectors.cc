@@ -18,12 +18,13 @@ namespace signorini
                                      const double          *displacement,
                                      const double          *support_points)
     {
-      const FourMatrices<dim> jacobian    = map_polynomials.gradients(support_points);
-      const FourMatrices<dim> cofactor    = cofactors(jacobian);
-      const FourNumbers       volume      = determinant<dim>(jacobian, cofactor);
-      const FourMatrices<dim> gradient    = product(polynomials.gradients(displacement), cofactor); // times volume
-      FourVectors<dim>        area_vector = cofactor[face / 2];
-      FourNumbers             divergence{}, square{}, area;
+      const FourMatrices<dim> jacobian = map_polynomials.gradients(support_points);
+      const FourMatrices<dim> cofactor = cofactors(jacobian);
+      const FourNumbers       volume   = determinant<dim>(jacobian, cofactor);
+      const FourMatrices<dim> gradient =
+        product(polynomials.gradients(displacement), cofactor); // times volume
+      FourVectors<dim> area_vector = cofactor[face / 2];
+      FourNumbers      divergence{}, square{}, area;
       for (unsigned int c = 0; c < dim; ++c)
         {
           area_vector[c] *= face % 2 == 1 ? 1. : -1.;
@@ -45,7 +46,8 @@ namespace signorini
           result.tension += result.vector[i] * area_vector[i] / area;
         }
       for (unsigned int q = 0; q < PointTable<dim>::n_points; ++q)
-        result.area[q] = q < GaussTables<dim>::n_face_points ? area[q] / GaussTables<dim>::n_face_points : 0.;
+        result.area[q] =
+          q < GaussTables<dim>::n_face_points ? area[q] / GaussTables<dim>::n_face_points : 0.;
       return result;
     }
   } // namespace
@@ -57,9 +59,9 @@ namespace signorini
     , displacement(displacement)
     , stresses(mesh.cells.size() * GaussTables<dim>::n_faces)
   {
-    const auto                         &mapping   = mesh.discretization.mesh().mapping();
-    const auto                         &tables    = GaussTables<dim>::of_degree(1);
-    const auto                         &of_map    = GaussTables<dim>::of_degree(mapping.get_degree());
+    const auto                         &mapping = mesh.discretization.mesh().mapping();
+    const auto                         &tables  = GaussTables<dim>::of_degree(1);
+    const auto                         &of_map  = GaussTables<dim>::of_degree(mapping.get_degree());
     FaceStress<dim>                    *next_face = stresses.data();
     std::array<double, dim *(1 << dim)> values;
     for (const LocalCell<dim> &cell : mesh.cells)
@@ -75,12 +77,13 @@ namespace signorini
 
 
   template <int dim>
-  FaceStress<dim>
-  StressVectors<dim>::of_subface(const unsigned int cell, const unsigned int face, const unsigned int subface) const
+  FaceStress<dim> StressVectors<dim>::of_subface(const unsigned int cell,
+                                                 const unsigned int face,
+                                                 const unsigned int subface) const
   {
     const auto                         &discretization = mesh.discretization;
     const LocalCell<dim>               &local          = mesh.cells[cell];
-    const unsigned int                  table          = GaussTables<dim>::n_subfaces * face + subface;
+    const unsigned int                  table = GaussTables<dim>::n_subfaces * face + subface;
     std::array<double, dim *(1 << dim)> values;
     mesh.gather(local, displacement, values.data());
     const auto points = support_points(discretization.mesh().mapping(), local.cell);

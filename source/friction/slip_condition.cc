@@ -17,22 +17,25 @@ namespace signorini
     // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
     constexpr double round_off = 1e-13;
     const double     bound     = law.bound(node.normal);
-    // A node that slips against its force stops first, however far it went: turned round at once, it may go to and fro for ever.
+    // A node that slips against its force stops first, however far it went: turned round at once,
+    // it may go to and fro for ever.
     return bound > 0.
            && (node.tangential.dot(node.slip) < 0.
                || (node.tangential + stiffness * node.slip).norm() <= bound * (1. + round_off));
   }
 
 
-  SlipCondition
-  linearise_slip(const FrictionLaw &law, const NodeForces &node, const double stiffness, const unsigned int n_tangents)
+  SlipCondition linearise_slip(const FrictionLaw &law,
+                               const NodeForces  &node,
+                               const double       stiffness,
+                               const unsigned int n_tangents)
   {
     Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
     Assert(n_tangents == 1 || n_tangents == 2, dealii::ExcIndexRange(n_tangents, 1, 3));
     const double        bound = law.bound(node.normal);
     const TangentVector y     = node.tangential + stiffness * node.slip;
     const double        size  = y.norm();
-    SlipCondition       condition{TangentVector::Zero(), TangentMatrix::Zero(), TangentVector::Zero()};
+    SlipCondition condition{TangentVector::Zero(), TangentMatrix::Zero(), TangentVector::Zero()};
     if (size == 0.)
       return condition;
 
@@ -42,12 +45,13 @@ namespace signorini
     if (n_tangents == 1 || bound == 0. || size <= bound)
       return condition; // the direction cannot change, or its change is of no use
 
-    const double        force = node.tangential.norm(), ratio = bound / size;
-    const double        cosine   = force > 0. ? node.tangential.dot(y) / (force * size) : 0.;
-    const double        damping  = cosine < 0. ? 1. / (1. - cosine * std::min(force / bound, 1.)) : 1.;
+    const double force = node.tangential.norm(), ratio = bound / size;
+    const double cosine  = force > 0. ? node.tangential.dot(y) / (force * size) : 0.;
+    const double damping = cosine < 0. ? 1. / (1. - cosine * std::min(force / bound, 1.)) : 1.;
     const TangentMatrix identity = TangentMatrix::Identity();
     const TangentMatrix turning =
-      damping * ratio * (identity - node.tangential * direction.transpose() / std::max(bound, force));
+      damping * ratio
+      * (identity - node.tangential * direction.transpose() / std::max(bound, force));
     const TangentMatrix inverse = (identity - turning).inverse();
     condition.force             = (inverse * (condition.force - turning * node.tangential)).eval();
     condition.coupling          = (inverse * condition.coupling).eval();

@@ -21,13 +21,14 @@ namespace signorini
                                                        Vector                     &residual,
                                                        const double                tolerance,
                                                        const double                reduction,
-                                                       const unsigned int          maximum_iterations,
-                                                       const bool                  is_guess)
+                                                       const unsigned int maximum_iterations,
+                                                       const bool         is_guess)
   {
     AssertDimension(solution.locally_owned_size(), residual.locally_owned_size());
     Assert(tolerance >= 0. && reduction >= 0. && reduction < 1.,
            dealii::ExcMessage("An accepted error is not negative, and a reduction less than one."));
-    if (preconditioned.get_partitioner() != solution.get_partitioner() || preconditioned.size() == 0)
+    if (preconditioned.get_partitioner() != solution.get_partitioner()
+        || preconditioned.size() == 0)
       {
         preconditioned.reinit(solution, true);
         direction.reinit(solution, true);
@@ -40,14 +41,16 @@ namespace signorini
     const double norm        = std::sqrt(std::max(norm_square, 0.));
     const bool   may_improve = is_guess && norm <= tolerance;
     const double accepted    = std::max(tolerance, reduction * norm);
-    const double goal        = may_improve ? std::max(good_guess * tolerance, improvement * norm) : accepted;
-    direction                = preconditioned;
+    const double goal =
+      may_improve ? std::max(good_guess * tolerance, improvement * norm) : accepted;
+    direction = preconditioned;
     while (norm_square > goal * goal && report.iterations < maximum_iterations)
       {
         matrix.vmult(product, direction);
         ++report.iterations;
         const double curvature = dot(direction, product);
-        if (!(curvature > 0.)) // round-off, or a matrix that is not positive definite: the caller judges the result
+        if (!(curvature > 0.)) // round-off, or a matrix that is not positive definite: the caller
+                               // judges the result
           break;
         advance(norm_square / curvature, direction, solution, product, residual);
         preconditioner.vmult(preconditioned, residual);
@@ -55,7 +58,8 @@ namespace signorini
         extend_direction(preconditioned, new_norm_square / norm_square, direction);
         norm_square = new_norm_square;
       }
-    // A negative square means that the preconditioner is not positive definite, and this is no norm.
+    // A negative square means that the preconditioner is not positive definite, and this is no
+    // norm.
     report.converged = std::abs(norm_square) <= accepted * accepted;
     return report;
   }

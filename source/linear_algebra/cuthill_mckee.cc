@@ -31,14 +31,22 @@ namespace signorini
         std::partial_sum(row_start.begin(), row_start.end(), row_start.begin());
         neighbours.resize(row_start.back());
         std::vector<unsigned int> next(row_start.begin(), row_start.end() - 1);
-        for_each_coupling([&](const unsigned int node, const unsigned int other) { neighbours[next[node]++] = other; });
+        for_each_coupling([&](const unsigned int node, const unsigned int other) {
+          neighbours[next[node]++] = other;
+        });
       }
 
-      unsigned int degree(const unsigned int node) const { return row_start[node + 1] - row_start[node]; }
+      unsigned int degree(const unsigned int node) const
+      {
+        return row_start[node + 1] - row_start[node];
+      }
     };
 
 
-    /** Append the connected part of `start` to `numbering`, level by level, nodes with few neighbours first. */
+    /**
+     * Append the connected part of `start` to `numbering`, level by level, nodes with few
+     * neighbours first.
+     */
     void traverse(const Graph               &graph,
                   const unsigned int         start,
                   std::vector<char>         &visited,
@@ -58,8 +66,10 @@ namespace signorini
                 numbering.push_back(neighbour);
               }
           // By insertion: few at a time, and std::stable_sort() asks for memory each time.
-          const auto fewer_neighbours = [&](const auto a, const auto b) { return graph.degree(a) < graph.degree(b); };
-          const auto begin            = numbering.begin() + first;
+          const auto fewer_neighbours = [&](const auto a, const auto b) {
+            return graph.degree(a) < graph.degree(b);
+          };
+          const auto begin = numbering.begin() + first;
           for (auto next = begin; next != numbering.end(); ++next)
             std::rotate(std::upper_bound(begin, next, *next, fewer_neighbours), next, next + 1);
         }

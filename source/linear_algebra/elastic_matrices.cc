@@ -9,8 +9,9 @@ namespace signorini
   namespace
   {
     /**
-     * y += (A + mass_weight M) x in one pass over the upper triangle: each block acts once as it is and once transposed.
-     * What is wanted is known at compile time, so that a missing matrix is not even read.
+     * y += (A + mass_weight M) x in one pass over the upper triangle: each block acts once as it is
+     * and once transposed. What is wanted is known at compile time, so that a missing matrix is not
+     * even read.
      */
     template <int dim, bool with_mass, bool with_stiffness>
     void multiply(const ElasticMatrices<dim> &matrices,
@@ -37,7 +38,8 @@ namespace signorini
                 continue;
               Lanes<double> mirrored = load(y + 4 * column);
               if constexpr (with_stiffness)
-                mirrored += block_transposed_product<dim, double>(matrices.stiffness[k].data(), x_row);
+                mirrored +=
+                  block_transposed_product<dim, double>(matrices.stiffness[k].data(), x_row);
               if constexpr (with_mass)
                 mirrored += mass_weight * mass[k] * x_row;
               std::memcpy(y + 4 * column, &mirrored, sizeof(mirrored));
@@ -68,7 +70,8 @@ namespace signorini
     AssertDimension(source.locally_owned_size(), dim * pattern.n_owned);
     AssertDimension(destination.locally_owned_size(), dim * pattern.n_owned);
     AssertDimension(mass_values.size(), pattern.columns.size());
-    Assert(&destination != &source, dealii::ExcMessage("The result must not overwrite its source."));
+    Assert(&destination != &source,
+           dealii::ExcMessage("The result must not overwrite its source."));
     AssertIsFinite(mass_factor);
     AssertIsFinite(stiffness_factor);
     const bool had_ghosts = source.has_ghost_elements();
@@ -85,13 +88,15 @@ namespace signorini
     double factor = stiffness_factor;
     if (stiffness_factor == 0.)
       {
-        multiply<dim, true, false>(*this, mass_values.data(), 1., padded_source.data(), padded_destination.data());
+        multiply<dim, true, false>(
+          *this, mass_values.data(), 1., padded_source.data(), padded_destination.data());
         factor = mass_factor;
         ++count.mass;
       }
     else if (mass_factor == 0.)
       {
-        multiply<dim, false, true>(*this, mass_values.data(), 0., padded_source.data(), padded_destination.data());
+        multiply<dim, false, true>(
+          *this, mass_values.data(), 0., padded_source.data(), padded_destination.data());
         ++count.stiffness;
       }
     else
@@ -131,9 +136,10 @@ namespace signorini
 
 
   template <int dim>
-  typename ElasticMatrices<dim>::Block ElasticMatrices<dim>::combined_block(const unsigned int position,
-                                                                            const double       mass_factor,
-                                                                            const double       stiffness_factor) const
+  typename ElasticMatrices<dim>::Block
+  ElasticMatrices<dim>::combined_block(const unsigned int position,
+                                       const double       mass_factor,
+                                       const double       stiffness_factor) const
   {
     AssertIndexRange(position, mass.size());
     Block block = stiffness[position];

@@ -48,10 +48,16 @@ namespace signorini
         if (report.iterations > 0)
           inverse_of_preconditioner(preconditioned[0], residual);
         const double       before = norm;
-        const unsigned int done   = cycle(
-          matrix, inverse_of_preconditioner, correction, residual, goal, maximum_iterations - report.iterations, norm);
+        const unsigned int done   = cycle(matrix,
+                                        inverse_of_preconditioner,
+                                        correction,
+                                        residual,
+                                        goal,
+                                        maximum_iterations - report.iterations,
+                                        norm);
         report.iterations += done;
-        if (done == 0 || (norm > goal && norm > 0.99 * before)) // stagnates: the caller judges the result
+        if (done == 0
+            || (norm > goal && norm > 0.99 * before)) // stagnates: the caller judges the result
           break;
       }
     return report;
@@ -66,10 +72,11 @@ namespace signorini
                             const unsigned int maximum_iterations,
                             double            &norm)
   {
-    const unsigned int m        = std::min(n_basis, maximum_iterations);
-    Eigen::MatrixXd    H        = Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg matrix, then triangular by rotations
-    Eigen::MatrixXd    original = H;
-    Eigen::VectorXd    g        = Eigen::VectorXd::Zero(m + 1);
+    const unsigned int m = std::min(n_basis, maximum_iterations);
+    Eigen::MatrixXd    H =
+      Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg matrix, then triangular by rotations
+    Eigen::MatrixXd                            original = H;
+    Eigen::VectorXd                            g        = Eigen::VectorXd::Zero(m + 1);
     std::vector<Eigen::JacobiRotation<double>> rotations;
 
     place(basis, 0, residual).equ(1. / norm, residual);
@@ -98,7 +105,8 @@ namespace signorini
         norm = std::abs(g[j + 1]);
         if (original(j + 1, j) <= 1e-14 * original.col(j).norm()) // the space is exhausted
           {
-            original(j + 1, j) = 1.; // what is left acts on held entries only, and is not normalised
+            original(j + 1, j) =
+              1.; // what is left acts on held entries only, and is not normalised
             ++j;
             break;
           }
@@ -108,7 +116,7 @@ namespace signorini
     if (j == 0)
       return 0;
 
-    const Eigen::VectorXd y      = H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
+    const Eigen::VectorXd y = H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
     const Eigen::VectorXd change = original.topLeftCorner(j + 1, j) * y; // J x in the basis
     for (unsigned int i = 0; i < j; ++i)
       correction.add(y[i], preconditioned[i]);

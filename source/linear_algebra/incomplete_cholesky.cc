@@ -17,7 +17,10 @@ namespace signorini
   {
     using dealii::Tensor;
 
-    /** The block that the factor sees at a position of the pattern: dim x dim, or one number for the mass. */
+    /**
+     * The block that the factor sees at a position of the pattern: dim x dim, or one number for
+     * the mass.
+     */
     template <int dim, int n>
     Tensor<2, n> matrix_block(const ElasticMatrices<dim> &matrices,
                               const unsigned int          k,
@@ -33,15 +36,18 @@ namespace signorini
 
 
   template <int dim, int block_size>
-  IncompleteCholesky<dim, block_size>::IncompleteCholesky(const ElasticMatrices<dim>      &matrices,
-                                                          const double                     mass_factor,
-                                                          const double                     stiffness_factor,
-                                                          const std::vector<unsigned int> &eliminate_last)
+  IncompleteCholesky<dim, block_size>::IncompleteCholesky(
+    const ElasticMatrices<dim>      &matrices,
+    const double                     mass_factor,
+    const double                     stiffness_factor,
+    const std::vector<unsigned int> &eliminate_last)
     : pattern(matrices.pattern)
-    // For all processes: the exchange of overlapping parts is collective, even if one process has no ghosts.
-    , overlapping(dealii::Utilities::MPI::max(static_cast<unsigned int>(pattern.n_local > pattern.n_owned),
-                                              pattern.partitioner->get_mpi_communicator())
-                  > 0)
+    // For all processes: the exchange of overlapping parts is collective, even if one process has
+    // no ghosts.
+    , overlapping(
+        dealii::Utilities::MPI::max(static_cast<unsigned int>(pattern.n_local > pattern.n_owned),
+                                    pattern.partitioner->get_mpi_communicator())
+        > 0)
     , work(4 * pattern.n_local, 0.f)
     , ghosted(pattern.partitioner)
   {
@@ -62,7 +68,8 @@ namespace signorini
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       weights[p] = static_cast<float>(std::sqrt(1. / multiplicity.local_element(dim * order[p])));
 
-    // Without fill a pivot may become indefinite at large Courant numbers; a larger diagonal cures that (Manteuffel 1980).
+    // Without fill a pivot may become indefinite at large Courant numbers; a larger diagonal cures
+    // that (Manteuffel 1980).
     double shift = 0.;
     while (!factor(matrices, mass_factor, stiffness_factor, shift))
       {
@@ -78,7 +85,8 @@ namespace signorini
 
 
   template <int dim, int block_size>
-  void IncompleteCholesky<dim, block_size>::build_pattern(const std::vector<unsigned int> &eliminate_last)
+  void IncompleteCholesky<dim, block_size>::build_pattern(
+    const std::vector<unsigned int> &eliminate_last)
   {
     std::vector<char> is_last(pattern.n_local, 0);
     for (const unsigned int node : eliminate_last)
@@ -142,23 +150,27 @@ namespace signorini
                                                    const double                shift)
   {
     const auto diagonal_block = [&](const unsigned int node) {
-      return matrix_block<dim, block_size>(matrices, pattern.row_start[node], mass_factor, stiffness_factor);
+      return matrix_block<dim, block_size>(
+        matrices, pattern.row_start[node], mass_factor, stiffness_factor);
     };
-    // One common scale keeps single precision away from overflow and underflow in any system of units.
+    // One common scale keeps single precision away from overflow and underflow in any system of
+    // units.
     double scale = 0.;
     for (unsigned int node = 0; node < pattern.n_local; ++node)
       if (!pattern.is_empty(node))
         scale = std::max(scale, trace(diagonal_block(node)));
     matrix_scale = scale = scale > 0. ? 1. / scale : 1.;
 
-    std::vector<Block<block_size>> inverse(pattern.n_local), row(pattern.n_local), scaled_row(pattern.n_local);
-    std::vector<char>              in_row(pattern.n_local, 0);
+    std::vector<Block<block_size>> inverse(pattern.n_local), row(pattern.n_local),
+      scaled_row(pattern.n_local);
+    std::vector<char> in_row(pattern.n_local, 0);
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
         for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           {
-            const auto block =
-              scale * matrix_block<dim, block_size>(matrices, origins[a].position, mass_factor, stiffness_factor);
+            const auto block = scale
+                               * matrix_block<dim, block_size>(
+                                 matrices, origins[a].position, mass_factor, stiffness_factor);
             row[columns[a]]    = to_block(origins[a].transposed ? transpose(block) : block);
             in_row[columns[a]] = 1;
           }
@@ -193,7 +205,8 @@ namespace signorini
   dealii::Tensor<2, dim> IncompleteCholesky<dim, block_size>::full_pivot(const unsigned int p) const
   {
     if constexpr (block_size == 1)
-      return static_cast<double>(pivots[p][0]) * Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>());
+      return static_cast<double>(pivots[p][0])
+             * Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>());
     else
       return to_tensor<dim>(pivots[p]);
   }
@@ -220,7 +233,8 @@ namespace signorini
       {
         AssertIndexRange(node.node, pattern.n_local);
         const unsigned int p = position_of[node.node];
-        // In the frame of the node the held entries become unit rows, which leaves the inverse on the free ones.
+        // In the frame of the node the held entries become unit rows, which leaves the inverse on
+        // the free ones.
         const Tensor<2, dim> frame = transpose(to_tensor<dim>(node.frame));
         Tensor<2, dim>       local = frame * full_pivot(p) * transpose(frame);
         for (unsigned int c = 0; c < dim; ++c)
@@ -246,7 +260,8 @@ namespace signorini
     const auto solve_pivot = [this](const unsigned int i, const Lanes<float> &right_hand_side) {
       std::array<float, 4> numbers;
       std::memcpy(numbers.data(), &right_hand_side, sizeof(right_hand_side));
-      return without_spare_lanes<dim, float>(block_product<dim>(inverse_pivots[i].data(), numbers.data()));
+      return without_spare_lanes<dim, float>(
+        block_product<dim>(inverse_pivots[i].data(), numbers.data()));
     };
     // (D + L) y = r in place
     float *y = work.data();
@@ -261,7 +276,8 @@ namespace signorini
         residual = solve_pivot(i, residual);
         std::memcpy(y + 4 * i, &residual, sizeof(residual));
       }
-    // (I + D^-1 L') z = y in place. What has been read last is still in the cache: L is read backwards and not copied.
+    // (I + D^-1 L') z = y in place. What has been read last is still in the cache: L is read
+    // backwards and not copied.
     scattered.assign(4 * pattern.n_local, 0.f);
     float *s = scattered.data();
     for (unsigned int i = pattern.n_local; i-- > 0;)
@@ -311,7 +327,8 @@ namespace signorini
     double *output = overlapping ? ghosted.begin() : destination.begin();
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       for (unsigned int c = 0; c < dim; ++c)
-        output[dim * order[p] + c] = size * matrix_scale * static_cast<double>(weights[p] * work[4 * p + c]);
+        output[dim * order[p] + c] =
+          size * matrix_scale * static_cast<double>(weights[p] * work[4 * p + c]);
     if (overlapping)
       {
         ghosted.compress(dealii::VectorOperation::add);

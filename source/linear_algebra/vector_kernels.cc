@@ -12,7 +12,8 @@ namespace signorini
   double dot(const Vector &x, const Vector &y)
   {
     AssertDimension(x.locally_owned_size(), y.locally_owned_size());
-    // Several partial sums let the compiler use vector registers without changing the order of a sum.
+    // Several partial sums let the compiler use vector registers without changing the order of a
+    // sum.
     constexpr unsigned int      n_lanes = 16;
     std::array<double, n_lanes> sums{};
     const double               *a = x.begin(), *b = y.begin();

@@ -16,7 +16,10 @@ namespace signorini
   {
     using Node = types::global_dof_index;
 
-    /** The node with mass at the end of an edge from `node` that points best along `direction`, within 60 degrees. */
+    /**
+     * The node with mass at the end of an edge from `node` that points best along `direction`,
+     * within 60 degrees.
+     */
     template <int dim>
     Node neighbour_along(const ContactStrip<dim> &strip,
                          const Node               node,
@@ -61,7 +64,10 @@ namespace signorini
     }
 
 
-    /** Weights 1 + t and -t of the two nodes on the line of the mesh that leads inwards; empty if there is none. */
+    /**
+     * Weights 1 + t and -t of the two nodes on the line of the mesh that leads inwards; empty if
+     * there is none.
+     */
     template <int dim>
     std::map<Node, double> weights_on_line(const ContactStrip<dim> &strip, const Node node)
     {

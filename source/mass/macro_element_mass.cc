@@ -26,7 +26,10 @@ namespace signorini
     }
 
 
-    /** Cells without contact nodes that share most vertices with a cell at the boundary; the nearest one of them. */
+    /**
+     * Cells without contact nodes that share most vertices with a cell at the boundary; the
+     * nearest one of them.
+     */
     template <int dim>
     unsigned int cell_behind(const ContactStrip<dim> &strip, const unsigned int strip_cell)
     {
@@ -92,7 +95,10 @@ namespace signorini
     }
 
 
-    /** Simpson's rule on a cell: the shape functions at its points, and its weights, times the mass of the cell. */
+    /**
+     * Simpson's rule on a cell: the shape functions at its points, and its weights, times the mass
+     * of the cell.
+     */
     template <int dim>
     struct SimpsonsRule
     {
@@ -127,7 +133,10 @@ namespace signorini
     };
 
 
-    /** The mass matrix of a macro-element on the nodes of the cell behind, minus the element matrices of its cells. */
+    /**
+     * The mass matrix of a macro-element on the nodes of the cell behind, minus the element
+     * matrices of its cells.
+     */
     template <int dim>
     void exchange_mass(const ContactStrip<dim>         &strip,
                        const unsigned int               behind,
@@ -142,7 +151,8 @@ namespace signorini
       members.push_back(behind);
       const Moments wanted = take_out(strip, members, quadratics, change);
 
-      // The weights w of Simpson's rule on the cell behind become w (1 + p) with a quadratic polynomial p.
+      // The weights w of Simpson's rule on the cell behind become w (1 + p) with a quadratic
+      // polynomial p.
       const SimpsonsRule<dim>                                                       rule(cell);
       std::array<Moments, SimpsonsRule<dim>::n_points>                              values;
       Eigen::Matrix<double, Moments::RowsAtCompileTime, Moments::RowsAtCompileTime> gram;

@@ -93,7 +93,8 @@ namespace signorini
     if (Utilities::MPI::min(least, communicator) < 0.)
       return -std::numeric_limits<double>::infinity();
 
-    // The Lanczos process behind conjugate gradients finds the ends of the spectrum first. Something that has all wave lengths starts it.
+    // The Lanczos process behind conjugate gradients finds the ends of the spectrum first.
+    // Something that has all wave lengths starts it.
     const FreeMass<dim> mass{matrices, inverse_diagonal};
     Vector              right_hand_side(matrices.pattern.partitioner), result = right_hand_side;
     const auto          first_entry = right_hand_side.get_partitioner()->local_range().first;

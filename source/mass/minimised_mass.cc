@@ -30,6 +30,17 @@ namespace signorini
     }
 
 
+    /** By local node. */
+    template <int dim>
+    std::vector<bool> massless_nodes(const NodePattern &pattern, const ContactStrip<dim> &strip)
+    {
+      std::vector<bool> massless(pattern.n_local);
+      for (unsigned int node = 0; node < pattern.n_local; ++node)
+        massless[node] = strip.is_massless(pattern.partitioner->local_to_global(dim * node) / dim);
+      return massless;
+    }
+
+
     /** The polynomial that gives back what was taken. */
     template <typename Matrix, typename Values>
     Values polynomial_of(const Matrix &gram, const Values &taken, const std::string &body)
@@ -47,17 +58,15 @@ namespace signorini
   template <int dim>
   void minimise_change_of_mass(Discretization<dim> &discretization, const ContactStrip<dim> &strip)
   {
-    auto             &matrices    = discretization.matrices();
-    const auto       &pattern     = matrices.pattern;
-    const auto       &partitioner = *pattern.partitioner;
-    const auto       &positions   = discretization.node_positions();
-    const auto        body_of     = bodies_of_nodes(discretization);
-    const std::size_t n_bodies    = discretization.mesh().bodies().size();
-    std::vector<bool> massless(pattern.n_local);
-    for (unsigned int node = 0; node < pattern.n_local; ++node)
-      massless[node] = strip.is_massless(partitioner.local_to_global(dim * node) / dim);
+    auto             &matrices  = discretization.matrices();
+    const auto       &pattern   = matrices.pattern;
+    const auto       &positions = discretization.node_positions();
+    const auto        body_of   = bodies_of_nodes(discretization);
+    const std::size_t n_bodies  = discretization.mesh().bodies().size();
+    const auto        massless  = massless_nodes(pattern, strip);
 
-    // Per body: what the couplings with contact nodes take away, and what a polynomial q gives to the others.
+    // Per body: what the couplings with contact nodes take away, and what a polynomial q gives to
+    // the others.
     using Moments      = QuadraticMoments<dim>;
     constexpr auto n   = Moments::n;
     using Values       = typename Moments::Values;
@@ -78,7 +87,8 @@ namespace signorini
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
           const unsigned int column = pattern.columns[k], body = body_of[row];
-          // The diagonal counts once, pairs of owned nodes twice, and the other half of a pair with a ghost is its owner's.
+          // The diagonal counts once, pairs of owned nodes twice, and the other half of a pair with
+          // a ghost is its owner's.
           const double mass =
             (column == row || column >= pattern.n_owned ? 1. : 2.) * matrices.mass[k];
           const Values values = moments(body, row, column);

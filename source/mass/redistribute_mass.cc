@@ -17,8 +17,9 @@ namespace signorini
   namespace
   {
     /**
-     * Rows and columns of massless nodes become exactly empty; up to here they may hold round-off. Macro-elements take the mass of all nodes of the
-     * contact surface, also of those where a support took the place of contact.
+     * Rows and columns of massless nodes become exactly empty; up to here they may hold round-off.
+     * Macro-elements take the mass of all nodes of the contact surface, also of those where a
+     * support took the place of contact.
      */
     template <int dim>
     void clear_massless_rows(ElasticMatrices<dim> &matrices, const ContactStrip<dim> &strip)
@@ -45,7 +46,10 @@ namespace signorini
     }
 
 
-    /** Every body with contact nodes needs others, too: a body without any mass would not move but jump. */
+    /**
+     * Every body with contact nodes needs others, too: a body without any mass would not move but
+     * jump.
+     */
     template <int dim>
     void check_that_mass_is_left(const Discretization<dim> &discretization,
                                  const ContactStrip<dim>   &strip,

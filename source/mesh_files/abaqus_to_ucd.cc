@@ -12,8 +12,8 @@
 #include <sstream>
 #include <vector>
 
-// deal.II has a reader of its own, but it drops data behind comments and follows references to elements and sets that do
-// not exist. Both formats list the vertices of a cell in the same order.
+// deal.II has a reader of its own, but it drops data behind comments and follows references to
+// elements and sets that do not exist. Both formats list the vertices of a cell in the same order.
 
 namespace signorini
 {
@@ -22,7 +22,10 @@ namespace signorini
     using Words = std::vector<std::string>;
 
 
-    /** `*SURFACE, NAME=SS1`: the keyword, and the values by their names (empty for names without value). */
+    /**
+     * `*SURFACE, NAME=SS1`: the keyword, and the values by their names (empty for names without
+     * value).
+     */
     struct Keyword
     {
       std::string                        name;
@@ -38,10 +41,16 @@ namespace signorini
       Words vertices;
     };
 
-    /** Vertices of the faces (2d: edges) of an element, counted from 1 as in Abaqus, around the face. */
+    /**
+     * Vertices of the faces (2d: edges) of an element, counted from 1 as in Abaqus, around the
+     * face.
+     */
     const std::vector<std::vector<unsigned int>> faces_of_hexahedron =
       {{1, 2, 3, 4}, {5, 8, 7, 6}, {1, 5, 6, 2}, {2, 6, 7, 3}, {3, 7, 8, 4}, {4, 8, 5, 1}};
-    const std::vector<std::vector<unsigned int>> faces_of_quadrilateral = {{1, 2}, {2, 3}, {3, 4}, {4, 1}};
+    const std::vector<std::vector<unsigned int>> faces_of_quadrilateral = {{1, 2},
+                                                                           {2, 3},
+                                                                           {3, 4},
+                                                                           {4, 1}};
 
     class Translator
     {
@@ -58,9 +67,9 @@ namespace signorini
       void face(const Element &element, unsigned int face_number, unsigned int id);
       long integer(const std::string &word) const;
 
-      Keyword                                      keyword;         ///< that the data below belong to
-      bool                                         has_data = true; ///< whether the keyword has data so far
-      Words                                        unfinished_element;
+      Keyword keyword;         ///< that the data below belong to
+      bool    has_data = true; ///< whether the keyword has data so far
+      Words   unfinished_element;
       std::map<std::string, std::vector<long>>     sets;
       std::map<long, Words>                        nodes; ///< coordinates as written
       std::vector<Element>                         elements;
@@ -82,15 +91,19 @@ namespace signorini
       return keyword;
     }
 
-    /** The digits of a name as a number, as deal.II reads boundary ids: 3 for SS3 and SURF-3, 0 without digits. */
+    /**
+     * The digits of a name as a number, as deal.II reads boundary ids: 3 for SS3 and SURF-3, 0
+     * without digits.
+     */
     unsigned int number_in(const std::string &name)
     {
       std::string digits;
-      std::copy_if(
-        name.begin(), name.end(), std::back_inserter(digits), [](const unsigned char c) { return std::isdigit(c); });
+      std::copy_if(name.begin(), name.end(), std::back_inserter(digits), [](const unsigned char c) {
+        return std::isdigit(c);
+      });
       if (digits.size() > 9)
-        throw MeshFileError("the number in the name of the surface `" + name + "` is too large for a boundary id. "
-                            + MeshFileError::remedy);
+        throw MeshFileError("the number in the name of the surface `" + name
+                            + "` is too large for a boundary id. " + MeshFileError::remedy);
       return digits.empty() ? 0 : std::stoul(digits);
     }
 
@@ -99,7 +112,9 @@ namespace signorini
       std::string line;
       while (std::getline(in, line))
         {
-          std::transform(line.begin(), line.end(), line.begin(), [](const unsigned char c) { return std::toupper(c); });
+          std::transform(line.begin(), line.end(), line.begin(), [](const unsigned char c) {
+            return std::toupper(c);
+          });
           line = trim(line);
           if (line.empty() || line.rfind("**", 0) == 0)
             continue;
@@ -112,16 +127,18 @@ namespace signorini
         }
       finish();
       if (nodes.empty() || elements.empty())
-        throw MeshFileError("it has no mesh: there is no `*NODE` or no `*ELEMENT` with data. " + MeshFileError::remedy);
+        throw MeshFileError("it has no mesh: there is no `*NODE` or no `*ELEMENT` with data. "
+                            + MeshFileError::remedy);
     }
 
     void Translator::finish() const
     {
       if (!unfinished_element.empty())
-        throw MeshFileError("the file is broken: element " + unfinished_element[0] + " has too few vertices. "
-                            + MeshFileError::remedy);
+        throw MeshFileError("the file is broken: element " + unfinished_element[0]
+                            + " has too few vertices. " + MeshFileError::remedy);
       if (keyword.name == "*SURFACE" && !has_data)
-        throw MeshFileError("the file is broken: the surface `" + keyword.value("NAME") + "` has no faces. " + MeshFileError::remedy);
+        throw MeshFileError("the file is broken: the surface `" + keyword.value("NAME")
+                            + "` has no faces. " + MeshFileError::remedy);
     }
 
     void Translator::start(const std::string &line)
@@ -130,7 +147,8 @@ namespace signorini
       has_data = false;
       keyword  = parse_keyword(line);
       if (keyword.name == "*ELEMENT"
-          && !std::regex_match(keyword.value("TYPE"), std::regex("C3D8[A-Z]*|(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*")))
+          && !std::regex_match(keyword.value("TYPE"),
+                               std::regex("C3D8[A-Z]*|(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*")))
         throw MeshFileError(
           "it has elements of type `" + keyword.value("TYPE")
           + "`. Only quadrilaterals with 4 vertices (2d, CPE4 or CPS4) and hexahedra with 8 (3d, "
@@ -140,9 +158,10 @@ namespace signorini
     long Translator::integer(const std::string &word) const
     {
       if (word.empty() || word.size() > 15
-          || !std::all_of(word.begin(), word.end(), [](const unsigned char c) { return std::isdigit(c); }))
-        throw MeshFileError("the file is broken: `" + word + "` below `" + keyword.name + "` is not a number. "
-                            + MeshFileError::remedy);
+          || !std::all_of(
+            word.begin(), word.end(), [](const unsigned char c) { return std::isdigit(c); }))
+        throw MeshFileError("the file is broken: `" + word + "` below `" + keyword.name
+                            + "` is not a number. " + MeshFileError::remedy);
       return std::stol(word);
     }
 
@@ -155,7 +174,8 @@ namespace signorini
           coordinates.resize(3, "0");
           std::replace(coordinates.begin(), coordinates.end(), std::string(), std::string("0"));
           if (!nodes.emplace(integer(words[0]), coordinates).second)
-            throw MeshFileError("node " + words[0] + " is given twice. Only files with one part can be used.");
+            throw MeshFileError("node " + words[0]
+                                + " is given twice. Only files with one part can be used.");
         }
       else if (keyword.name == "*ELEMENT")
         element(words);
@@ -163,7 +183,8 @@ namespace signorini
         {
           std::vector<long> &set = sets[keyword.value("ELSET")];
           if (keyword.has("GENERATE") && words.size() >= 2)
-            for (long i = integer(words[0]), step = words.size() > 2 ? std::max(1L, integer(words[2])) : 1;
+            for (long i    = integer(words[0]),
+                      step = words.size() > 2 ? std::max(1L, integer(words[2])) : 1;
                  i <= integer(words[1]);
                  i += step)
               set.push_back(i);
@@ -186,8 +207,9 @@ namespace signorini
           unfinished_element.push_back(std::to_string(integer(word)));
       const std::size_t n_vertices = keyword.value("TYPE").rfind("C3D8", 0) == 0 ? 8 : 4;
       if (unfinished_element.size() > 1 + n_vertices)
-        throw MeshFileError("the file is broken: element " + unfinished_element[0] + " has more than "
-                            + std::to_string(n_vertices) + " vertices. " + MeshFileError::remedy);
+        throw MeshFileError("the file is broken: element " + unfinished_element[0]
+                            + " has more than " + std::to_string(n_vertices) + " vertices. "
+                            + MeshFileError::remedy);
       if (unfinished_element.size() < 1 + n_vertices)
         return;
       const long label = integer(unfinished_element[0]);
@@ -204,30 +226,34 @@ namespace signorini
     {
       const std::string name = keyword.value("NAME");
       if (words.size() < 2 || !std::regex_match(words[1], std::regex("[SE][1-6]")))
-        throw MeshFileError("the surface `" + name + "` has the line `" + line
-                            + "`. Surfaces must consist of faces of elements: `element or element set, S1` to `S6`.");
+        throw MeshFileError(
+          "the surface `" + name + "` has the line `" + line
+          + "`. Surfaces must consist of faces of elements: `element or element set, S1` to `S6`.");
       const bool is_number = words[0].find_first_not_of("0123456789") == std::string::npos;
       if (sets.count(words[0]) == 0 && !is_number)
         throw MeshFileError("the file is broken: the surface `" + name + "` has the line `" + line
-                            + "`, but there is no element set `"
-                            + words[0] + "`. " + MeshFileError::remedy);
+                            + "`, but there is no element set `" + words[0] + "`. "
+                            + MeshFileError::remedy);
       const std::vector<long> labels =
         sets.count(words[0]) > 0 ? sets.at(words[0]) : std::vector<long>{integer(words[0])};
       for (const long label : labels)
         {
           if (element_of_label.count(label) == 0)
             throw MeshFileError("the file is broken: the surface `" + name + "` has the element "
-                                + std::to_string(label) + ", which does not exist. " + MeshFileError::remedy);
+                                + std::to_string(label) + ", which does not exist. "
+                                + MeshFileError::remedy);
           face(elements[element_of_label.at(label)], words[1][1] - '0', number_in(name));
         }
     }
 
-    void Translator::face(const Element &element, const unsigned int face_number, const unsigned int id)
+    void
+    Translator::face(const Element &element, const unsigned int face_number, const unsigned int id)
     {
       const auto &all = element.vertices.size() == 8 ? faces_of_hexahedron : faces_of_quadrilateral;
       if (face_number > all.size())
-        throw MeshFileError("the file is broken: element " + std::to_string(element.label) + " has no face "
-                            + std::to_string(face_number) + ". " + MeshFileError::remedy);
+        throw MeshFileError("the file is broken: element " + std::to_string(element.label)
+                            + " has no face " + std::to_string(face_number) + ". "
+                            + MeshFileError::remedy);
       Words vertices;
       for (const unsigned int v : all[face_number - 1])
         vertices.push_back(element.vertices[v - 1]);
@@ -241,9 +267,10 @@ namespace signorini
         }
       unsigned int &id_so_far = boundary_ids[known->second];
       if (id != 0 && id_so_far != 0 && id != id_so_far)
-        throw MeshFileError("face " + std::to_string(face_number) + " of element " + std::to_string(element.label)
-                            + " belongs to surfaces with the different numbers " + std::to_string(id_so_far) + " and "
-                            + std::to_string(id) + ". A face has one boundary id; keep one of the surfaces.");
+        throw MeshFileError(
+          "face " + std::to_string(face_number) + " of element " + std::to_string(element.label)
+          + " belongs to surfaces with the different numbers " + std::to_string(id_so_far) + " and "
+          + std::to_string(id) + ". A face has one boundary id; keep one of the surfaces.");
       id_so_far = std::max(id, id_so_far);
     }
 
@@ -254,10 +281,11 @@ namespace signorini
       for (const auto &[label, coordinates] : nodes)
         out << label << ' ' << join(coordinates, " ") << '\n';
       for (const Element &element : elements)
-        out << element.label << (element.vertices.size() == 8 ? " 0 hex " : " 0 quad ") << join(element.vertices, " ")
-            << '\n';
+        out << element.label << (element.vertices.size() == 8 ? " 0 hex " : " 0 quad ")
+            << join(element.vertices, " ") << '\n';
       for (std::size_t f = 0; f < faces.size(); ++f)
-        out << "0 " << boundary_ids[f] << (faces[f].size() == 4 ? " quad " : " line ") << join(faces[f], " ") << '\n';
+        out << "0 " << boundary_ids[f] << (faces[f].size() == 4 ? " quad " : " line ")
+            << join(faces[f], " ") << '\n';
       return out.str();
     }
   } // namespace

@@ -16,8 +16,8 @@ namespace signorini
 
     [[noreturn]] void refuse_end(const std::string &where)
     {
-      throw MeshFileError("the file is broken: it ends, or has something else than a number, in " + where + ". "
-                          + MeshFileError::remedy);
+      throw MeshFileError("the file is broken: it ends, or has something else than a number, in "
+                          + where + ". " + MeshFileError::remedy);
     }
 
     /** Numbers, one after the other, until the file ends or has something else. */
@@ -58,8 +58,9 @@ namespace signorini
           n_found += n;
         }
       if (n_found != n_nodes)
-        throw MeshFileError("the file is broken: " + where + " announces " + std::to_string(n_nodes) + " nodes and has "
-                            + std::to_string(n_found) + ". " + MeshFileError::remedy);
+        throw MeshFileError("the file is broken: " + where + " announces " + std::to_string(n_nodes)
+                            + " nodes and has " + std::to_string(n_found) + ". "
+                            + MeshFileError::remedy);
     }
   } // namespace
 
@@ -76,8 +77,8 @@ namespace signorini
           continue;
         const bool ends = line.rfind("$End", 0) == 0 || line.rfind("$END", 0) == 0;
         if (ends ? line.substr(4) != open : !open.empty())
-          throw MeshFileError("the file is broken: the section `$" + open + "` has no end before `" + line + "`. "
-                              + MeshFileError::remedy);
+          throw MeshFileError("the file is broken: the section `$" + open + "` has no end before `"
+                              + line + "`. " + MeshFileError::remedy);
         open = ends ? "" : line.substr(1);
         sections.insert(line.substr(1));
         if (line == "$Nodes")
@@ -86,22 +87,34 @@ namespace signorini
           {
             std::istringstream numbers(line);
             version = next<double>(numbers, "the section `$MeshFormat`");
-            if (next<int>(numbers, "the section `$MeshFormat`") != 0 || version < 2. || version > 4.1)
-              throw MeshFileError("the version of the Gmsh file, `" + trim(line)
-                                  + "`, is not known. Save it as text (ASCII) in version 2.2 or 4.1.");
+            if (next<int>(numbers, "the section `$MeshFormat`") != 0 || version < 2.
+                || version > 4.1)
+              throw MeshFileError(
+                "the version of the Gmsh file, `" + trim(line)
+                + "`, is not known. Save it as text (ASCII) in version 2.2 or 4.1.");
           }
       }
     if (!open.empty())
-      throw MeshFileError("the file is broken: it ends in the section `$" + open + "`. " + MeshFileError::remedy);
-    if (sections.count("Nodes") + sections.count("NOD") == 0 || sections.count("Elements") + sections.count("ELM") == 0)
-      throw MeshFileError("it is not a Gmsh mesh: it has no section `$Nodes` or no section `$Elements`. " + MeshFileError::remedy);
+      throw MeshFileError("the file is broken: it ends in the section `$" + open + "`. "
+                          + MeshFileError::remedy);
+    if (sections.count("Nodes") + sections.count("NOD") == 0
+        || sections.count("Elements") + sections.count("ELM") == 0)
+      throw MeshFileError(
+        "it is not a Gmsh mesh: it has no section `$Nodes` or no section `$Elements`. "
+        + MeshFileError::remedy);
   }
 
   void check_ucd(const std::string &text)
   {
-    const std::map<std::string, unsigned int> n_vertices_of = {
-      {"pt", 1}, {"line", 2}, {"tri", 3}, {"quad", 4}, {"tet", 4}, {"pyr", 5}, {"prism", 6}, {"hex", 8}};
-    std::istringstream in(text);
+    const std::map<std::string, unsigned int> n_vertices_of = {{"pt", 1},
+                                                               {"line", 2},
+                                                               {"tri", 3},
+                                                               {"quad", 4},
+                                                               {"tet", 4},
+                                                               {"pyr", 5},
+                                                               {"prism", 6},
+                                                               {"hex", 8}};
+    std::istringstream                        in(text);
     for (std::string comment; in.peek() == '#';)
       std::getline(in, comment);
     const auto n_vertices = next<unsigned int>(in, "the first line"),
@@ -121,19 +134,20 @@ namespace signorini
         const auto type  = next<std::string>(in, "the list of cells");
         const auto found = n_vertices_of.find(type);
         if (found == n_vertices_of.end())
-          throw MeshFileError("cell " + std::to_string(number) + " has the type `" + type + "`, which is not known. "
-                              + MeshFileError::remedy);
+          throw MeshFileError("cell " + std::to_string(number) + " has the type `" + type
+                              + "`, which is not known. " + MeshFileError::remedy);
         has_cells = has_cells || type == "quad" || type == "hex";
         if (type != "line" && type != "quad" && type != "hex")
-          throw MeshFileError(
-            "cell " + std::to_string(number) + " is of type `" + type
-            + "`. Only quadrilaterals (2d) and hexahedra (3d) can be used; mesh the body with these.");
+          throw MeshFileError("cell " + std::to_string(number) + " is of type `" + type
+                              + "`. Only quadrilaterals (2d) and hexahedra (3d) can be used; mesh "
+                                "the body with these.");
         for (unsigned int v = 0; v < found->second; ++v)
           {
             const auto vertex = next<long>(in, "the list of cells");
             if (vertices.count(vertex) == 0)
-              throw MeshFileError("the file is broken: cell " + std::to_string(number) + " has the vertex "
-                                  + std::to_string(vertex) + ", which does not exist. " + MeshFileError::remedy);
+              throw MeshFileError("the file is broken: cell " + std::to_string(number)
+                                  + " has the vertex " + std::to_string(vertex)
+                                  + ", which does not exist. " + MeshFileError::remedy);
           }
       }
     if (!has_cells)
@@ -155,8 +169,9 @@ namespace signorini
             {
               const auto point = next<long>(in, "the list of cells");
               if (point < 0 || point >= n_points)
-                throw MeshFileError("the file is broken: cell " + std::to_string(c) + " (counted from 0) has the point "
-                                    + std::to_string(point) + ", which does not exist. " + MeshFileError::remedy);
+                throw MeshFileError("the file is broken: cell " + std::to_string(c)
+                                    + " (counted from 0) has the point " + std::to_string(point)
+                                    + ", which does not exist. " + MeshFileError::remedy);
             }
         }
       return n_vertices;
@@ -164,7 +179,8 @@ namespace signorini
 
     void check_vtk_types(std::istream &in, const std::vector<unsigned int> &n_vertices)
     {
-      const std::map<unsigned int, unsigned int> n_vertices_of = {{3, 2}, {9, 4}, {12, 8}}; // line, quad, hexahedron
+      const std::map<unsigned int, unsigned int> n_vertices_of = {
+        {3, 2}, {9, 4}, {12, 8}}; // line, quad, hexahedron
       next<unsigned int>(in, "`CELL_TYPES`");
       for (unsigned int c = 0; c < n_vertices.size(); ++c)
         {
@@ -172,12 +188,14 @@ namespace signorini
           const auto found = n_vertices_of.find(type);
           if (found == n_vertices_of.end())
             throw MeshFileError(
-              "cell " + std::to_string(c) + " (counted from 0) has the VTK type " + std::to_string(type)
+              "cell " + std::to_string(c) + " (counted from 0) has the VTK type "
+              + std::to_string(type)
               + ". Only quadrilaterals (2d, type 9) and hexahedra (3d, type 12) can be used; mesh "
                 "the body with these.");
           if (found->second != n_vertices[c])
-            throw MeshFileError("the file is broken: cell " + std::to_string(c) + " (counted from 0) of VTK type "
-                                + std::to_string(type) + " has " + std::to_string(n_vertices[c]) + " vertices. "
+            throw MeshFileError("the file is broken: cell " + std::to_string(c)
+                                + " (counted from 0) of VTK type " + std::to_string(type) + " has "
+                                + std::to_string(n_vertices[c]) + " vertices. "
                                 + MeshFileError::remedy);
         }
     }

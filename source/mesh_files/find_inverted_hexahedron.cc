@@ -20,10 +20,12 @@ namespace signorini
     {
       std::string label;
       Point<3>    centre;
-      double      orientation = 0.; ///< sum of the signed volumes spanned by the edges at the bottom vertices
+      double      orientation =
+        0.; ///< sum of the signed volumes spanned by the edges at the bottom vertices
     };
 
-    double signed_volume(const Point<3> &origin, const Point<3> &x, const Point<3> &y, const Point<3> &z)
+    double
+    signed_volume(const Point<3> &origin, const Point<3> &x, const Point<3> &y, const Point<3> &z)
     {
       return dealii::cross_product_3d(x - origin, y - origin) * (z - origin);
     }
@@ -59,7 +61,8 @@ namespace signorini
           // Around the bottom 0 1 2 3, and 4 5 6 7 above.
           double orientation = 0.;
           for (unsigned int v = 0; type == "hex" && v < 4; ++v)
-            orientation += signed_volume(corners[v], corners[(v + 1) % 4], corners[(v + 3) % 4], corners[v + 4]);
+            orientation +=
+              signed_volume(corners[v], corners[(v + 1) % 4], corners[(v + 3) % 4], corners[v + 4]);
           if (type == "hex")
             hexahedra.push_back({label, centre, orientation});
         }

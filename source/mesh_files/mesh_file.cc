@@ -41,7 +41,8 @@ namespace signorini
       std::istringstream in(mesh_text.text);
       try
         {
-          reader.read(in, static_cast<typename dealii::GridIn<dim, spacedim>::Format>(mesh_text.format));
+          reader.read(
+            in, static_cast<typename dealii::GridIn<dim, spacedim>::Format>(mesh_text.format));
           return mesh.n_active_cells() > 0 ? "" : "it has no cells of this dimension";
         }
       catch (const dealii::ExceptionBase &exception)
@@ -65,13 +66,15 @@ namespace signorini
     [[noreturn]] void refuse_dimension(const unsigned int dim)
     {
       throw MeshFileError("it is a mesh in " + std::to_string(5 - dim)
-                          + "d, but the scene has `Dimension = " + std::to_string(dim) + "`. Use a mesh of "
-                          + std::to_string(dim) + "d cells, or change the dimension.");
+                          + "d, but the scene has `Dimension = " + std::to_string(dim)
+                          + "`. Use a mesh of " + std::to_string(dim)
+                          + "d cells, or change the dimension.");
     }
 
     template <int dim, int spacedim>
-    [[noreturn]] void refuse_cell(const dealii::TriaIterator<dealii::CellAccessor<dim, spacedim>> &cell,
-                                  const unsigned int                                               vertex)
+    [[noreturn]] void
+    refuse_cell(const dealii::TriaIterator<dealii::CellAccessor<dim, spacedim>> &cell,
+                const unsigned int                                               vertex)
     {
       std::ostringstream message;
       message << "cell " << cell->index() + 1 << " (counted from 1 among the " << cell_name<dim>()
@@ -80,7 +83,10 @@ namespace signorini
       throw MeshFileError(message.str());
     }
 
-    /** Elasticity needs a mapping that is invertible at every vertex; otherwise there is no stiffness matrix. */
+    /**
+     * Elasticity needs a mapping that is invertible at every vertex; otherwise there is no
+     * stiffness matrix.
+     */
     template <int dim>
     void check_jacobians(const Triangulation<dim> &mesh)
     {
@@ -104,8 +110,9 @@ namespace signorini
     }
 
     /**
-     * deal.II's readers refuse plane meshes in which some cells run clockwise, without telling which. Read as a surface in
-     * space, such a mesh is accepted. A cell of the minority is at fault.
+     * deal.II's readers refuse plane meshes in which some cells run clockwise, without telling
+     * which. Read as a surface in space, such a mesh is accepted. A cell of the minority is at
+     * fault.
      */
     void refuse_inverted_quadrilateral(const MeshText &mesh_text)
     {
@@ -113,7 +120,9 @@ namespace signorini
       if (!try_to_read(mesh_text, surface).empty() || !surface.all_reference_cells_are_hyper_cube())
         return;
       const auto is_clockwise = [](const auto &cell) {
-        return cross_product_3d(cell->vertex(3) - cell->vertex(0), cell->vertex(2) - cell->vertex(1))[2] < 0.;
+        return cross_product_3d(cell->vertex(3) - cell->vertex(0),
+                                cell->vertex(2) - cell->vertex(1))[2]
+               < 0.;
       };
       unsigned int n_clockwise = 0;
       for (const auto &cell : surface.active_cell_iterators())
@@ -129,8 +138,9 @@ namespace signorini
     {
       if (dim == 2)
         refuse_inverted_quadrilateral(mesh_text);
-      const std::string cell =
-        dim == 3 && mesh_text.format == dealii::GridIn<3>::ucd ? find_inverted_hexahedron(mesh_text.text) : "";
+      const std::string cell = dim == 3 && mesh_text.format == dealii::GridIn<3>::ucd
+                                 ? find_inverted_hexahedron(mesh_text.text)
+                                 : "";
       if (!cell.empty())
         throw MeshFileError(cell
                             + " is inverted: it lists its vertices in the other direction of "
@@ -148,13 +158,15 @@ namespace signorini
           if (try_to_read(mesh_text, other).empty())
             refuse_dimension(dim);
           refuse_inverted_cell<dim>(mesh_text);
-          throw MeshFileError("the mesh cannot be read: " + complaint + ". Write it again, as a mesh of "
-                              + cell_name<dim>() + " with straight edges, with groups of faces on its boundary only.");
+          throw MeshFileError("the mesh cannot be read: " + complaint
+                              + ". Write it again, as a mesh of " + cell_name<dim>()
+                              + " with straight edges, with groups of faces on its boundary only.");
         }
       if (!mesh.all_reference_cells_are_hyper_cube())
         throw MeshFileError(std::string("it has ")
-                            + (dim == 2 ? "triangles" : "tetrahedra or other cells with triangles") + ". Only "
-                            + cell_name<dim>() + " can be used; mesh the body with these.");
+                            + (dim == 2 ? "triangles" : "tetrahedra or other cells with triangles")
+                            + ". Only " + cell_name<dim>()
+                            + " can be used; mesh the body with these.");
       check_jacobians(mesh);
     }
   } // namespace
@@ -192,8 +204,8 @@ namespace signorini
     return result;
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void          read_mesh_file(const std::string &, dealii::Triangulation<dim> &);                            \
+#define INSTANTIATE(dim)                                                                           \
+  template void          read_mesh_file(const std::string &, dealii::Triangulation<dim> &);        \
   template MeshFile<dim> describe_mesh_file(const std::string &)
   INSTANTIATE(2);
   INSTANTIATE(3);

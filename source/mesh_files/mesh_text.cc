@@ -18,8 +18,10 @@ namespace signorini
     std::string extension_of(const std::string &path)
     {
       std::string extension = std::filesystem::path(path).extension().string();
-      std::transform(
-        extension.begin(), extension.end(), extension.begin(), [](const unsigned char c) { return std::tolower(c); });
+      std::transform(extension.begin(),
+                     extension.end(),
+                     extension.begin(),
+                     [](const unsigned char c) { return std::tolower(c); });
       return extension;
     }
 
@@ -27,8 +29,8 @@ namespace signorini
     {
       std::error_code error;
       if (!std::filesystem::exists(path, error))
-        throw MeshFileError(
-          "there is no such file. Check the name; a relative path starts in the folder of the scene.");
+        throw MeshFileError("there is no such file. Check the name; a relative path starts in the "
+                            "folder of the scene.");
       if (std::filesystem::is_directory(path, error))
         throw MeshFileError("it is a directory. Name a mesh file in it.");
       std::ifstream in(path);
@@ -57,8 +59,9 @@ namespace signorini
     using Format                = dealii::GridIn<3>;
     const std::string extension = extension_of(path);
     if (extension != ".msh" && extension != ".inp" && extension != ".ucd" && extension != ".vtk")
-      throw MeshFileError("the extension `" + extension
-                          + "` is not known. Valid: .msh (Gmsh), .inp (Abaqus or UCD), .ucd (UCD), .vtk (VTK).");
+      throw MeshFileError(
+        "the extension `" + extension
+        + "` is not known. Valid: .msh (Gmsh), .inp (Abaqus or UCD), .ucd (UCD), .vtk (VTK).");
     const std::string text = read_whole_file(path);
     if (extension == ".msh")
       {

@@ -42,10 +42,12 @@ namespace signorini
   namespace
   {
     template <int dim>
-    std::vector<dealii::Point<dim>> points_of_box(const BodyDescription<dim> &body, const dealii::types::boundary_id id)
+    std::vector<dealii::Point<dim>> points_of_box(const BodyDescription<dim>      &body,
+                                                  const dealii::types::boundary_id id)
     {
-      const unsigned int normal_direction    = id / 2;
-      const double       normal_coordinate   = (id % 2 == 0 ? body.lower_corner : body.upper_corner)[normal_direction];
+      const unsigned int normal_direction = id / 2;
+      const double       normal_coordinate =
+        (id % 2 == 0 ? body.lower_corner : body.upper_corner)[normal_direction];
       std::vector<dealii::Point<dim>> points = {centre_of_shape(body)};
       for (unsigned int corner = 0; corner < (1u << dim); ++corner)
         {
@@ -62,7 +64,10 @@ namespace signorini
       return points;
     }
 
-    /** Points at distance `radius` from @p centre along the coordinate directions, except the direction @p axis. */
+    /**
+     * Points at distance `radius` from @p centre along the coordinate directions, except the
+     * direction @p axis.
+     */
     template <int dim>
     std::vector<dealii::Point<dim>>
     poles(const dealii::Point<dim> &centre, const double radius, const unsigned int axis)
@@ -100,7 +105,8 @@ namespace signorini
   } // namespace
 
   template <int dim>
-  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body, const dealii::types::boundary_id id)
+  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim>      &body,
+                                                  const dealii::types::boundary_id id)
   {
     std::vector<dealii::Point<dim>> points = points_of_shape(body, id);
     for (dealii::Point<dim> &point : points)
@@ -118,12 +124,13 @@ namespace signorini
     return points;
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template dealii::Point<dim>                      centre_of_shape(const BodyDescription<dim> &);                      \
-  template dealii::Point<dim>                      centre_of(const BodyDescription<dim> &);                            \
-  template std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &);                         \
-  template std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &, dealii::types::boundary_id);  \
-  template std::vector<dealii::Point<dim>> sample_points(const BodyDescription<dim> &)
+#define INSTANTIATE(dim)                                                                           \
+  template dealii::Point<dim>                      centre_of_shape(const BodyDescription<dim> &);  \
+  template dealii::Point<dim>                      centre_of(const BodyDescription<dim> &);        \
+  template std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &);     \
+  template std::vector<dealii::Point<dim>>         boundary_points(const BodyDescription<dim> &,   \
+                                                                   dealii::types::boundary_id);    \
+  template std::vector<dealii::Point<dim>>         sample_points(const BodyDescription<dim> &)
   INSTANTIATE(2);
   INSTANTIATE(3);
 #undef INSTANTIATE

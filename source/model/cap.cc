@@ -29,9 +29,10 @@ namespace signorini
     dealii::Point<dim> projected = point;
     projected[direction]         = centre[direction];
     const double distance_square = projected.distance_square(centre);
-    // R - sqrt(R^2 - r^2), without the difference of nearly equal numbers when the cap is nearly flat. Quadratic cells
-    // and rounding may ask for points slightly beyond the edges.
-    const double recession = distance_square / (radius + std::sqrt(std::max(0., radius * radius - distance_square)));
+    // R - sqrt(R^2 - r^2), without the difference of nearly equal numbers when the cap is nearly
+    // flat. Quadratic cells and rounding may ask for points slightly beyond the edges.
+    const double recession =
+      distance_square / (radius + std::sqrt(std::max(0., radius * radius - distance_square)));
     return thickness - std::copysign(recession, thickness);
   }
 

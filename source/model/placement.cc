@@ -12,7 +12,10 @@ namespace signorini
 {
   namespace
   {
-    /** Cosine and sine of an angle in degrees; exact for multiples of 90, so that boxes keep their straight faces. */
+    /**
+     * Cosine and sine of an angle in degrees; exact for multiples of 90, so that boxes keep their
+     * straight faces.
+     */
     std::array<double, 2> cosine_and_sine(const double degrees)
     {
       const double          turn          = std::fmod(degrees, 360.);
@@ -30,7 +33,8 @@ namespace signorini
 
     /** Rotation that takes direction @p first to @p second by a quarter turn at 90 degrees. */
     template <int dim>
-    dealii::Tensor<2, dim> rotation_in_plane(const unsigned int first, const unsigned int second, const double degrees)
+    dealii::Tensor<2, dim>
+    rotation_in_plane(const unsigned int first, const unsigned int second, const double degrees)
     {
       const auto [cosine, sine]     = cosine_and_sine(degrees);
       dealii::Tensor<2, dim> result = dealii::unit_symmetric_tensor<dim>();
@@ -60,9 +64,10 @@ namespace signorini
       {
         // About x: from y to z; about y: from z to x; about z and out of the plane: from x to y.
         const unsigned int axis = (dim == 2 ? 2 : i);
-        rotation                = rotation_in_plane<dim>((axis + 1) % 3, (axis + 2) % 3, degrees[i]) * rotation;
+        rotation = rotation_in_plane<dim>((axis + 1) % 3, (axis + 2) % 3, degrees[i]) * rotation;
       }
-    rotates = (rotation - dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>())).norm() != 0.;
+    rotates =
+      (rotation - dealii::Tensor<2, dim>(dealii::unit_symmetric_tensor<dim>())).norm() != 0.;
   }
 
   template <int dim>

@@ -31,7 +31,8 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<Stress> cell_stress(const Discretization<dim> &discretization, const Vector &displacement)
+  std::vector<Stress> cell_stress(const Discretization<dim> &discretization,
+                                  const Vector              &displacement)
   {
     std::vector<Stress> result(discretization.mesh().triangulation().n_active_cells());
     FEValues<dim>       fe_values(discretization.mesh().mapping(),
@@ -43,7 +44,8 @@ namespace signorini
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
-          fe_values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(displacement, strains);
+          fe_values[FEValuesExtractors::Vector(0)].get_function_symmetric_gradients(displacement,
+                                                                                    strains);
           // The law is linear: the stress of the mean strain is the mean stress.
           SymmetricTensor<2, dim> integral;
           double                  volume = 0.;

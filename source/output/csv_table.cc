@@ -11,7 +11,9 @@
 
 namespace signorini
 {
-  CsvTable::CsvTable(const std::string &path, const std::vector<std::string> &column_names, const MPI_Comm communicator)
+  CsvTable::CsvTable(const std::string              &path,
+                     const std::vector<std::string> &column_names,
+                     const MPI_Comm                  communicator)
     : path(path)
     , n_columns(column_names.size())
     , communicator(communicator)
@@ -33,8 +35,8 @@ namespace signorini
       if (!first_process)
         return;
       if (values.size() != n_columns)
-        throw RunError("a row of " + std::to_string(values.size()) + " numbers for the " + std::to_string(n_columns)
-                       + " columns of `" + path + "`.");
+        throw RunError("a row of " + std::to_string(values.size()) + " numbers for the "
+                       + std::to_string(n_columns) + " columns of `" + path + "`.");
       std::string line;
       char        number[32];
       for (const double value : values)

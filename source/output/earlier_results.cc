@@ -34,7 +34,8 @@ namespace signorini
       const std::filesystem::path folder(directory);
       remove_matching(folder, std::regex("history\\.csv|probe_.*\\.csv|(volume|surface)\\.pvd"));
       remove_matching(folder / "fields", std::regex("(volume|surface)_.*\\.p?vtu(\\.part)?"));
-      remove_matching(folder / "pictures", std::regex("(bodies|contact_force|energy|momentum|probe_.*)\\.png"));
+      remove_matching(folder / "pictures",
+                      std::regex("(bodies|contact_force|energy|momentum|probe_.*)\\.png"));
     });
   }
 } // namespace signorini

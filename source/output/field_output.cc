@@ -76,15 +76,18 @@ namespace signorini
     data.attach_dof_handler(discretization.dof_handler());
     const std::vector<DataComponentInterpretation::DataComponentInterpretation> vector(
       dim, DataComponentInterpretation::component_is_part_of_vector);
+    data.add_data_vector(displacement,
+                         std::vector<std::string>(dim, "displacement"),
+                         DataOut<dim>::type_dof_data,
+                         vector);
     data.add_data_vector(
-      displacement, std::vector<std::string>(dim, "displacement"), DataOut<dim>::type_dof_data, vector);
-    data.add_data_vector(velocity, std::vector<std::string>(dim, "velocity"), DataOut<dim>::type_dof_data, vector);
+      velocity, std::vector<std::string>(dim, "velocity"), DataOut<dim>::type_dof_data, vector);
 
     const auto                components = stress_components<dim>();
     const std::vector<Stress> stresses   = cell_stress(discretization, displacement);
     // DataOut keeps references to the values until the patches are built.
     std::vector<CellValues> stress_values(components.size(), CellValues(stresses.size()));
-    CellValues              body(stresses.size()), equivalent(stresses.size()), subdomain(stresses.size());
+    CellValues body(stresses.size()), equivalent(stresses.size()), subdomain(stresses.size());
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {

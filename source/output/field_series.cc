@@ -13,7 +13,9 @@ namespace signorini
 {
   using namespace dealii;
 
-  FieldSeries::FieldSeries(const std::string &directory, const std::string &name, const MPI_Comm communicator)
+  FieldSeries::FieldSeries(const std::string &directory,
+                           const std::string &name,
+                           const MPI_Comm     communicator)
     : directory(directory)
     , name(name)
     , communicator(communicator)
@@ -32,17 +34,22 @@ namespace signorini
 
 
   template <int dim, int spacedim>
-  void FieldSeries::write(DataOutInterface<dim, spacedim> &data, const unsigned int step, const double time)
+  void FieldSeries::write(DataOutInterface<dim, spacedim> &data,
+                          const unsigned int               step,
+                          const double                     time)
   {
     DataOutBase::VtkFlags flags(time, step);
     flags.compression_level = decltype(flags.compression_level)::best_speed;
     data.set_flags(flags);
 
     const std::string moment = name + "_" + Utilities::int_to_string(step, 6);
-    const auto piece = [&](const unsigned int process) { return moment + "." + std::to_string(process) + ".vtu"; };
+    const auto        piece  = [&](const unsigned int process) {
+      return moment + "." + std::to_string(process) + ".vtu";
+    };
     const unsigned int this_process = Utilities::MPI::this_mpi_process(communicator);
     succeed_together(communicator, [&] {
-      write_whole_file(directory + "/fields/" + piece(this_process), [&](std::ostream &out) { data.write_vtu(out); });
+      write_whole_file(directory + "/fields/" + piece(this_process),
+                       [&](std::ostream &out) { data.write_vtu(out); });
     });
 
     // Only now all pieces are there for the files that name them.

@@ -136,8 +136,8 @@ namespace signorini
     if (with_friction)
       names.insert(names.end(), friction_columns.begin(), friction_columns.end());
     for (const Probe<dim> &probe : probes)
-      probe_tables.push_back(
-        std::make_unique<CsvTable>(directory + "/probe_" + probe.name() + ".csv", names, communicator));
+      probe_tables.push_back(std::make_unique<CsvTable>(
+        directory + "/probe_" + probe.name() + ".csv", names, communicator));
   }
 
 
@@ -158,13 +158,20 @@ namespace signorini
 
 
   template <int dim>
-  void History<dim>::write_probe(const unsigned int probe, const double time, const ProbeReading &reading)
+  void History<dim>::write_probe(const unsigned int  probe,
+                                 const double        time,
+                                 const ProbeReading &reading)
   {
-    std::vector<double> values = {
-      time, reading.gap, reading.normal_displacement, reading.normal_velocity, reading.pressure, reading.normal_force};
+    std::vector<double> values = {time,
+                                  reading.gap,
+                                  reading.normal_displacement,
+                                  reading.normal_velocity,
+                                  reading.pressure,
+                                  reading.normal_force};
     if (with_friction)
       {
-        values.insert(values.end(), reading.tangential_force.begin(), reading.tangential_force.end());
+        values.insert(
+          values.end(), reading.tangential_force.begin(), reading.tangential_force.end());
         values.insert(values.end(), reading.slip.begin(), reading.slip.end());
         values.push_back(reading.slip_path);
         values.push_back(reading.status);

@@ -39,7 +39,10 @@ namespace signorini
       return traits_type::not_eof(c);
     }
 
-    /** A full disk must not silence the screen: failures are remembered instead of reported to the stream. */
+    /**
+     * A full disk must not silence the screen: failures are remembered instead of reported to the
+     * stream.
+     */
     std::streamsize xsputn(const char *text, const std::streamsize n) override
     {
       if (second)
@@ -75,8 +78,9 @@ namespace signorini
     }
 
     /**
-     * The mpirun of OpenMPI gives the first process a pseudo terminal for its output even if that goes to a file, but a
-     * pipe for its errors; a line that is updated in place would litter the file.
+     * The mpirun of OpenMPI gives the first process a pseudo terminal for its output even if that
+     * goes to a file, but a pipe for its errors; a line that is updated in place would litter the
+     * file.
      */
     bool is_terminal()
     {
@@ -120,7 +124,8 @@ namespace signorini
       if (!log)
         throw_write_error(path, errno);
     });
-    tee = std::make_unique<Tee>(first_process ? log.rdbuf() : nullptr, to_screen ? std::cout.rdbuf() : nullptr);
+    tee = std::make_unique<Tee>(first_process ? log.rdbuf() : nullptr,
+                                to_screen ? std::cout.rdbuf() : nullptr);
     both.rdbuf(tee.get());
 
     const unsigned int n_processes = dealii::Utilities::MPI::n_mpi_processes(communicator);
@@ -133,7 +138,8 @@ namespace signorini
   {
     close_line();
     if (!finished && first_process)
-      log << "The run ended early; the message is on the screen. What has been written is whole." << std::endl;
+      log << "The run ended early; the message is on the screen. What has been written is whole."
+          << std::endl;
   }
 
 
@@ -143,8 +149,10 @@ namespace signorini
       if (!first_process)
         return;
       const auto directory = std::filesystem::path(path).parent_path();
-      write_whole_file((directory / "scene.prm").string(), [&](std::ostream &out) { out << original_text; });
-      write_whole_file((directory / "parameters.prm").string(), [&](std::ostream &out) { out << all_parameters; });
+      write_whole_file((directory / "scene.prm").string(),
+                       [&](std::ostream &out) { out << original_text; });
+      write_whole_file((directory / "parameters.prm").string(),
+                       [&](std::ostream &out) { out << all_parameters; });
     });
   }
 
@@ -176,20 +184,22 @@ namespace signorini
     const bool              end        = fraction >= 1.;
     const int               tenths_now = static_cast<int>(10. * fraction + 1e-9);
     const bool              milestone  = end || step <= 1 || tenths_now != tenths;
-    const bool              refresh = on_terminal && (milestone || now - last_update > std::chrono::milliseconds(100));
+    const bool              refresh =
+      on_terminal && (milestone || now - last_update > std::chrono::milliseconds(100));
     if (!milestone && !refresh)
       return;
 
     char line[160];
-    std::snprintf(line,
-                  sizeof(line),
-                  "step %u%s  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
-                  step,
-                  n_steps > 0 ? (" of " + std::to_string(n_steps)).c_str() : "",
-                  time,
-                  contact_force,
-                  100. * relative_energy_change,
-                  n_active);
+    std::snprintf(
+      line,
+      sizeof(line),
+      "step %u%s  time %-10.5g contact force %-10.4g energy %+.4f %%  active nodes %u  ",
+      step,
+      n_steps > 0 ? (" of " + std::to_string(n_steps)).c_str() : "",
+      time,
+      contact_force,
+      100. * relative_energy_change,
+      n_active);
     const std::string text = line + time_left(fraction);
     tenths                 = tenths_now;
     if (milestone)

@@ -20,7 +20,9 @@ namespace signorini
     double shown_status(const double pressure, const double status)
     {
       const double mixed = contact_status::stick - 1e-6;
-      return pressure <= 0. ? contact_status::open : status < mixed ? contact_status::slip : contact_status::stick;
+      return pressure <= 0.   ? contact_status::open
+             : status < mixed ? contact_status::slip
+                              : contact_status::stick;
     }
   } // namespace
 
@@ -36,9 +38,14 @@ namespace signorini
 
 
   template <int dim>
-  void SurfacePatches<dim>::build(const State &state, const Vector &displacement, const Vector &velocity)
+  void
+  SurfacePatches<dim>::build(const State &state, const Vector &displacement, const Vector &velocity)
   {
-    Fields fields{displacement, velocity, discretization.interpolate_hanging_nodes(contact_values(state)), {}, {}};
+    Fields fields{displacement,
+                  velocity,
+                  discretization.interpolate_hanging_nodes(contact_values(state)),
+                  {},
+                  {}};
     if (with_friction)
       add_friction(state, fields);
     patches.clear();
@@ -57,7 +64,8 @@ namespace signorini
   {
     const std::vector<double> gaps    = surface.distance(state.displacement);
     const double              largest = Utilities::MPI::max(
-      gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())), discretization.communicator());
+      gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())),
+      discretization.communicator());
 
     Vector values = discretization.make_vector();
     for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
@@ -99,7 +107,7 @@ namespace signorini
   typename SurfacePatches<dim>::Patch
   SurfacePatches<dim>::make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
                                   const unsigned int                                    face,
-                                  const Fields                                         &fields) const
+                                  const Fields &fields) const
   {
     Patch patch;
     patch.n_subdivisions = 1;
@@ -120,7 +128,8 @@ namespace signorini
         const double pressure      = fields.contact(dof);
         patch.data(2 * dim, v)     = pressure;
         patch.data(2 * dim + 1, v) = fields.contact(dof + 1);
-        patch.data(2 * dim + 2, v) = shown_status(pressure, with_friction ? fields.status(dof) : 0.);
+        patch.data(2 * dim + 2, v) =
+          shown_status(pressure, with_friction ? fields.status(dof) : 0.);
       }
     return patch;
   }
@@ -142,13 +151,17 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<
-    std::tuple<unsigned int, unsigned int, std::string, DataComponentInterpretation::DataComponentInterpretation>>
+  std::vector<std::tuple<unsigned int,
+                         unsigned int,
+                         std::string,
+                         DataComponentInterpretation::DataComponentInterpretation>>
   SurfacePatches<dim>::get_nonscalar_data_ranges() const
   {
     const auto vector = DataComponentInterpretation::component_is_part_of_vector;
-    std::vector<
-      std::tuple<unsigned int, unsigned int, std::string, DataComponentInterpretation::DataComponentInterpretation>>
+    std::vector<std::tuple<unsigned int,
+                           unsigned int,
+                           std::string,
+                           DataComponentInterpretation::DataComponentInterpretation>>
       ranges = {{0, dim - 1, "displacement", vector}, {dim, 2 * dim - 1, "velocity", vector}};
     if (with_friction)
       for (unsigned int i = 0; i < friction_vectors.size(); ++i)

@@ -16,7 +16,8 @@ namespace signorini
   void throw_write_error(const std::string &path, const int error_number)
   {
     throw RunError("cannot write `" + path + "`"
-                   + (error_number != 0 ? std::string(": ") + std::strerror(error_number) : "") + ".");
+                   + (error_number != 0 ? std::string(": ") + std::strerror(error_number) : "")
+                   + ".");
   }
 
 

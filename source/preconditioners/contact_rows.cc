@@ -15,8 +15,9 @@ namespace signorini
   {
     /** The owner of each of the nodes, which other processes own. Collective. */
     template <int dim>
-    std::map<types::global_dof_index, unsigned int> owners_of(const Utilities::MPI::Partitioner       &partitioner,
-                                                              const std::set<types::global_dof_index> &nodes)
+    std::map<types::global_dof_index, unsigned int>
+    owners_of(const Utilities::MPI::Partitioner       &partitioner,
+              const std::set<types::global_dof_index> &nodes)
     {
       IndexSet entries(partitioner.size());
       for (const auto node : nodes)
@@ -36,7 +37,9 @@ namespace signorini
                                             const ContactCoordinates<dim> &coordinates)
     {
       const auto &partitioner = *pattern.partitioner;
-      const auto  global_node = [&](const unsigned int local) { return partitioner.local_to_global(dim * local) / dim; };
+      const auto  global_node = [&](const unsigned int local) {
+        return partitioner.local_to_global(dim * local) / dim;
+      };
 
       std::vector<ContactRow<dim>>         rows;
       std::map<unsigned int, unsigned int> row_of; // by local node
@@ -49,7 +52,8 @@ namespace signorini
             row.partners              = contact_node.partners;
             for (unsigned int k = 0; k < dim; ++k)
               if (contact_node.relative[k])
-                std::copy_n(contact_node.frame.begin() + dim * k, dim, row.directions.emplace_back().begin());
+                std::copy_n(
+                  contact_node.frame.begin() + dim * k, dim, row.directions.emplace_back().begin());
           }
       for (unsigned int node = 0; node < pattern.n_owned; ++node)
         for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
@@ -110,10 +114,11 @@ namespace signorini
 
 
   template <int dim>
-  std::map<types::global_dof_index, BlockRow<dim>> import_rows(const ElasticMatrices<dim> &matrices,
-                                                               const double                mass_factor,
-                                                               const double                stiffness_factor,
-                                                               const std::vector<types::global_dof_index> &nodes)
+  std::map<types::global_dof_index, BlockRow<dim>>
+  import_rows(const ElasticMatrices<dim>                 &matrices,
+              const double                                mass_factor,
+              const double                                stiffness_factor,
+              const std::vector<types::global_dof_index> &nodes)
   {
     const NodePattern &pattern      = matrices.pattern;
     const auto        &partitioner  = *pattern.partitioner;
@@ -159,10 +164,18 @@ namespace signorini
   }
 
 
-  template std::vector<ContactRow<2>> gather_contact_rows(const NodePattern &, const ContactCoordinates<2> &);
-  template std::vector<ContactRow<3>> gather_contact_rows(const NodePattern &, const ContactCoordinates<3> &);
+  template std::vector<ContactRow<2>> gather_contact_rows(const NodePattern &,
+                                                          const ContactCoordinates<2> &);
+  template std::vector<ContactRow<3>> gather_contact_rows(const NodePattern &,
+                                                          const ContactCoordinates<3> &);
   template std::map<types::global_dof_index, BlockRow<2>>
-  import_rows(const ElasticMatrices<2> &, double, double, const std::vector<types::global_dof_index> &);
+  import_rows(const ElasticMatrices<2> &,
+              double,
+              double,
+              const std::vector<types::global_dof_index> &);
   template std::map<types::global_dof_index, BlockRow<3>>
-  import_rows(const ElasticMatrices<3> &, double, double, const std::vector<types::global_dof_index> &);
+  import_rows(const ElasticMatrices<3> &,
+              double,
+              double,
+              const std::vector<types::global_dof_index> &);
 } // namespace signorini

@@ -17,10 +17,11 @@ namespace signorini
      * template of deal.II that would do it, so that a program compiled by one of them does not link
      * to a deal.II compiled by the other.
      */
-    TrilinosWrappers::SparsityPattern
-    trilinos_pattern(const DynamicSparsityPattern &sparsity, const IndexSet &owned, const MPI_Comm communicator)
+    TrilinosWrappers::SparsityPattern trilinos_pattern(const DynamicSparsityPattern &sparsity,
+                                                       const IndexSet               &owned,
+                                                       const MPI_Comm                communicator)
     {
-      TrilinosWrappers::SparsityPattern    result(owned, communicator, sparsity.max_entries_per_row());
+      TrilinosWrappers::SparsityPattern result(owned, communicator, sparsity.max_entries_per_row());
       std::vector<types::global_dof_index> columns;
       for (const auto row : owned)
         {
@@ -61,13 +62,16 @@ namespace signorini
               }
     };
     DynamicSparsityPattern sparsity(owned.size(), owned.size(), owned);
-    for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) { sparsity.add(row, column); });
+    for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) {
+      sparsity.add(row, column);
+    });
     for (const auto row : owned)
       sparsity.add(row, row);
     matrix.reinit(trilinos_pattern(sparsity, owned, cartesian.get_mpi_communicator()));
-    for_each_entry([&](const auto row, const auto column, const unsigned int k, const unsigned int entry) {
-      matrix.set(row, column, matrices.combined_block(k, mass_factor, stiffness_factor)[entry]);
-    });
+    for_each_entry(
+      [&](const auto row, const auto column, const unsigned int k, const unsigned int entry) {
+        matrix.set(row, column, matrices.combined_block(k, mass_factor, stiffness_factor)[entry]);
+      });
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (pattern.is_empty(node)) // a hanging node
         for (unsigned int c = 0; c < dim; ++c)
@@ -82,7 +86,8 @@ namespace signorini
     data.higher_order_elements = false;
     data.smoother_sweeps       = 2;
     data.aggregation_threshold = 0.02;
-    std::vector<std::vector<bool>> constant_modes(dim, std::vector<bool>(owned.n_elements(), false));
+    std::vector<std::vector<bool>> constant_modes(dim,
+                                                  std::vector<bool>(owned.n_elements(), false));
     for (unsigned int i = 0; i < owned.n_elements(); ++i)
       constant_modes[i % dim][i] = true;
     data.constant_modes = constant_modes;

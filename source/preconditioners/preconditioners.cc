@@ -41,9 +41,10 @@ namespace signorini
 
 
     /**
-     * An incomplete factor seen from contact coordinates. With two bodies in contact the factor of M + s A is that of the matrix in
-     * relative coordinates, without the rotations: there relative entries can be held within the sweeps. The mass is so well
-     * conditioned that the factor of the separate bodies does; relative entries are then held around it only.
+     * An incomplete factor seen from contact coordinates. With two bodies in contact the factor of
+     * M + s A is that of the matrix in relative coordinates, without the rotations: there relative
+     * entries can be held within the sweeps. The mass is so well conditioned that the factor of the
+     * separate bodies does; relative entries are then held around it only.
      */
     template <int dim, int block_size>
     class ContactIncompleteCholesky : public MaskedPreconditioner
@@ -67,7 +68,8 @@ namespace signorini
                  frames.contact_nodes())
         , turned(matrices.pattern.partitioner)
       {
-        decltype(relative.stiffness)().swap(relative.stiffness); // only the pattern is needed from now on
+        decltype(relative.stiffness)().swap(
+          relative.stiffness); // only the pattern is needed from now on
       }
 
       void set_mask(const Mask &mask) override
@@ -109,7 +111,10 @@ namespace signorini
       mutable Vector                      turned;
       std::vector<unsigned int>           held_entries;
 
-      /** The factor holds rotated entries only to single precision; a multiplier must not leak through, so they become exact zeros. */
+      /**
+       * The factor holds rotated entries only to single precision; a multiplier must not leak
+       * through, so they become exact zeros.
+       */
       void hold(Vector &vector) const
       {
         for (const unsigned int i : held_entries)
@@ -122,8 +127,9 @@ namespace signorini
   PreconditionerKind choose_preconditioner(const double       courant_number,
                                            const unsigned int matrix_life_time)
   {
-    // A factor costs about as much as it saves in 40 steps at Courant number 1, in 8 at 5. Where the stiffness rules the diagonal is too poor in any
-    // case: the accuracy of a solution is judged in its norm.
+    // A factor costs about as much as it saves in 40 steps at Courant number 1, in 8 at 5. Where
+    // the stiffness rules the diagonal is too poor in any case: the accuracy of a solution is
+    // judged in its norm.
     if (courant_number < 0.3 || (courant_number < 10. && matrix_life_time * courant_number < 40.))
       return PreconditionerKind::jacobi;
     return courant_number > 60. && courant_number < 1000. ? PreconditionerKind::ml
@@ -140,18 +146,23 @@ namespace signorini
                       const double                   stiffness_factor)
   {
     if (kind == PreconditionerKind::jacobi)
-      return std::make_unique<Jacobi>(StepOperator<dim>(matrices, coordinates, mass_factor, stiffness_factor),
-                                      Vector(matrices.pattern.partitioner));
+      return std::make_unique<Jacobi>(
+        StepOperator<dim>(matrices, coordinates, mass_factor, stiffness_factor),
+        Vector(matrices.pattern.partitioner));
     if (kind == PreconditionerKind::ml)
-      return std::make_unique<Multilevel<dim>>(matrices, coordinates, mass_factor, stiffness_factor);
-    Assert(name == "incomplete-cholesky", dealii::ExcMessage("No preconditioner has this name: " + name));
-    return std::make_unique<ContactIncompleteCholesky<dim, dim>>(matrices, coordinates, mass_factor, stiffness_factor);
+      return std::make_unique<Multilevel<dim>>(
+        matrices, coordinates, mass_factor, stiffness_factor);
+    Assert(name == "incomplete-cholesky",
+           dealii::ExcMessage("No preconditioner has this name: " + name));
+    return std::make_unique<ContactIncompleteCholesky<dim, dim>>(
+      matrices, coordinates, mass_factor, stiffness_factor);
   }
 
 
   template <int dim>
-  std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
-                                                                 const ContactCoordinates<dim> &coordinates)
+  std::unique_ptr<MaskedPreconditioner>
+  make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
+                           const ContactCoordinates<dim> &coordinates)
   {
     return std::make_unique<ContactIncompleteCholesky<dim, 1>>(matrices, coordinates, 1., 0.);
   }

@@ -25,8 +25,10 @@ namespace signorini
     using SparseBlocks = std::map<unsigned int, std::map<unsigned int, SmallMatrix<dim>>>;
 
     template <int dim>
-    void
-    add(SparseBlocks<dim> &blocks, const unsigned int row, const unsigned int column, const SmallMatrix<dim> &block)
+    void add(SparseBlocks<dim>      &blocks,
+             const unsigned int      row,
+             const unsigned int      column,
+             const SmallMatrix<dim> &block)
     {
       const auto [entry, is_new] = blocks[row].emplace(column, block);
       if (!is_new)
@@ -60,8 +62,9 @@ namespace signorini
 
     /** Owned nodes, ghosts of the matrices, and the ghosts beyond the contact surface. */
     template <int dim>
-    std::shared_ptr<const Utilities::MPI::Partitioner> extended_partitioner(const Utilities::MPI::Partitioner  &old,
-                                                                            const std::vector<ContactRow<dim>> &rows)
+    std::shared_ptr<const Utilities::MPI::Partitioner>
+    extended_partitioner(const Utilities::MPI::Partitioner  &old,
+                         const std::vector<ContactRow<dim>> &rows)
     {
       IndexSet   ghosts   = old.ghost_indices();
       const auto add_node = [&](const types::global_dof_index node) {
@@ -102,8 +105,8 @@ namespace signorini
       {
         const NodePattern &pattern = matrices.pattern;
         const auto         block   = [&](const unsigned int k) {
-          return SmallMatrix<dim>(
-            Eigen::Map<const SmallMatrix<dim>>(matrices.combined_block(k, mass_factor, stiffness_factor).data()));
+          return SmallMatrix<dim>(Eigen::Map<const SmallMatrix<dim>>(
+            matrices.combined_block(k, mass_factor, stiffness_factor).data()));
         };
         for (unsigned int node = 0; node < pattern.n_local; ++node)
           for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
@@ -115,15 +118,18 @@ namespace signorini
                 of_contact_nodes[j][i] = block(k).transpose();
             }
 
-        for (const auto &[node, row] : import_rows(matrices, mass_factor, stiffness_factor, new_ghosts))
+        for (const auto &[node, row] :
+             import_rows(matrices, mass_factor, stiffness_factor, new_ghosts))
           {
             const unsigned int i = partitioner.global_to_local(dim * node) / dim;
             for (const auto &[column, entries] : row)
-              if (partitioner.in_local_range(dim * column) || partitioner.is_ghost_entry(dim * column))
+              if (partitioner.in_local_range(dim * column)
+                  || partitioner.is_ghost_entry(dim * column))
                 {
-                  const unsigned int     j               = partitioner.global_to_local(dim * column) / dim;
-                  const SmallMatrix<dim> value           = Eigen::Map<const SmallMatrix<dim>>(entries.data());
-                  beyond[std::min(i, j)][std::max(i, j)] = i < j ? value : SmallMatrix<dim>(value.transpose());
+                  const unsigned int     j     = partitioner.global_to_local(dim * column) / dim;
+                  const SmallMatrix<dim> value = Eigen::Map<const SmallMatrix<dim>>(entries.data());
+                  beyond[std::min(i, j)][std::max(i, j)] =
+                    i < j ? value : SmallMatrix<dim>(value.transpose());
                   if (contact_rows.count(i) > 0)
                     of_contact_nodes[i][j] = value;
                   if (contact_rows.count(j) > 0)
@@ -133,7 +139,8 @@ namespace signorini
       }
 
       SparseBlocks<dim> of_contact_nodes; ///< full rows of K
-      SparseBlocks<dim> beyond;           ///< upper triangle: couplings of the ghosts that the matrices do not have
+      SparseBlocks<dim>
+        beyond; ///< upper triangle: couplings of the ghosts that the matrices do not have
     };
 
 
@@ -170,14 +177,17 @@ namespace signorini
     }
 
 
-    /** The rows of a M + b A in another numbering, with additions. @param sizes its sizes are given, its rows are not */
+    /**
+     * The rows of a M + b A in another numbering, with additions. @param sizes its sizes are
+     * given, its rows are not
+     */
     template <int dim>
     ElasticMatrices<dim> merged_matrix(const ElasticMatrices<dim>      &matrices,
-                               const double                     mass_factor,
-                               const double                     stiffness_factor,
-                               const std::vector<unsigned int> &new_node,
-                               SparseBlocks<dim>                additions,
-                               const NodePattern               &sizes)
+                                       const double                     mass_factor,
+                                       const double                     stiffness_factor,
+                                       const std::vector<unsigned int> &new_node,
+                                       SparseBlocks<dim>                additions,
+                                       const NodePattern               &sizes)
     {
       const NodePattern   &old = matrices.pattern;
       ElasticMatrices<dim> result;
@@ -204,8 +214,8 @@ namespace signorini
                 const unsigned int column = new_node[old.columns[k]];
                 for (; next != row.end() && next->first < column; ++next)
                   push(next->first, next->second);
-                SmallMatrix<dim> block =
-                  Eigen::Map<const SmallMatrix<dim>>(matrices.combined_block(k, mass_factor, stiffness_factor).data());
+                SmallMatrix<dim> block = Eigen::Map<const SmallMatrix<dim>>(
+                  matrices.combined_block(k, mass_factor, stiffness_factor).data());
                 if (next != row.end() && next->first == column)
                   block += (next++)->second;
                 push(column, block);
@@ -262,8 +272,9 @@ namespace signorini
     NodePattern pattern;
     pattern.partitioner = partitioner;
     pattern.n_owned     = old.n_owned;
-    pattern.n_local     = (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
-    return merged_matrix<dim>(matrices, mass_factor, stiffness_factor, new_node, std::move(additions), pattern);
+    pattern.n_local = (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
+    return merged_matrix<dim>(
+      matrices, mass_factor, stiffness_factor, new_node, std::move(additions), pattern);
   }
 
 

@@ -50,7 +50,8 @@ namespace signorini
   template <int dim>
   void StepOperator<dim>::compute_diagonal(Vector &destination) const
   {
-    using Block          = Eigen::Matrix<double, dim, dim, Eigen::RowMajor>; // the diagonal blocks are symmetric
+    using Block =
+      Eigen::Matrix<double, dim, dim, Eigen::RowMajor>; // the diagonal blocks are symmetric
     const auto &pattern  = matrices.pattern;
     const auto  block_of = [&](const unsigned int node) {
       if (pattern.is_empty(node))
@@ -68,7 +69,7 @@ namespace signorini
     for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
       {
         const Eigen::Map<const Block> frame(contact_node.frame.data());
-        const Block                   block = frame * block_of(contact_node.node) * frame.transpose();
+        const Block block = frame * block_of(contact_node.node) * frame.transpose();
         for (unsigned int c = 0; c < dim; ++c)
           destination.local_element(dim * contact_node.node + c) = block(c, c);
         contact_blocks.emplace_back();

@@ -23,13 +23,16 @@ namespace signorini
     std::vector<Statement> declared_statements(const dealii::ParameterHandler &prm)
     {
       std::stringstream print;
-      prm.print_parameters(print, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
+      prm.print_parameters(print,
+                           dealii::ParameterHandler::ShortText
+                             | dealii::ParameterHandler::KeepDeclarationOrder);
       return scan_statements(print, "declared parameters");
     }
 
     bool starts_with(const Path &path, const Path &beginning)
     {
-      return path.size() >= beginning.size() && std::equal(beginning.begin(), beginning.end(), path.begin());
+      return path.size() >= beginning.size()
+             && std::equal(beginning.begin(), beginning.end(), path.begin());
     }
 
     bool is_declared(const std::vector<Statement> &declared, const Path &section)
@@ -68,18 +71,24 @@ namespace signorini
     }
 
     /** Why there is no section @p name in @p outer, and what to do. */
-    std::string explain_section(const std::vector<Statement> &declared, const Path &outer, const std::string &name)
+    std::string explain_section(const std::vector<Statement> &declared,
+                                const Path                   &outer,
+                                const std::string            &name)
     {
       const std::string remedy = suggestion(name, sections_in(declared, outer));
       const auto        keys   = keys_of(declared, outer);
       if (is_of_later_version(name))
         return "it is not available in this version. Remove it.";
       if (outer == Path{"Contact"})
-        return "`Contact/Pairs` does not list this pair. Write it exactly as there, or add it there. " + remedy;
+        return "`Contact/Pairs` does not list this pair. Write it exactly as there, or add it "
+               "there. "
+               + remedy;
       if (!outer.empty() && std::find(keys.begin(), keys.end(), "Names") != keys.end())
-        return "`" + join(outer, "/") + "/Names` does not list this name. Add it there, or correct it. " + remedy;
+        return "`" + join(outer, "/")
+               + "/Names` does not list this name. Add it there, or correct it. " + remedy;
       if (!outer.empty())
-        return "section `" + join(outer, "/") + "` has no sections inside. Close it with `end` before.";
+        return "section `" + join(outer, "/")
+               + "` has no sections inside. Close it with `end` before.";
       return "there is no such section. " + remedy;
     }
 
@@ -112,7 +121,8 @@ namespace signorini
           throw UserError(head + "this key belongs to section `"
                           + (other.section.empty() ? "(top level)" : join(other.section, "/"))
                           + "`. Move it there; a missing `end` has the same effect.");
-      throw UserError(head + "there is no such key in this section. " + suggestion(statement.key, keys));
+      throw UserError(head + "there is no such key in this section. "
+                      + suggestion(statement.key, keys));
     }
 
     /** In words what a deal.II pattern such as "[Selection a|b ]" wants. */
@@ -131,7 +141,8 @@ namespace signorini
         {
           const std::size_t begin  = pattern.rfind("...") + 3;
           const std::string length = pattern.substr(begin, pattern.find(' ', begin) - begin);
-          return "must be " + length + (pattern.find("[Integer") != std::string::npos ? " integers" : " numbers")
+          return "must be " + length
+                 + (pattern.find("[Integer") != std::string::npos ? " integers" : " numbers")
                  + " (one per space dimension), separated by commas.";
         }
       if (begins("[Double"))
@@ -165,7 +176,8 @@ namespace signorini
       for (std::size_t i = 0; i < statement.section.size(); ++i)
         prm.leave_subsection();
       if (!complaint.empty())
-        throw UserError(statement.origin + ": " + statement.path() + " = " + statement.value + ": " + complaint);
+        throw UserError(statement.origin + ": " + statement.path() + " = " + statement.value + ": "
+                        + complaint);
     }
   } // namespace
 

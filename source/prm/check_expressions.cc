@@ -17,7 +17,10 @@ namespace signorini
 {
   namespace
   {
-    /** dealii::FunctionParser reports a syntax error on std::cerr besides throwing it: once is enough. */
+    /**
+     * dealii::FunctionParser reports a syntax error on std::cerr besides throwing it: once is
+     * enough.
+     */
     class MuteStandardError
     {
     public:
@@ -37,10 +40,11 @@ namespace signorini
     {
       std::ostringstream info;
       exception.print_info(info);
-      const std::string text    = info.str();
-      const std::string mark    = "The parser said: ";
-      const std::size_t begin   = text.find(mark);
-      std::string       message = trim(begin == std::string::npos ? text : text.substr(begin + mark.size()));
+      const std::string text  = info.str();
+      const std::string mark  = "The parser said: ";
+      const std::size_t begin = text.find(mark);
+      std::string       message =
+        trim(begin == std::string::npos ? text : text.substr(begin + mark.size()));
       if (!message.empty() && message.back() == '.')
         message.pop_back();
       return message;
@@ -59,8 +63,8 @@ namespace signorini
                                     const dealii::ExceptionBase &exception)
     {
       in.fail(key,
-              "the expression `" + expression + "` cannot be understood: " + parser_message(exception)
-                + ". It may use the variables " + variables
+              "the expression `" + expression + "` cannot be understood: "
+                + parser_message(exception) + ". It may use the variables " + variables
                 + ", the constant pi, and functions such as sin, exp, if(condition, a, b).");
     }
   } // namespace
@@ -72,8 +76,9 @@ namespace signorini
     const std::vector<std::string> components = split(expressions, ';');
     if (components.size() != dim)
       in.fail(key,
-              "must have " + std::to_string(dim) + " components, separated by semicolons (one per space dimension); `"
-                + expressions + "` has " + std::to_string(components.size()) + ".");
+              "must have " + std::to_string(dim)
+                + " components, separated by semicolons (one per space dimension); `" + expressions
+                + "` has " + std::to_string(components.size()) + ".");
     std::array<std::string, dim> result;
     std::copy(components.begin(), components.end(), result.begin());
     return result;
@@ -91,8 +96,10 @@ namespace signorini
       {
         const MuteStandardError        mute;
         const std::vector<std::string> components = {expression};
-        function.initialize(
-          variables<dim>(further_variable), components, {{"pi", dealii::numbers::PI}}, !further_variable.empty());
+        function.initialize(variables<dim>(further_variable),
+                            components,
+                            {{"pi", dealii::numbers::PI}},
+                            !further_variable.empty());
         // The syntax is looked at when the first value is asked for.
         function.value(dealii::Point<dim>());
       }
@@ -109,8 +116,9 @@ namespace signorini
             std::ostringstream where;
             where << '(' << point << ')';
             in.fail(key,
-                    "the expression `" + expression + "` is " + (std::isnan(value) ? "not a number" : "infinite")
-                      + " at the point " + where.str()
+                    "the expression `" + expression + "` is "
+                      + (std::isnan(value) ? "not a number" : "infinite") + " at the point "
+                      + where.str()
                       + (further_variable.empty() ? "" : " at " + further_variable + " = 0")
                       + ". Correct it, or exclude the point with if(condition, a, b).");
           }
@@ -124,7 +132,8 @@ namespace signorini
         const MuteStandardError        mute;
         const std::vector<std::string> components = {expression};
         dealii::FunctionParser<1>      function;
-        function.initialize("the_variable_that_nobody_uses", components, {{"pi", dealii::numbers::PI}});
+        function.initialize(
+          "the_variable_that_nobody_uses", components, {{"pi", dealii::numbers::PI}});
         return function.value(dealii::Point<1>());
       }
     catch (const dealii::ExceptionBase &)
@@ -145,17 +154,18 @@ namespace signorini
     return expressions;
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template std::array<std::string, dim> split_components<dim>(                                                         \
-    const SectionReader &, const std::string &, const std::string &);                                                  \
-  template void                         check_expression<dim>(const SectionReader &,                                   \
-                                      const std::string &,                                     \
-                                      const std::string &,                                     \
-                                      const std::vector<dealii::Point<dim>> &,                 \
-                                      const std::string &);                                    \
-  template std::array<std::string, dim> read_expressions<dim>(                                                         \
-    const SectionReader &, const std::string &, const std::vector<dealii::Point<dim>> &, bool)
-  INSTANTIATE(2);
-  INSTANTIATE(3);
-#undef INSTANTIATE
+  using Points2 = std::vector<dealii::Point<2>>;
+  using Points3 = std::vector<dealii::Point<3>>;
+  using Text    = std::string;
+  using Reader  = SectionReader;
+  template std::array<Text, 2> split_components<2>(const Reader &, const Text &, const Text &);
+  template std::array<Text, 3> split_components<3>(const Reader &, const Text &, const Text &);
+  template void
+  check_expression<2>(const Reader &, const Text &, const Text &, const Points2 &, const Text &);
+  template void
+  check_expression<3>(const Reader &, const Text &, const Text &, const Points3 &, const Text &);
+  template std::array<Text, 2>
+  read_expressions<2>(const Reader &, const Text &, const Points2 &, bool);
+  template std::array<Text, 3>
+  read_expressions<3>(const Reader &, const Text &, const Points3 &, bool);
 } // namespace signorini

@@ -26,7 +26,8 @@ namespace signorini
     {
       std::error_code error;
       if (!std::filesystem::exists(file_name, error))
-        refuse(file_name, "there is no such file. Check the name; a path is relative to the current folder.");
+        refuse(file_name,
+               "there is no such file. Check the name; a path is relative to the current folder.");
       if (std::filesystem::is_directory(file_name, error))
         refuse(file_name, "it is a directory. Name a .prm file in it.");
       std::ifstream in(file_name);
@@ -48,10 +49,13 @@ namespace signorini
       std::vector<Statement> statements;
 
     private:
-      void              scan_line(const std::string &line, const std::string &file_name, unsigned int depth);
-      void              include(const std::string &line, const std::string &file_name, unsigned int depth);
-      void              set(const std::string &assignment);
-      [[noreturn]] void fail(const std::string &message) const { throw UserError(origin + ": " + message); }
+      void scan_line(const std::string &line, const std::string &file_name, unsigned int depth);
+      void include(const std::string &line, const std::string &file_name, unsigned int depth);
+      void set(const std::string &assignment);
+      [[noreturn]] void fail(const std::string &message) const
+      {
+        throw UserError(origin + ": " + message);
+      }
 
       std::string              origin; ///< of the current line
       std::vector<std::string> section;
@@ -86,7 +90,9 @@ namespace signorini
                         + "` has no `end` before the end of the file. Add the missing `end`.");
     }
 
-    void Scanner::scan_line(const std::string &line, const std::string &file_name, const unsigned int depth)
+    void Scanner::scan_line(const std::string &line,
+                            const std::string &file_name,
+                            const unsigned int depth)
     {
       const std::string verb = line.substr(0, line.find(' '));
       const std::string rest = line.size() > verb.size() ? line.substr(verb.size() + 1) : "";
@@ -129,7 +135,9 @@ namespace signorini
       statements.push_back({section, key, trim(assignment.substr(equal + 1)), origin});
     }
 
-    void Scanner::include(const std::string &line, const std::string &file_name, const unsigned int depth)
+    void Scanner::include(const std::string &line,
+                          const std::string &file_name,
+                          const unsigned int depth)
     {
       if (depth >= max_include_depth)
         fail("include of " + line + ": too many files include each other. Break the circle.");
@@ -152,8 +160,9 @@ namespace signorini
     {
       std::vector<std::string> path = split(override.first, '/');
       if (std::any_of(path.begin(), path.end(), [](const auto &name) { return name.empty(); }))
-        throw UserError("--set \"" + override.first + "=" + override.second
-                        + "\": the path has an empty name. Write --set \"Section/Subsection/Key=value\".");
+        throw UserError(
+          "--set \"" + override.first + "=" + override.second
+          + "\": the path has an empty name. Write --set \"Section/Subsection/Key=value\".");
       const std::string key = path.back();
       path.pop_back();
       return {path, key, trim(override.second), file_name + ", --set"};
@@ -168,7 +177,8 @@ namespace signorini
     return join(names, "/");
   }
 
-  const Statement *SceneText::find(const std::vector<std::string> &section, const std::string &key) const
+  const Statement *SceneText::find(const std::vector<std::string> &section,
+                                   const std::string              &key) const
   {
     const Statement *found = nullptr;
     for (const Statement &statement : statements)

@@ -25,7 +25,8 @@ namespace signorini
         }
       catch (const dealii::ExceptionBase &)
         {
-          in.fail(key, "is too small or too large for a number of the computer. Correct the exponent.");
+          in.fail(key,
+                  "is too small or too large for a number of the computer. Correct the exponent.");
         }
     }
   } // namespace
@@ -50,9 +51,9 @@ namespace signorini
 
   bool SectionReader::given() const
   {
-    return std::any_of(scene_text->statements.begin(), scene_text->statements.end(), [&](const Statement &statement) {
-      return statement.section == names;
-    });
+    return std::any_of(scene_text->statements.begin(),
+                       scene_text->statements.end(),
+                       [&](const Statement &statement) { return statement.section == names; });
   }
 
   std::string SectionReader::text(const std::string &key) const
@@ -84,19 +85,23 @@ namespace signorini
     return value;
   }
 
-  unsigned int SectionReader::integer(const std::string &key, const unsigned int min, const unsigned int max) const
+  unsigned int SectionReader::integer(const std::string &key,
+                                      const unsigned int min,
+                                      const unsigned int max) const
   {
     const long int value = converted(*this, key, [&] { return prm->get_integer(names, key); });
     if (value < static_cast<long int>(min) || value > static_cast<long int>(max))
-      fail(key, "must be an integer between " + std::to_string(min) + " and " + std::to_string(max) + ".");
+      fail(key,
+           "must be an integer between " + std::to_string(min) + " and " + std::to_string(max)
+             + ".");
     return static_cast<unsigned int>(value);
   }
 
   template <int dim>
   dealii::Point<dim> SectionReader::point(const std::string &key) const
   {
-    const auto coordinates =
-      converted(*this, key, [&] { return dealii::Utilities::string_to_double(split(text(key), ',')); });
+    const auto coordinates = converted(
+      *this, key, [&] { return dealii::Utilities::string_to_double(split(text(key), ',')); });
     dealii::Point<dim> result;
     for (unsigned int d = 0; d < dim; ++d)
       result[d] = coordinates[d];
@@ -105,8 +110,8 @@ namespace signorini
 
   void SectionReader::fail(const std::string &key, const std::string &message) const
   {
-    const Statement         *statement = scene_text->find(names, key);
-    const std::string        where     = (statement == nullptr ? scene_text->file_name : statement->origin);
+    const Statement  *statement = scene_text->find(names, key);
+    const std::string where = (statement == nullptr ? scene_text->file_name : statement->origin);
     std::vector<std::string> all_names = names;
     if (!key.empty())
       all_names.push_back(key);

@@ -17,8 +17,8 @@ namespace signorini
     constexpr unsigned int highest_level = 15;
 
     /**
-     * The keys but for `Indicator`, with their defaults. A key counts as given if it has another value: `parameters.prm` lists all keys and must be
-     * read without complaint.
+     * The keys but for `Indicator`, with their defaults. A key counts as given if it has another
+     * value: `parameters.prm` lists all keys and must be read without complaint.
      */
     const std::vector<std::pair<std::string, std::string>> defaults = {
       {"Marking", name_of(MarkingKind::fixed_fraction)},
@@ -72,7 +72,10 @@ namespace signorini
       return value;
     }
 
-    /** Refuse keys that the chosen indicator and marking do not look at. Without an indicator they may stay, so that it is easily switched off. */
+    /**
+     * Refuse keys that the chosen indicator and marking do not look at. Without an indicator they
+     * may stay, so that it is easily switched off.
+     */
     void check_that_keys_fit(const SectionReader &in, const AdaptivityParameters &adaptivity)
     {
       if (adaptivity.indicator == IndicatorKind::distance)

@@ -30,10 +30,11 @@ namespace signorini
                       Anything(),
                       "Displacement at time 0 (length): one expression in x, y, z per component, "
                       "separated by semicolons.");
-    prm.declare_entry("Initial velocity",
-                      zero_vector<dim>(),
-                      Anything(),
-                      "Velocity at time 0 (length per time): expressions in x, y, z, separated by semicolons.");
+    prm.declare_entry(
+      "Initial velocity",
+      zero_vector<dim>(),
+      Anything(),
+      "Velocity at time 0 (length per time): expressions in x, y, z, separated by semicolons.");
     prm.declare_entry("Body force",
                       zero_vector<dim>(),
                       Anything(),
@@ -62,8 +63,8 @@ namespace signorini
     return body;
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void                 declare_body<dim>(dealii::ParameterHandler &);                                         \
+#define INSTANTIATE(dim)                                                                           \
+  template void                 declare_body<dim>(dealii::ParameterHandler &);                     \
   template BodyDescription<dim> parse_body<dim>(const SectionReader &, const std::string &)
   INSTANTIATE(2);
   INSTANTIATE(3);

@@ -14,8 +14,9 @@ namespace signorini
 {
   namespace
   {
-    const std::string grammar = "Write `id: expression; expression; ...` with one expression per "
-                                "component, `-` for a free component, and | between the boundaries.";
+    const std::string grammar =
+      "Write `id: expression; expression; ...` with one expression per component, `-` for a free "
+      "component, and | between the boundaries.";
 
     /** Split at single |; a || is the logical or of an expression. */
     std::vector<std::string> split_conditions(const std::string &text)
@@ -68,7 +69,8 @@ namespace signorini
         if (expression == "-")
           expression.clear();
         else
-          check_expression<dim>(in, key, expression, boundary_points(body, condition.boundary_id), "t");
+          check_expression<dim>(
+            in, key, expression, boundary_points(body, condition.boundary_id), "t");
       return condition;
     }
 
@@ -113,11 +115,12 @@ namespace signorini
     using dealii::Patterns::Anything;
     const std::string form = "`id: expressions` per boundary, separated by |, expressions in x, y, "
                              "z, t separated by semicolons; a - leaves a component free. Example: ";
-    prm.declare_entry("Dirichlet",
-                      "",
-                      Anything(),
-                      "Prescribed displacement (length) on boundaries: " + form
-                        + (dim == 2 ? "0: 0; - | 1: 0; 0.1*sin(t)" : "0: 0; -; - | 1: 0; 0; 0.1*sin(t)"));
+    prm.declare_entry(
+      "Dirichlet",
+      "",
+      Anything(),
+      "Prescribed displacement (length) on boundaries: " + form
+        + (dim == 2 ? "0: 0; - | 1: 0; 0.1*sin(t)" : "0: 0; -; - | 1: 0; 0; 0.1*sin(t)"));
     prm.declare_entry("Traction",
                       "",
                       Anything(),

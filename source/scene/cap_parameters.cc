@@ -24,7 +24,10 @@ namespace signorini
                         + " that the face `Cap boundary` becomes part of. It bulges outwards: its "
                           "centre stays where it is and its edges recede. 0: all faces are flat.");
     prm.declare_entry(
-      "Cap boundary", "", Anything(), "Box: boundary id of the face that becomes curved, if `Cap radius` is given.");
+      "Cap boundary",
+      "",
+      Anything(),
+      "Box: boundary id of the face that becomes curved, if `Cap radius` is given.");
   }
 
   namespace
@@ -37,7 +40,9 @@ namespace signorini
         valid.push_back(std::to_string(id));
       const auto position = std::find(valid.begin(), valid.end(), in.text("Cap boundary"));
       if (position == valid.end())
-        in.fail("Cap boundary", "must be the boundary id of the face that `Cap radius` curves: " + join(valid) + ".");
+        in.fail("Cap boundary",
+                "must be the boundary id of the face that `Cap radius` curves: " + join(valid)
+                  + ".");
       return position - valid.begin();
     }
   } // namespace
@@ -58,7 +63,8 @@ namespace signorini
       }
     if (body.cap_radius < 0.)
       in.fail("Cap radius",
-              "must not be negative: a cap bulges outwards. Give a positive radius, or 0 for a flat face.");
+              "must not be negative: a cap bulges outwards. Give a positive radius, or 0 for a "
+              "flat face.");
     if (body.cap_radius == 0.)
       return;
     body.cap_boundary    = parse_face(in, body);
@@ -67,13 +73,14 @@ namespace signorini
       {
         std::ostringstream message;
         message << "the cap does not fit: it must reach all edges of the face " << body.cap_boundary
-                << " and must not reach the opposite face. Give a radius larger than " << invalid << '.';
+                << " and must not reach the opposite face. Give a radius larger than " << invalid
+                << '.';
         in.fail("Cap radius", message.str());
       }
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void declare_cap<dim>(dealii::ParameterHandler &);                                                          \
+#define INSTANTIATE(dim)                                                                           \
+  template void declare_cap<dim>(dealii::ParameterHandler &);                                      \
   template void parse_cap(const SectionReader &, BodyDescription<dim> &)
   INSTANTIATE(2);
   INSTANTIATE(3);

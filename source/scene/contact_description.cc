@@ -47,10 +47,12 @@ namespace signorini
 
     /** Points of the surface of the slave, for trying expressions. */
     template <int dim>
-    std::vector<dealii::Point<dim>> slave_points(const PairDescription &pair, const BodyDescription<dim> &body)
+    std::vector<dealii::Point<dim>> slave_points(const PairDescription      &pair,
+                                                 const BodyDescription<dim> &body)
     {
       std::vector<dealii::Point<dim>> points;
-      for (const auto id : pair.slave_boundary_ids.empty() ? boundary_ids(body) : pair.slave_boundary_ids)
+      for (const auto id :
+           pair.slave_boundary_ids.empty() ? boundary_ids(body) : pair.slave_boundary_ids)
         for (const dealii::Point<dim> &point : boundary_points(body, id))
           points.push_back(point);
       return points;
@@ -81,15 +83,16 @@ namespace signorini
             pair.master = master;
             if (scene.time.mass.predictor == PredictorMass::lumped)
               in.fail("Pairs",
-                      "the pair `" + name.text() + "`: the lumped predictor is available for rigid obstacles only. Set "
+                      "the pair `" + name.text()
+                        + "`: the lumped predictor is available for rigid obstacles only. Set "
                         + "`Time/Predictor mass = consistent`.");
             check_boundary_ids(in, name, name.partner_ids, scene.bodies[master]);
             pair.master_boundary_ids.assign(name.partner_ids.begin(), name.partner_ids.end());
           }
         else
           pair.obstacle = index_of(obstacles, name.partner);
-        pair.friction =
-          parse_friction<dim>(in.section(pair.name), scene.time.scheme, slave_points(pair, scene.bodies[pair.slave]));
+        pair.friction = parse_friction<dim>(
+          in.section(pair.name), scene.time.scheme, slave_points(pair, scene.bodies[pair.slave]));
         pairs.push_back(pair);
       }
     return pairs;

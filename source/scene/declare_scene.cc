@@ -22,7 +22,8 @@ namespace signorini
       prm.declare_entry("Names",
                         "",
                         dealii::Patterns::Anything(),
-                        "Names of the " + of_what + ", separated by commas. Each has a subsection of this name.");
+                        "Names of the " + of_what
+                          + ", separated by commas. Each has a subsection of this name.");
     }
 
     /** A section with a list of names and a subsection for each. */
@@ -43,11 +44,13 @@ namespace signorini
     void declare_top_level(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
-      prm.declare_entry("Dimension", "3", Selection("2|3"), "Space dimension, 2 (plane strain) or 3.");
-      prm.declare_entry("Output directory",
-                        "output",
-                        Anything(),
-                        "Folder for all results, relative to the current one. It is made if it does not exist.");
+      prm.declare_entry(
+        "Dimension", "3", Selection("2|3"), "Space dimension, 2 (plane strain) or 3.");
+      prm.declare_entry(
+        "Output directory",
+        "output",
+        Anything(),
+        "Folder for all results, relative to the current one. It is made if it does not exist.");
       prm.declare_entry("Mapping",
                         name_of(CellGeometry::linear),
                         choices_of<CellGeometry>(),

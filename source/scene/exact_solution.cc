@@ -18,22 +18,24 @@ namespace signorini
                       Anything(),
                       "Exact displacement (length), to be compared with: expressions in x, y, z, "
                       "t, separated by semicolons. Empty: not known.");
-    prm.declare_entry("Velocity",
-                      "",
-                      Anything(),
-                      "Exact velocity (length per time): expressions in x, y, z, t, separated by semicolons.");
+    prm.declare_entry(
+      "Velocity",
+      "",
+      Anything(),
+      "Exact velocity (length per time): expressions in x, y, z, t, separated by semicolons.");
   }
 
   template <int dim>
-  ExactSolutionDescription<dim> parse_exact_solution(const SectionReader                     &in,
-                                                     const std::vector<BodyDescription<dim>> &bodies)
+  ExactSolutionDescription<dim>
+  parse_exact_solution(const SectionReader &in, const std::vector<BodyDescription<dim>> &bodies)
   {
     ExactSolutionDescription<dim> exact;
     const bool                    has_displacement = !in.text("Displacement").empty();
     const bool                    has_velocity     = !in.text("Velocity").empty();
     if (has_displacement != has_velocity)
-      in.fail(has_displacement ? "Velocity" : "Displacement",
-              "displacement and velocity of an exact solution are used together. Give both or none.");
+      in.fail(
+        has_displacement ? "Velocity" : "Displacement",
+        "displacement and velocity of an exact solution are used together. Give both or none.");
     exact.given = has_displacement;
     if (!exact.given)
       return exact;
@@ -47,10 +49,10 @@ namespace signorini
     return exact;
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void                          declare_exact_solution<dim>(dealii::ParameterHandler &);                      \
-  template ExactSolutionDescription<dim> parse_exact_solution(const SectionReader &,                                   \
-                                                              const std::vector<BodyDescription<dim>> &)
+#define INSTANTIATE(dim)                                                                           \
+  template void                          declare_exact_solution<dim>(dealii::ParameterHandler &);  \
+  template ExactSolutionDescription<dim> parse_exact_solution(                                     \
+    const SectionReader &, const std::vector<BodyDescription<dim>> &)
   INSTANTIATE(2);
   INSTANTIATE(3);
 #undef INSTANTIATE

@@ -22,7 +22,10 @@ namespace signorini
       return join(schemes_where([](const SchemeInfo &info) { return info.friction; }));
     }
 
-    /** Refuse an expression that is wrong, or a negative constant. @return whether it is the constant 0 */
+    /**
+     * Refuse an expression that is wrong, or a negative constant. @return whether it is the
+     * constant 0
+     */
     template <int dim>
     bool check_and_see_if_zero(const SectionReader                   &in,
                                const std::string                     &key,
@@ -40,13 +43,14 @@ namespace signorini
     }
 
     template <int dim>
-    FrictionDescription parse_coulomb(const SectionReader &in, const std::vector<dealii::Point<dim>> &points)
+    FrictionDescription parse_coulomb(const SectionReader                   &in,
+                                      const std::vector<dealii::Point<dim>> &points)
     {
       FrictionDescription friction;
       friction.coefficient = in.text(coefficient_key);
       friction.bound       = in.text(bound_key);
-      friction.any =
-        !check_and_see_if_zero(in, coefficient_key, points, "Give a positive number, or 0 for no friction.");
+      friction.any         = !check_and_see_if_zero(
+        in, coefficient_key, points, "Give a positive number, or 0 for no friction.");
       if (friction.bound.empty())
         return friction;
       if (!in.given(coefficient_key))
@@ -54,7 +58,8 @@ namespace signorini
                 "limits the friction that `Friction coefficient` gives, but that is not given. Add "
                 "it, or set `Friction law = tresca` for a bound that does not depend on the "
                 "pressure.");
-      if (check_and_see_if_zero(in, bound_key, points, "Give a positive stress, or remove this key."))
+      if (check_and_see_if_zero(
+            in, bound_key, points, "Give a positive stress, or remove this key."))
         in.fail(bound_key,
                 "leaves no friction at all, whatever `Friction coefficient` says. Give a positive "
                 "stress or remove this key; without friction, set `Friction coefficient = 0`.");
@@ -62,7 +67,8 @@ namespace signorini
     }
 
     template <int dim>
-    FrictionDescription parse_tresca(const SectionReader &in, const std::vector<dealii::Point<dim>> &points)
+    FrictionDescription parse_tresca(const SectionReader                   &in,
+                                     const std::vector<dealii::Point<dim>> &points)
     {
       if (in.text(bound_key).empty())
         in.fail(
@@ -77,7 +83,8 @@ namespace signorini
       FrictionDescription friction;
       friction.law   = FrictionKind::tresca;
       friction.bound = in.text(bound_key);
-      friction.any   = !check_and_see_if_zero(in, bound_key, points, "Give a positive stress, or 0 for no friction.");
+      friction.any   = !check_and_see_if_zero(
+        in, bound_key, points, "Give a positive stress, or 0 for no friction.");
       return friction;
     }
   } // namespace
@@ -106,17 +113,20 @@ namespace signorini
   }
 
   template <int dim>
-  FrictionDescription
-  parse_friction(const SectionReader &in, const std::string &scheme, const std::vector<dealii::Point<dim>> &points)
+  FrictionDescription parse_friction(const SectionReader                   &in,
+                                     const std::string                     &scheme,
+                                     const std::vector<dealii::Point<dim>> &points)
   {
     const bool tresca = in.choice<FrictionKind>("Friction law") == FrictionKind::tresca;
-    const FrictionDescription friction = tresca ? parse_tresca<dim>(in, points) : parse_coulomb<dim>(in, points);
+    const FrictionDescription friction =
+      tresca ? parse_tresca<dim>(in, points) : parse_coulomb<dim>(in, points);
     if (friction.any && !scheme_info(scheme).friction)
       {
         const std::string &key = tresca ? bound_key : coefficient_key;
         in.fail(key,
-                "the scheme " + scheme + " knows no friction. Set `" + key + " = 0`, or set `Time/Scheme` to one of "
-                  + names_of_schemes_with_friction() + ".");
+                "the scheme " + scheme + " knows no friction. Set `" + key
+                  + " = 0`, or set `Time/Scheme` to one of " + names_of_schemes_with_friction()
+                  + ".");
       }
     return friction;
   }

@@ -13,29 +13,34 @@ namespace signorini
   {
     using namespace dealii::Patterns;
     prm.declare_entry("Young's modulus", "1", Double(), "E > 0 (force per area).");
-    prm.declare_entry(
-      "Poisson's ratio", "0", Double(), "nu, larger than -1 and smaller than 0.5 (no unit). In 2d: plane strain.");
+    prm.declare_entry("Poisson's ratio",
+                      "0",
+                      Double(),
+                      "nu, larger than -1 and smaller than 0.5 (no unit). In 2d: plane strain.");
     prm.declare_entry("Density", "1", Double(), "Mass per volume, > 0.");
   }
 
   Material parse_material(const SectionReader &in)
   {
     Material material;
-    material.youngs_modulus = in.positive_number("Young's modulus", "an elastic body resists deformation");
+    material.youngs_modulus =
+      in.positive_number("Young's modulus", "an elastic body resists deformation");
     material.poissons_ratio = in.number("Poisson's ratio");
     material.density        = in.positive_number("Density", "every body has mass");
 
     const double nu = material.poissons_ratio;
     if (nu == .5)
-      in.fail("Poisson's ratio",
-              "0.5 is an incompressible material, whose first Lame parameter is infinite; it would "
-              "need a mixed method with a pressure. Use a value smaller than 0.5, for example 0.49.");
+      in.fail(
+        "Poisson's ratio",
+        "0.5 is an incompressible material, whose first Lame parameter is infinite; it would need "
+        "a mixed method with a pressure. Use a value smaller than 0.5, for example 0.49.");
     if (nu == -1.)
       in.fail("Poisson's ratio",
               "-1 makes the shear modulus infinite: such a material changes its volume only. Use a "
               "larger value.");
     if (!(nu > -1. && nu < .5))
-      in.fail("Poisson's ratio", "no stable material has this value. It must be larger than -1 and smaller than 0.5.");
+      in.fail("Poisson's ratio",
+              "no stable material has this value. It must be larger than -1 and smaller than 0.5.");
     return material;
   }
 } // namespace signorini

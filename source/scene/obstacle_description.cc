@@ -22,14 +22,22 @@ namespace signorini
       choices_of<ObstacleShape>(),
       "plane, sphere (in 2d: a circle), cylinder (3d, of infinite length), or function (the zero "
       "set of an expression).");
-    prm.declare_entry("Point", zero, point, "Plane: a point of its surface; cylinder: a point of its axis (length).");
+    prm.declare_entry("Point",
+                      zero,
+                      point,
+                      "Plane: a point of its surface; cylinder: a point of its axis (length).");
     prm.declare_entry(
-      "Normal", up, point, "Plane: points out of the obstacle, towards the bodies; any length but zero.");
+      "Normal",
+      up,
+      point,
+      "Plane: points out of the obstacle, towards the bodies; any length but zero.");
     prm.declare_entry("Centre", zero, point, "Sphere: the centre (length).");
     prm.declare_entry("Radius", "1", Double(), "Sphere, cylinder: the radius (length), > 0.");
     prm.declare_entry("Axis", up, point, "Cylinder: direction of the axis; any length but zero.");
-    prm.declare_entry(
-      "Bodies inside", "false", Bool(), "Sphere, cylinder: the obstacle is hollow and the bodies are inside of it.");
+    prm.declare_entry("Bodies inside",
+                      "false",
+                      Bool(),
+                      "Sphere, cylinder: the obstacle is hollow and the bodies are inside of it.");
     prm.declare_entry("Signed distance",
                       "",
                       Anything(),
@@ -44,7 +52,8 @@ namespace signorini
     {
       const dealii::Tensor<1, dim> vector = in.point<dim>(key);
       if (!(vector.norm() > 0.))
-        in.fail(key, "a zero vector has no direction. Make at least one component different from zero.");
+        in.fail(key,
+                "a zero vector has no direction. Make at least one component different from zero.");
       return vector;
     }
 
@@ -53,7 +62,8 @@ namespace signorini
       const std::string expression = in.text("Signed distance");
       if (expression.empty())
         in.fail("Signed distance",
-                "an obstacle of shape `function` needs this expression. Give one, for example z - 0.1*x^2.");
+                "an obstacle of shape `function` needs this expression. Give one, for example z - "
+                "0.1*x^2.");
       return expression;
     }
   } // namespace
@@ -63,8 +73,8 @@ namespace signorini
   {
     if (!in.given())
       in.fail("",
-              "`Obstacles/Names` lists this obstacle, but it has no subsection. Add `subsection " + name
-                + " ... end` in section Obstacles, or remove the name from the list.");
+              "`Obstacles/Names` lists this obstacle, but it has no subsection. Add `subsection "
+                + name + " ... end` in section Obstacles, or remove the name from the list.");
     ObstacleDescription<dim> obstacle;
     obstacle.name  = name;
     obstacle.shape = in.choice<ObstacleShape>("Shape");
@@ -95,8 +105,8 @@ namespace signorini
     return obstacle;
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void                     declare_obstacle<dim>(dealii::ParameterHandler &);                                 \
+#define INSTANTIATE(dim)                                                                           \
+  template void                     declare_obstacle<dim>(dealii::ParameterHandler &);             \
   template ObstacleDescription<dim> parse_obstacle<dim>(const SectionReader &, const std::string &)
   INSTANTIATE(2);
   INSTANTIATE(3);

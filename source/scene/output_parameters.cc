@@ -11,10 +11,14 @@ namespace signorini
   {
     using namespace dealii::Patterns;
     prm.declare_entry("VTU", "true", Bool(), "Write fields for ParaView or VisIt at all.");
-    prm.declare_entry(
-      "VTU every", "0", Integer(), "Write fields every so many steps; 0: only of the first and the last step.");
-    prm.declare_entry(
-      "History every", "1", Integer(), "Write a row of history.csv and of the probes every so many steps.");
+    prm.declare_entry("VTU every",
+                      "0",
+                      Integer(),
+                      "Write fields every so many steps; 0: only of the first and the last step.");
+    prm.declare_entry("History every",
+                      "1",
+                      Integer(),
+                      "Write a row of history.csv and of the probes every so many steps.");
   }
 
   OutputParameters parse_output(const SectionReader &in)

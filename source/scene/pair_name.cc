@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/scene/pair_name.h>
 #include <signorini/prm/section_reader.h>
+#include <signorini/scene/pair_name.h>
 
 #include <algorithm>
 #include <regex>
@@ -14,7 +14,8 @@ namespace signorini
   {
     std::string without_blanks(std::string text)
     {
-      text.erase(std::remove_if(text.begin(), text.end(), [](const char c) { return c == ' '; }), text.end());
+      text.erase(std::remove_if(text.begin(), text.end(), [](const char c) { return c == ' '; }),
+                 text.end());
       return text;
     }
 
@@ -40,7 +41,8 @@ namespace signorini
     }
 
     /** The numbers in `[0,2]`; none if there are no brackets. */
-    std::vector<unsigned int> parse_ids(const SectionReader &in, const std::string &pair, const std::string &brackets)
+    std::vector<unsigned int>
+    parse_ids(const SectionReader &in, const std::string &pair, const std::string &brackets)
     {
       std::vector<unsigned int> ids;
       if (brackets.empty())
@@ -64,9 +66,13 @@ namespace signorini
         in.fail("Pairs", "the list has an empty entry. Remove the superfluous comma.");
       if (!std::regex_match(compact, match, std::regex(name + ids + ":" + name + ids)))
         in.fail("Pairs",
-                "`" + trim(text) + "` is not a pair. Write `body : partner` or, for some boundaries of a "
+                "`" + trim(text)
+                  + "` is not a pair. Write `body : partner` or, for some boundaries of a "
                   + "body, `body[0,2] : partner[3]`, and separate pairs by commas.");
-      return {match[1], parse_ids(in, trim(text), match[2]), match[3], parse_ids(in, trim(text), match[4])};
+      return {match[1],
+              parse_ids(in, trim(text), match[2]),
+              match[3],
+              parse_ids(in, trim(text), match[4])};
     }
 
     void check_names(const SectionReader            &in,
@@ -76,11 +82,17 @@ namespace signorini
     {
       const std::string head = "the pair `" + pair.text() + "`: ";
       if (contains(obstacles, pair.slave))
-        in.fail("Pairs", head + "`" + pair.slave + "` is an obstacle. The body comes first: `body : obstacle`.");
+        in.fail("Pairs",
+                head + "`" + pair.slave
+                  + "` is an obstacle. The body comes first: `body : obstacle`.");
       if (!contains(bodies, pair.slave))
-        in.fail("Pairs", head + "there is no body `" + pair.slave + "`. " + suggestion(pair.slave, bodies));
+        in.fail("Pairs",
+                head + "there is no body `" + pair.slave + "`. " + suggestion(pair.slave, bodies));
       if (pair.partner == pair.slave)
-        in.fail("Pairs", head + "contact of a body with itself is not available. Name another body or an obstacle.");
+        in.fail(
+          "Pairs",
+          head
+            + "contact of a body with itself is not available. Name another body or an obstacle.");
       if (contains(obstacles, pair.partner) && !pair.partner_ids.empty())
         in.fail("Pairs", head + "an obstacle has no boundary ids. Remove them.");
       if (!contains(bodies, pair.partner) && !contains(obstacles, pair.partner))
@@ -89,27 +101,32 @@ namespace signorini
           for (const std::string &body : bodies)
             if (body != pair.slave)
               partners.push_back(body);
-          in.fail("Pairs",
-                  head + "there is no obstacle or body `" + pair.partner + "`"
-                    + (partners.empty() ? "; the scene has no other. Add it to `Obstacles/Names` or `Bodies/Names`."
-                                        : ". " + suggestion(pair.partner, partners)));
+          in.fail(
+            "Pairs",
+            head + "there is no obstacle or body `" + pair.partner + "`"
+              + (partners.empty()
+                   ? "; the scene has no other. Add it to `Obstacles/Names` or `Bodies/Names`."
+                   : ". " + suggestion(pair.partner, partners)));
         }
     }
 
     bool have_common(const std::vector<unsigned int> &ids, const std::vector<unsigned int> &others)
     {
-      return ids.empty() || others.empty() || std::any_of(ids.begin(), ids.end(), [&](const unsigned int id) {
-               return std::find(others.begin(), others.end(), id) != others.end();
-             });
+      return ids.empty() || others.empty()
+             || std::any_of(ids.begin(), ids.end(), [&](const unsigned int id) {
+                  return std::find(others.begin(), others.end(), id) != others.end();
+                });
     }
 
     /** Whether two pairs describe contact of the same surfaces, perhaps the other way round. */
     bool overlap(const PairName &first, const PairName &second)
     {
-      return (first.slave == second.slave && first.partner == second.partner && have_common(first.ids, second.ids)
+      return (first.slave == second.slave && first.partner == second.partner
+              && have_common(first.ids, second.ids)
               && have_common(first.partner_ids, second.partner_ids))
              || (first.slave == second.partner && first.partner == second.slave
-                 && have_common(first.ids, second.partner_ids) && have_common(first.partner_ids, second.ids));
+                 && have_common(first.ids, second.partner_ids)
+                 && have_common(first.partner_ids, second.ids));
     }
 
     std::string in_brackets(const std::vector<unsigned int> &ids)
@@ -146,7 +163,8 @@ namespace signorini
         for (const PairName &other : pairs)
           if (overlap(pair, other))
             in.fail("Pairs",
-                    "`" + other.text() + "` and `" + pair.text() + "` are the same contact twice. Remove one of them.");
+                    "`" + other.text() + "` and `" + pair.text()
+                      + "` are the same contact twice. Remove one of them.");
         pairs.push_back(pair);
       }
     return pairs;

@@ -43,12 +43,15 @@ namespace signorini
                         "then about the y axis, then about the z axis (axes of space, not of the "
                         "body). Boundary ids are those of the shape before. Expressions are not "
                         "rotated.");
-    prm.declare_entry("Rotation centre",
-                      "",
-                      List(Double(), 0, dim),
-                      "The point (length) that the rotation leaves in place. Empty: the centre of the shape.");
     prm.declare_entry(
-      "Translation", zero, List(Double(), dim, dim), "Vector (length) by which the shape is moved after the rotation.");
+      "Rotation centre",
+      "",
+      List(Double(), 0, dim),
+      "The point (length) that the rotation leaves in place. Empty: the centre of the shape.");
+    prm.declare_entry("Translation",
+                      zero,
+                      List(Double(), dim, dim),
+                      "Vector (length) by which the shape is moved after the rotation.");
   }
 
   template <int dim>
@@ -59,14 +62,15 @@ namespace signorini
     if (!list.empty() && split(list, ',').size() != dim)
       in.fail("Rotation centre",
               "must be " + std::to_string(dim)
-                + " numbers (one per space dimension), separated by commas, or nothing for the centre of the shape.");
+                + " numbers (one per space dimension), separated by commas, or nothing for the "
+                  "centre of the shape.");
     if (!list.empty())
       centre = in.point<dim>("Rotation centre");
     return Placement<dim>(parse_angles<dim>(in), centre, in.point<dim>("Translation"));
   }
 
-#define INSTANTIATE(dim)                                                                                               \
-  template void           declare_placement<dim>(dealii::ParameterHandler &);                                          \
+#define INSTANTIATE(dim)                                                                           \
+  template void           declare_placement<dim>(dealii::ParameterHandler &);                      \
   template Placement<dim> parse_placement(const SectionReader &, const BodyDescription<dim> &)
   INSTANTIATE(2);
   INSTANTIATE(3);

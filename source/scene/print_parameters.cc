@@ -12,17 +12,20 @@ namespace signorini
 {
   namespace
   {
-    /** A small scene, so that the printed file can be run: lists of names and the step size have no useful default. */
+    /**
+     * A small scene, so that the printed file can be run: lists of names and the step size have no
+     * useful default.
+     */
     void set_example_values(dealii::ParameterHandler &prm)
     {
-      const std::vector<std::pair<std::vector<std::string>, std::pair<std::string, std::string>>> values = {
-        {{"Time"}, {"Step size", "5e-3"}},
-        {{"Time"}, {"End time", "0.5"}},
-        {{"Bodies"}, {"Names", "ball"}},
-        {{"Bodies", "ball"}, {"Centre", "0, 0, 1"}},
-        {{"Obstacles"}, {"Names", "floor"}},
-        {{"Contact"}, {"Pairs", "ball : floor"}},
-        {{"Probes"}, {"Names", "south_pole"}}};
+      const std::vector<std::pair<std::vector<std::string>, std::pair<std::string, std::string>>>
+        values = {{{"Time"}, {"Step size", "5e-3"}},
+                  {{"Time"}, {"End time", "0.5"}},
+                  {{"Bodies"}, {"Names", "ball"}},
+                  {{"Bodies", "ball"}, {"Centre", "0, 0, 1"}},
+                  {{"Obstacles"}, {"Names", "floor"}},
+                  {{"Contact"}, {"Pairs", "ball : floor"}},
+                  {{"Probes"}, {"Names", "south_pole"}}};
       for (const auto &[section, entry] : values)
         {
           for (const std::string &name : section)
@@ -42,6 +45,7 @@ namespace signorini
     out << "# All keys of a scene, with descriptions and defaults, for one body, one obstacle and "
            "one probe.\n# Lists of numbers are separated by commas, the components of expressions "
            "by semicolons.\n# Units are the user's, consistently.\n#\n";
-    prm.print_parameters(out, dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
+    prm.print_parameters(
+      out, dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
   }
 } // namespace signorini

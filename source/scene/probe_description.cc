@@ -22,9 +22,10 @@ namespace signorini
   ProbeDescription<dim> parse_probe(const SectionReader &in, const std::string &name)
   {
     if (!in.given("Point"))
-      in.fail("Point",
-              "the probe `" + name + "` has no place. Add `subsection " + name
-                + "` with `set Point = ...` in section Probes, or remove the name from `Probes/Names`.");
+      in.fail(
+        "Point",
+        "the probe `" + name + "` has no place. Add `subsection " + name
+          + "` with `set Point = ...` in section Probes, or remove the name from `Probes/Names`.");
     return {name, in.point<dim>("Point")};
   }
 

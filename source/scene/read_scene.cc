@@ -24,11 +24,13 @@ namespace signorini
       if (in.text("Dimension") != std::to_string(dim))
         in.fail("Dimension", "this scene was asked for in dimension " + std::to_string(dim) + ".");
       if (in.text("Output directory").empty())
-        in.fail("Output directory", "is empty. Name a folder for the results, for example output/ball.");
+        in.fail("Output directory",
+                "is empty. Name a folder for the results, for example output/ball.");
     }
 
     template <int dim>
-    void parse_probes(const SectionReader &in, const std::vector<std::string> &names, Scene<dim> &scene)
+    void
+    parse_probes(const SectionReader &in, const std::vector<std::string> &names, Scene<dim> &scene)
     {
       if (!names.empty() && scene.pairs.empty())
         in.fail("Names",
@@ -38,7 +40,10 @@ namespace signorini
         scene.probes.push_back(parse_probe<dim>(in.section(name), name));
     }
 
-    /** An equilibrium is found from the undeformed bodies, and a displacement would be lost without a word. */
+    /**
+     * An equilibrium is found from the undeformed bodies, and a displacement would be lost without
+     * a word.
+     */
     template <int dim>
     void check_start(const SectionReader &in, const Scene<dim> &scene)
     {
@@ -53,9 +58,13 @@ namespace signorini
                                        "`Time/Start = given`.");
     }
 
-    /** All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on where it lies. */
+    /**
+     * All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on
+     * where it lies.
+     */
     template <int dim>
-    std::string print_all(dealii::ParameterHandler &prm, const std::vector<BodyDescription<dim>> &bodies)
+    std::string print_all(dealii::ParameterHandler                &prm,
+                          const std::vector<BodyDescription<dim>> &bodies)
     {
       prm.enter_subsection("Bodies");
       for (const BodyDescription<dim> &body : bodies)
@@ -67,7 +76,8 @@ namespace signorini
           }
       prm.leave_subsection();
       std::ostringstream all;
-      prm.print_parameters(all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
+      prm.print_parameters(
+        all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
       return all.str();
     }
   } // namespace

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/scene/scene_names.h>
 #include <signorini/prm/section_reader.h>
+#include <signorini/scene/scene_names.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -31,7 +31,8 @@ namespace signorini
             in.fail("Names", "the list has an empty name. Remove the superfluous comma.");
           if (!std::regex_match(name, std::regex("[A-Za-z0-9_-]+")))
             in.fail("Names",
-                    "the name `" + name + "` has strange characters. Use letters, digits, - and _ only, "
+                    "the name `" + name
+                      + "` has strange characters. Use letters, digits, - and _ only, "
                       + "and separate names by commas.");
           if (name == "Names")
             in.fail("Names", "`Names` is a key and cannot be a name. Choose another one.");
@@ -59,9 +60,12 @@ namespace signorini
       scene.section("Bodies").fail("Names", "a scene needs at least one body. List its name here.");
     for (const std::string &name : result.obstacles)
       if (std::find(result.bodies.begin(), result.bodies.end(), name) != result.bodies.end())
-        scene.section("Obstacles").fail("Names", "`" + name + "` is the name of a body already. Choose another name.");
-    result.pairs =
-      parse_pair_names(scene.section("Contact"), value_of(text, "Contact", "Pairs"), result.bodies, result.obstacles);
+        scene.section("Obstacles")
+          .fail("Names", "`" + name + "` is the name of a body already. Choose another name.");
+    result.pairs = parse_pair_names(scene.section("Contact"),
+                                    value_of(text, "Contact", "Pairs"),
+                                    result.bodies,
+                                    result.obstacles);
 
     for (Statement &statement : text.statements)
       if (statement.section.size() == 2 && statement.section[0] == "Contact")

@@ -34,7 +34,8 @@ namespace signorini
 
     std::string with_massless_nodes()
     {
-      return names([](const SchemeInfo &info) { return info.massless == MasslessNodesAre::needed; });
+      return names(
+        [](const SchemeInfo &info) { return info.massless == MasslessNodesAre::needed; });
     }
 
 
@@ -89,12 +90,13 @@ namespace signorini
                 "says how the redistributed mass is built, but Mass = " + name_of(mass.kind)
                   + ". Remove this key or set `Mass = redistributed`.");
       if (mass.redistribution == MassRedistribution::automatic)
-        mass.redistribution = scheme.macro_elements ? MassRedistribution::macro_elements :
-                                                      MassRedistribution::extrapolation;
+        mass.redistribution = scheme.macro_elements ? MassRedistribution::macro_elements
+                                                    : MassRedistribution::extrapolation;
       if (mass.has_massless_contact_nodes() && scheme.massless == MasslessNodesAre::refused)
         in.fail("Mass",
                 "makes no sense with Scheme = " + time.scheme + scheme.why_refused
-                  + ". Set `Mass = consistent`, or take one of " + names([](const SchemeInfo &info) {
+                  + ". Set `Mass = consistent`, or take one of "
+                  + names([](const SchemeInfo &info) {
                       return info.massless != MasslessNodesAre::refused;
                     })
                   + ".");
@@ -127,13 +129,13 @@ namespace signorini
                 "must lie between -1/3 and 0. Beyond, the method is not stable or not of second "
                 "order.");
       if (!(parameters.spectral_radius >= 0. && parameters.spectral_radius <= 1.))
-        in.fail("Spectral radius",
-                "must lie between 0 and 1. Above 1 the method is not stable.");
+        in.fail("Spectral radius", "must lie between 0 and 1. Above 1 the method is not stable.");
       if (!(parameters.reference_tolerance >= 1e-12 && parameters.reference_tolerance <= 1e-2))
         in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
       if (!(beta >= 0.25 && beta <= 1.))
-        in.fail("Newmark beta",
-                "must lie between 0.25 and 1. Below, the method is not stable for every step size.");
+        in.fail(
+          "Newmark beta",
+          "must lie between 0.25 and 1. Below, the method is not stable for every step size.");
       if (!(gamma >= 0.5 && gamma <= 2. * beta + 1e-12))
         in.fail("Newmark gamma",
                 "must lie between 0.5 and twice `Newmark beta` = " + in.text("Newmark beta")
@@ -145,9 +147,10 @@ namespace signorini
   void declare_scheme_parameters(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    const auto declare = [&](const std::string &key, const std::string &value, const std::string &text) {
-      prm.declare_entry(key, value, Double(), "Of " + with_parameter(key) + ": " + text);
-    };
+    const auto declare =
+      [&](const std::string &key, const std::string &value, const std::string &text) {
+        prm.declare_entry(key, value, Double(), "Of " + with_parameter(key) + ": " + text);
+      };
     declare("HHT alpha", "-0.1", "damping, between -1/3 (most) and 0 (none; no unit).");
     declare("Spectral radius",
             "0.8",
@@ -187,7 +190,7 @@ namespace signorini
     parameters.reference_tolerance = in.number("Reference tolerance");
     parameters.newmark_beta        = in.number("Newmark beta");
     parameters.newmark_gamma       = in.number("Newmark gamma");
-    parameters.impulses_per_node = in.choice<ImpulseKind>("Impulses") == ImpulseKind::per_node;
+    parameters.impulses_per_node   = in.choice<ImpulseKind>("Impulses") == ImpulseKind::per_node;
     parameters.stop_sticking_nodes = in.flag("Stop sticking nodes");
     time.mass.kind                 = in.choice<MassKind>("Mass");
     time.mass.redistribution       = in.choice<MassRedistribution>("Mass redistribution");

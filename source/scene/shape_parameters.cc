@@ -3,9 +3,9 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
+#include <signorini/mesh_files/mesh_file.h>
 #include <signorini/model/body_shape.h>
 #include <signorini/prm/check_expressions.h>
-#include <signorini/mesh_files/mesh_file.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -14,7 +14,8 @@ namespace signorini
 {
   namespace
   {
-    // 12 refinements make 8^12 = 7e10 cells of one cell in 3d: a slip of the keyboard rather than an intention.
+    // 12 refinements make 8^12 = 7e10 cells of one cell in 3d: a slip of the keyboard rather than
+    // an intention.
     constexpr unsigned int max_refinements = 12;
     constexpr unsigned int max_repetitions = 1000000;
 
@@ -27,14 +28,16 @@ namespace signorini
     void declare_refinement(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
-      prm.declare_entry("Refinements",
-                        "0",
-                        Integer(),
-                        "Uniform refinements of the coarse mesh; each halves the size of the cells. At most 12.");
-      prm.declare_entry("Local refinements",
-                        "0",
-                        Integer(),
-                        "Further refinements of the cells that `Refine where` selects. At most 12.");
+      prm.declare_entry(
+        "Refinements",
+        "0",
+        Integer(),
+        "Uniform refinements of the coarse mesh; each halves the size of the cells. At most 12.");
+      prm.declare_entry(
+        "Local refinements",
+        "0",
+        Integer(),
+        "Further refinements of the cells that `Refine where` selects. At most 12.");
       prm.declare_entry(
         "Refine where",
         "",
@@ -67,7 +70,8 @@ namespace signorini
       for (unsigned int d = 0; d < dim; ++d)
         if (!(body.lower_corner[d] < body.upper_corner[d]))
           in.fail("Upper corner",
-                  std::string("its ") + directions[d] + " coordinate must be larger than that of `Lower corner` = "
+                  std::string("its ") + directions[d]
+                    + " coordinate must be larger than that of `Lower corner` = "
                     + in.text("Lower corner") + ". Exchange or correct the corners.");
       const dealii::Point<dim> repetitions = in.point<dim>("Repetitions");
       for (unsigned int d = 0; d < dim; ++d)
@@ -108,24 +112,30 @@ namespace signorini
       "ball (in 2d: a disc; boundary id 0), box (boundary ids 0, 1: x-, x+; 2, 3: y-, y+; 4, 5: "
       "z-, z+), cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top), or file (a mesh; boundary "
       "ids of the file).");
-    prm.declare_entry("Centre", coordinates<dim>("0"), point, "Ball, cylinder: the centre (length).");
+    prm.declare_entry(
+      "Centre", coordinates<dim>("0"), point, "Ball, cylinder: the centre (length).");
     prm.declare_entry("Radius", "1", Double(), "Ball, cylinder: the radius (length), > 0.");
-    prm.declare_entry("Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
+    prm.declare_entry(
+      "Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
     prm.declare_entry("Axis", "z", Selection("x|y|z"), "Cylinder: direction of the axis.");
-    prm.declare_entry("Lower corner", coordinates<dim>("0"), point, "Box: smallest coordinates (length).");
-    prm.declare_entry("Upper corner", coordinates<dim>("1"), point, "Box: largest coordinates (length).");
-    prm.declare_entry("Repetitions",
-                      coordinates<dim>("1"),
-                      List(Integer(), dim, dim),
-                      "Box: number of coarse cells in each direction. Cells should be nearly cubes.");
-    prm.declare_entry("File",
-                      "",
-                      Anything(),
-                      "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative "
-                      "to the folder of the scene. Gmsh (.msh, text of version 2.2 or 4.1; "
-                      "boundary ids: numbers of the physical groups), Abaqus (.inp; boundary ids: "
-                      "numbers in the names of the surfaces, such as SS3 or Surf-3), UCD (.inp, "
-                      ".ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary id 0.");
+    prm.declare_entry(
+      "Lower corner", coordinates<dim>("0"), point, "Box: smallest coordinates (length).");
+    prm.declare_entry(
+      "Upper corner", coordinates<dim>("1"), point, "Box: largest coordinates (length).");
+    prm.declare_entry(
+      "Repetitions",
+      coordinates<dim>("1"),
+      List(Integer(), dim, dim),
+      "Box: number of coarse cells in each direction. Cells should be nearly cubes.");
+    prm.declare_entry(
+      "File",
+      "",
+      Anything(),
+      "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative to the folder of "
+      "the scene. Gmsh (.msh, text of version 2.2 or 4.1; boundary ids: numbers of the physical "
+      "groups), Abaqus (.inp; boundary ids: numbers in the names of the surfaces, such as SS3 or "
+      "Surf-3), UCD (.inp, .ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary "
+      "id 0.");
     declare_cap<dim>(prm);
     declare_placement<dim>(prm);
     declare_refinement(prm);

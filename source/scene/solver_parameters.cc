@@ -13,7 +13,7 @@ namespace signorini
 {
   namespace
   {
-    constexpr double       max_tolerance = 1e-2;
+    constexpr double max_tolerance = 1e-2;
 
     std::string as_text(const double value)
     {
@@ -53,13 +53,16 @@ namespace signorini
   {
     SolverParameters solver;
     solver.preconditioner = in.choice<PreconditionerKind>("Preconditioner");
-    solver.tolerance      = in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");
+    solver.tolerance =
+      in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");
     if (solver.tolerance > max_tolerance)
       in.fail("Tolerance",
-              "a step solved so roughly is useless, its error appears as energy. Give at most " + as_text(max_tolerance)
-                + ", for example 2e-11.");
-    solver.maximum_active_set_iterations = in.integer("Maximum active set iterations", 1, SectionReader::unlimited);
-    solver.maximum_linear_iterations     = in.integer("Maximum linear iterations", 1, SectionReader::unlimited);
+              "a step solved so roughly is useless, its error appears as energy. Give at most "
+                + as_text(max_tolerance) + ", for example 2e-11.");
+    solver.maximum_active_set_iterations =
+      in.integer("Maximum active set iterations", 1, SectionReader::unlimited);
+    solver.maximum_linear_iterations =
+      in.integer("Maximum linear iterations", 1, SectionReader::unlimited);
     return solver;
   }
 } // namespace signorini

@@ -68,14 +68,17 @@ namespace signorini
     if (!scheme_info(time.scheme).variable_step())
       in.fail("Step size control",
               "does not fit Scheme = " + time.scheme
-                + ", which controls its error itself within each step. Remove this key, or take another scheme.");
+                + ", which controls its error itself within each step. Remove this key, or take "
+                  "another scheme.");
     if (!(sizes.tolerance >= 1e-8 && sizes.tolerance <= 1.))
-      in.fail("Step tolerance", "must lie between 1e-8 and 1: it is relative to the norm of the motion.");
+      in.fail("Step tolerance",
+              "must lie between 1e-8 and 1: it is relative to the norm of the motion.");
     for (const auto &[key, value] :
          {std::pair("Minimum step size", sizes.minimum), {"Maximum step size", sizes.maximum}})
       if (value < 0.)
         in.fail(key,
-                "must not be negative: the run goes forward in time. Give a positive number, or 0 for the default.");
+                "must not be negative: the run goes forward in time. Give a positive number, or 0 "
+                "for the default.");
     if (sizes.minimum > time.step_size)
       in.fail("Minimum step size",
               "is larger than the first `Step size` = " + in.text("Step size")

@@ -68,8 +68,7 @@ namespace signorini
         in.fail(key, "is missing. Give a positive number, in units of time.");
     time.step_size =
       in.positive_number("Step size", "the run goes forward in time; give a number > 0");
-    time.end_time =
-      in.positive_number("End time", "the run starts at time 0; give a number > 0");
+    time.end_time = in.positive_number("End time", "the run starts at time 0; give a number > 0");
 
     if (time.step_size > time.end_time)
       in.fail("Step size",

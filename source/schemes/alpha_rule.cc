@@ -27,7 +27,8 @@ namespace signorini
   }
 
 
-  Vector AlphaRule::free_increment(const State &state, const Vector &acceleration, const double tau) const
+  Vector
+  AlphaRule::free_increment(const State &state, const Vector &acceleration, const double tau) const
   {
     Vector result = state.velocity;
     result.sadd(tau, tau * tau * (0.5 - beta), acceleration);
@@ -35,7 +36,9 @@ namespace signorini
   }
 
 
-  Vector AlphaRule::velocity_change(const Vector &acceleration, const Vector &new_acceleration, const double tau) const
+  Vector AlphaRule::velocity_change(const Vector &acceleration,
+                                    const Vector &new_acceleration,
+                                    const double  tau) const
   {
     Vector result = acceleration;
     result.sadd(tau * (1. - gamma), tau * gamma, new_acceleration);
@@ -50,7 +53,8 @@ namespace signorini
                                     const double     tau) const
   {
     // beta tau^2 times the balance, with a_new = (d - d_free)/(beta tau^2):
-    // [(1 - alpha_m) M + (1 - alpha_f) beta tau^2 A] d = M [(1 - alpha_m) d_free - alpha_m beta tau^2 a] - beta tau^2 (A u - f)
+    // [(1 - alpha_m) M + (1 - alpha_f) beta tau^2 A] d = M [(1 - alpha_m) d_free - alpha_m beta
+    // tau^2 a] - beta tau^2 (A u - f)
     const double scale   = beta * tau * tau;
     Vector       inertia = free_increment;
     inertia.sadd(1. - alpha_m, -alpha_m * scale, acceleration);
@@ -95,7 +99,7 @@ namespace signorini
     Vector mismatch = before.velocity;
     mismatch.add(1., after.velocity);
     mismatch.sadd(0.5, -1. / tau, increment);
-    return mismatch * momentum_change + momentum_change * increment / tau + forces * increment - report.work_contact
-           - report.work_support;
+    return mismatch * momentum_change + momentum_change * increment / tau + forces * increment
+           - report.work_contact - report.work_support;
   }
 } // namespace signorini

@@ -39,8 +39,8 @@ namespace signorini
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / (tau * tau), r);
     report.work_friction    = friction.work;
-    State end =
-      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end               = trapezoidal_rule::end_of_step(
+      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
     swap(state, end);
     return report;
   }

@@ -6,7 +6,8 @@
 
 namespace signorini
 {
-  StepReport ContactImplicitNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  StepReport
+  ContactImplicitNewmark::advance(DynamicalSystem &system, State &state, const double tau)
   {
     // (33): (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r
     const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);

@@ -8,7 +8,8 @@
 
 namespace signorini
 {
-  StepReport ContactStabilizedNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  StepReport
+  ContactStabilizedNewmark::advance(DynamicalSystem &system, State &state, const double tau)
   {
     StepReport      report;
     const NormalGap gap = system.normal_gap(state.displacement);
@@ -31,10 +32,12 @@ namespace signorini
     Vector velocity_change = d;
     velocity_change -= p;
 
-    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Supports that accelerate react to the projection, too; their part of
-    // the second term is work from outside, and only the rest has a sign.
+    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Supports that accelerate react to the
+    // projection, too; their part of the second term is work from outside, and only the rest has a
+    // sign.
     const double projection_work = -2. / (tau * tau) * (mass_c * velocity_change);
-    const double support_work    = -2. / (tau * tau) * (support_part(system, mass_c) * velocity_change);
+    const double support_work =
+      -2. / (tau * tau) * (support_part(system, mass_c) * velocity_change);
 
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
@@ -47,10 +50,11 @@ namespace signorini
     if (stop_sticking_nodes && friction.state.any())
       {
         const ActiveSet sticking = staying_nodes(system, gap, solution, false, true);
-        report.work_friction += stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
+        report.work_friction +=
+          stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
       }
-    State end =
-      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end = trapezoidal_rule::end_of_step(
+      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
     swap(state, end);
     return report;
   }

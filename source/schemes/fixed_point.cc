@@ -13,8 +13,8 @@ namespace signorini
   Vector FixedPoint::make_unknowns(const std::size_t n_owned, const MPI_Comm communicator)
   {
     const std::size_t n_entries = std::max<std::size_t>(1, n_owned);
-    const auto        owned     = Utilities::MPI::create_ascending_partitioning(communicator, n_entries);
-    Vector            unknowns;
+    const auto owned = Utilities::MPI::create_ascending_partitioning(communicator, n_entries);
+    Vector     unknowns;
     unknowns.reinit(owned[Utilities::MPI::this_mpi_process(communicator)], communicator);
     return unknowns;
   }
@@ -41,14 +41,14 @@ namespace signorini
     Solver::AdditionalData options;
     options.strategy                      = Solver::AdditionalData::fixed_point;
     options.maximum_non_linear_iterations = 2 * limits.maximum_iterations;
-    options.function_tolerance            = std::numeric_limits<double>::min(); // the end is decided here
-    options.anderson_subspace_size        = anderson_depth;
-    Vector values                         = best_image;
+    options.function_tolerance     = std::numeric_limits<double>::min(); // the end is decided here
+    options.anderson_subspace_size = anderson_depth;
+    Vector values                  = best_image;
     Solver solver(options, values.get_mpi_communicator());
     solver.reinit_vector = [&](Vector &vector) { vector.reinit(values); };
 
-    // An image that is its origin ends the iteration. That way KINSOL never fails, which its wrapper
-    // reports by an assertion only, and no exception has to pass through C.
+    // An image that is its origin ends the iteration. That way KINSOL never fails, which its
+    // wrapper reports by an assertion only, and no exception has to pass through C.
     bool               go_on  = true;
     const unsigned int end    = iterations + limits.maximum_iterations;
     solver.iteration_function = [&](const Vector &current, Vector &image) {

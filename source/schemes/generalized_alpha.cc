@@ -13,7 +13,8 @@ namespace signorini
     const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
     const NormalGap   gap    = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({rule.stiffness_factor(tau), b, gap, state, tau, 1. / rule.reaction_weight(tau)}, solution);
+    system.solve({rule.stiffness_factor(tau), b, gap, state, tau, 1. / rule.reaction_weight(tau)},
+                 solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r *= rule.reaction_weight(tau);
@@ -28,7 +29,7 @@ namespace signorini
     report.corrector    = solution.effort;
     report.work_contact = r * d;
     report.work_support = rule.reaction_weight(tau) * (solution.support_reaction * d);
-    State end           = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = AlphaRule::work(system, state, end, d, report);
     swap(state, end);

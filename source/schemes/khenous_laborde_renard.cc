@@ -10,10 +10,11 @@ namespace signorini
   namespace
   {
     /**
-     * The forces at the start of a step that acceleration and contact do not balance: reactions of supports, and in a
-     * first step whatever loads massless nodes.
+     * The forces at the start of a step that acceleration and contact do not balance: reactions of
+     * supports, and in a first step whatever loads massless nodes.
      */
-    Vector unbalanced_forces(const State &state, const Vector &mass_acceleration, const Vector &load)
+    Vector
+    unbalanced_forces(const State &state, const Vector &mass_acceleration, const Vector &load)
     {
       Vector forces = mass_acceleration;
       forces.add(1., state.internal_force, -1., load);
@@ -35,8 +36,9 @@ namespace signorini
     const std::vector<unsigned int> massless = massless_entries(system);
     Vector                          load     = system.make_vector();
     system.add_load(load, 1., state.time);
-    const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
-    Vector       mass_a = system.make_vector(), new_load = mass_a;
+    const Vector a =
+      state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
+    Vector mass_a = system.make_vector(), new_load = mass_a;
     system.apply_mass(mass_a, a);
     system.add_load(new_load, 1., state.time + tau);
 
@@ -46,9 +48,8 @@ namespace signorini
     b.sadd(tau, tau * tau * (0.5 - beta), mass_a);
     b.add(scale, new_load, -scale, state.internal_force);
 
-    const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({scale, b, gap, state, tau, scale}, solution);
+    system.solve({scale, b, system.normal_gap(state.displacement), state, tau, scale}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r /= scale;
@@ -70,13 +71,16 @@ namespace signorini
     StepReport report;
     report.corrector    = solution.effort;
     report.work_contact = (1. - gamma) * (state.contact_force * d) + gamma * (r * d);
-    report.work_support = (1. - gamma) * (support * d) + gamma / scale * (solution.support_reaction * d);
+    report.work_support =
+      (1. - gamma) * (support * d) + gamma / scale * (solution.support_reaction * d);
 
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
 
-    // What the rule does to the energy: the mean velocity is not d/tau, and forces are not means of both ends.
-    Vector momentum_change = end.momentum, stiffness_change = end.internal_force, mean_velocity = end.velocity;
+    // What the rule does to the energy: the mean velocity is not d/tau, and forces are not means of
+    // both ends.
+    Vector momentum_change = end.momentum, stiffness_change = end.internal_force,
+           mean_velocity = end.velocity;
     momentum_change -= state.momentum;
     stiffness_change -= state.internal_force;
     mean_velocity += state.velocity;

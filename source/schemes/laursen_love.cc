@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/laursen_love.h>
 #include <signorini/schemes/node_impulses.h>
-#include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
 #include <cmath>
@@ -12,7 +12,10 @@ namespace signorini
 {
   namespace
   {
-    /** The nodal impulses that solve the equations of the single nodes; if that fails, along the contact forces r. */
+    /**
+     * The nodal impulses that solve the equations of the single nodes; if that fails, along the
+     * contact forces r.
+     */
     Vector impulses_per_node(DynamicalSystem         &system,
                              const IncrementSolution &solution,
                              const NormalGap         &gap,
@@ -24,7 +27,8 @@ namespace signorini
       std::vector<double> compression = solution.normal_reaction;
       for (double &force : compression)
         force *= -2. / (tau * tau);
-      NodeImpulses nodes        = solve_node_impulses(system, {compression, gap, system.relative_normal(velocity)});
+      NodeImpulses nodes =
+        solve_node_impulses(system, {compression, gap, system.relative_normal(velocity)});
       report.impulse_iterations = nodes.iterations;
       report.common_impulses    = !nodes.converged;
       if (!nodes.converged)
@@ -58,7 +62,8 @@ namespace signorini
         Vector velocity = state.velocity; // v*, without impulses
         velocity += velocity_change;
         const Vector impulses =
-          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, tau, report) : r; // up to a factor
+          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, tau, report)
+                         : r; // up to a factor
 
         // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*
         const Vector response = system.solve_mass(impulses);
@@ -79,8 +84,8 @@ namespace signorini
       }
     FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
     report.work_friction    = friction.work;
-    State end =
-      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end               = trapezoidal_rule::end_of_step(
+      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
     swap(state, end);
     return report;
   }

@@ -16,7 +16,8 @@ namespace signorini
     for (std::size_t k = 0; k < bounds.size(); ++k)
       {
         const double half_step = tau / 2. * approach[k];
-        bounds[k] = bounds[k] - half_step <= touching ? half_step : std::numeric_limits<double>::infinity();
+        bounds[k] =
+          bounds[k] - half_step <= touching ? half_step : std::numeric_limits<double>::infinity();
       }
     const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
     const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, bounds);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/schemes/newmark.h>
 #include <signorini/schemes/friction_of_step.h>
+#include <signorini/schemes/newmark.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
@@ -37,8 +37,8 @@ namespace signorini
     // v_new - v = 2/tau (d - tau v)
     Vector velocity_change = d;
     velocity_change.sadd(2. / tau, -2., state.velocity);
-    State end =
-      trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end = trapezoidal_rule::end_of_step(
+      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
     swap(state, end);
     return report;
   }

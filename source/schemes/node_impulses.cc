@@ -48,7 +48,8 @@ namespace signorini
       /** G I at all contact nodes. */
       NormalGap response(const std::vector<double> &impulses) const
       {
-        return system.relative_normal(system.solve_mass(system.capabilities().impulses->normal_forces(impulses)));
+        return system.relative_normal(
+          system.solve_mass(system.capabilities().impulses->normal_forces(impulses)));
       }
 
       void estimate_diagonal();
@@ -63,13 +64,15 @@ namespace signorini
         if (contact.force[p] > 0.)
           {
             nodes.push_back(p);
-            work.push_back(contact.force[p] * std::max(0., contact.gap[p])); // below zero by round-off
+            work.push_back(contact.force[p]
+                           * std::max(0., contact.gap[p])); // below zero by round-off
           }
       estimate_diagonal();
 
       const MPI_Comm communicator = system.make_vector().get_mpi_communicator();
       for (unsigned int k = 0; k < nodes.size(); ++k)
-        speed = std::max(speed, std::abs(approach[nodes[k]]) + std::sqrt(2. * diagonal[k] * work[k]));
+        speed =
+          std::max(speed, std::abs(approach[nodes[k]]) + std::sqrt(2. * diagonal[k] * work[k]));
       speed = Utilities::MPI::max(speed, communicator);
 
       unknowns = FixedPoint::make_unknowns(nodes.size(), communicator);
@@ -79,7 +82,7 @@ namespace signorini
     void NodeEquations::estimate_diagonal()
     {
       diagonal.assign(nodes.size(), 0.);
-      std::mt19937        random; // the same numbers in each step: a step depends on the state alone
+      std::mt19937 random; // the same numbers in each step: a step depends on the state alone
       std::vector<double> signs(approach.size(), 0.);
       for (unsigned int probe = 0; probe < n_probes; ++probe)
         {
@@ -109,11 +112,13 @@ namespace signorini
       next                   = 0.;
       for (unsigned int k = 0; k < nodes.size(); ++k)
         {
-          const double omega = approach[nodes[k]] - 0.5 * change[nodes[k]] + 0.5 * speed * current.local_element(k);
-          const double root  = std::sqrt(omega * omega + 2. * diagonal[k] * work[k]);
+          const double omega =
+            approach[nodes[k]] - 0.5 * change[nodes[k]] + 0.5 * speed * current.local_element(k);
+          const double root = std::sqrt(omega * omega + 2. * diagonal[k] * work[k]);
           // omega + root without cancellation
-          const double sum =
-            omega > 0. ? omega + root : (work[k] > 0. ? 2. * diagonal[k] * work[k] / (root - omega) : 0.);
+          const double lost     = 2. * diagonal[k] * work[k];
+          const double below    = lost > 0. ? lost / (root - omega) : 0.;
+          const double sum      = omega > 0. ? omega + root : below;
           next.local_element(k) = sum / speed;
         }
       Vector difference = next;
@@ -126,12 +131,15 @@ namespace signorini
   NodeImpulses solve_node_impulses(DynamicalSystem &system, const NodeContact &contact)
   {
     const NodeEquations equations(system, contact);
-    const auto          iterate = [&](const Vector &current, Vector &next) { return equations.iterate(current, next); };
-    FixedPoint          fixed_point(iterate, equations.make_unknowns(), impulse_limits);
-    NodeImpulses        result;
+    const auto          iterate = [&](const Vector &current, Vector &next) {
+      return equations.iterate(current, next);
+    };
+    FixedPoint   fixed_point(iterate, equations.make_unknowns(), impulse_limits);
+    NodeImpulses result;
     if (!equations.trivial())
       for (const unsigned int depth :
-           {FixedPoint::usual_depth, 0U}) // acceleration may lead astray, the plain iteration descends
+           {FixedPoint::usual_depth,
+            0U}) // acceleration may lead astray, the plain iteration descends
         if (!fixed_point.converged())
           fixed_point.run(depth);
     result.iterations = fixed_point.n_iterations();

@@ -15,13 +15,18 @@ namespace signorini
   namespace
   {
     constexpr double tiny_speed = std::numeric_limits<double>::min(); ///< where nothing moves
-    /** Of velocities in the bound, relative to the largest one: the last solution has to be that of its own jump. */
+    /**
+     * Of velocities in the bound, relative to the largest one: the last solution has to be that of
+     * its own jump.
+     */
     constexpr FixedPoint::Limits jump_limits{1e-9, 1e-9, 100};
 
     /** Nodes that would penetrate in the middle of the step. */
-    std::vector<bool> touching_nodes(const DynamicalSystem &system, const State &state, const double tau)
+    std::vector<bool>
+    touching_nodes(const DynamicalSystem &system, const State &state, const double tau)
     {
-      const NormalGap   gap = system.normal_gap(state.displacement), approach = system.relative_normal(state.velocity);
+      const NormalGap gap      = system.normal_gap(state.displacement),
+                      approach = system.relative_normal(state.velocity);
       std::vector<bool> touching(gap.size());
       for (std::size_t k = 0; k < gap.size(); ++k)
         touching[k] = gap[k] - tau / 2. * approach[k] <= touching_distance(system.length());
@@ -30,8 +35,10 @@ namespace signorini
 
 
     /** jump = W of the impulses of contact. */
-    void
-    jump_of_contact(DynamicalSystem &system, const IncrementSolution &solution, const double tau, Vector &jump)
+    void jump_of_contact(DynamicalSystem         &system,
+                         const IncrementSolution &solution,
+                         const double             tau,
+                         Vector                  &jump)
     {
       jump = system.make_vector();
       if (solution.contact_reaction.linfty_norm() == 0.)
@@ -61,9 +68,11 @@ namespace signorini
       NormalGap bounds(fixed_bounds.size(), std::numeric_limits<double>::infinity());
       for (std::size_t k = 0; k < bounds.size(); ++k)
         if (touching[k])
-          bounds[k] = fixed_bounds[k] - rule.beta * tau / rule.gamma * epsilon * current.local_element(k);
+          bounds[k] =
+            fixed_bounds[k] - rule.beta * tau / rule.gamma * epsilon * current.local_element(k);
       system.solve(
-        {rule.stiffness_factor(tau), right_hand_side, bounds, state, tau, tau * tau / 2.}, solution);
+        {rule.stiffness_factor(tau), right_hand_side, bounds, state, tau, tau * tau / 2.},
+        solution);
       effort.add(solution.effort);
       jump_of_contact(system, solution, tau, jump);
 
@@ -73,24 +82,29 @@ namespace signorini
         image.local_element(k) = normal_jump[k];
       Vector difference = image;
       difference -= current;
-      return epsilon * difference.linfty_norm() / std::max({start_speed, jump.linfty_norm(), tiny_speed});
+      return epsilon * difference.linfty_norm()
+             / std::max({start_speed, jump.linfty_norm(), tiny_speed});
     };
-    FixedPoint fixed_point(next_jump,
-                           FixedPoint::make_unknowns(touching.size(), state.velocity.get_mpi_communicator()),
-                           jump_limits);
+    FixedPoint fixed_point(
+      next_jump,
+      FixedPoint::make_unknowns(touching.size(), state.velocity.get_mpi_communicator()),
+      jump_limits);
     fixed_point.run(FixedPoint::usual_depth);
     if (!fixed_point.converged())
-      throw RunError("The jumps of the velocity in the step from time " + std::to_string(state.time)
-                     + " were not found. Choose a smaller Time/Step size or a larger Time/Spectral radius.");
+      throw RunError(
+        "The jumps of the velocity in the step from time " + std::to_string(state.time)
+        + " were not found. Choose a smaller Time/Step size or a larger Time/Spectral radius.");
     solution.effort = effort;
     return solution;
   }
 
 
-  StepReport NonsmoothGeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
+  StepReport
+  NonsmoothGeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
   {
     Assert(tau > 0., dealii::ExcMessage("A step has a positive size."));
-    const Vector a      = state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state, false);
+    const Vector a =
+      state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state, false);
     const Vector d_free = rule.free_increment(state, a, tau);
     const Vector b      = rule.right_hand_side(system, state, a, d_free, tau);
 
@@ -104,7 +118,8 @@ namespace signorini
     Vector                  r        = solution.contact_reaction; // tau/2 P
     r *= 2. / (tau * tau);
 
-    // a_new = (d - d_free - tau/2 W)/(beta tau^2), v_new - v = tau [(1 - gamma) a + gamma a_new] + W
+    // a_new = (d - d_free - tau/2 W)/(beta tau^2), v_new - v = tau [(1 - gamma) a + gamma a_new] +
+    // W
     Vector a_new = d;
     a_new -= d_free;
     a_new.add(-tau / 2., jump);
@@ -122,8 +137,8 @@ namespace signorini
     StepReport report;
     report.corrector    = solution.effort;
     report.work_contact = r * d;
-    report.work_support =
-      weight * (solution.support_reaction * d) + (1. / tau - weight * tau / 2.) * support_impulse_work;
+    report.work_support = weight * (solution.support_reaction * d)
+                          + (1. / tau - weight * tau / 2.) * support_impulse_work;
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = AlphaRule::work(system, state, end, d, report);

@@ -11,13 +11,15 @@ namespace signorini
   {
     std::string spelling_of(const EnergyLaw law)
     {
-      return law == EnergyLaw::dissipates ? "dissipates" : (law == EnergyLaw::conserves ? "conserves" : "none");
+      return law == EnergyLaw::dissipates ? "dissipates"
+                                          : (law == EnergyLaw::conserves ? "conserves" : "none");
     }
 
     std::string spelling_of(const MasslessNodesAre massless)
     {
-      return massless == MasslessNodesAre::refused ? "refused" :
-                                                     (massless == MasslessNodesAre::needed ? "needed" : "possible");
+      return massless == MasslessNodesAre::refused
+               ? "refused"
+               : (massless == MasslessNodesAre::needed ? "needed" : "possible");
     }
 
     std::string yes_or_no(const bool yes)
@@ -51,25 +53,29 @@ namespace signorini
            "force belongs to | changing mesh | variable step | in one sentence |\n"
            "|---|---|---|---|---|---|---|---|---|\n";
     for (const SchemeInfo &info : scheme_table())
-      out << "| `" << info.name << "` | " << spelling_of(info.energy) << " | " << yes_or_no(info.friction) << " | "
-          << spelling_of(info.massless) << " | " << yes_or_no(info.predictor) << " | " << instant(info) << " | "
-          << yes_or_no(info.changing_mesh) << " | " << yes_or_no(info.variable_step()) << " | " << info.summary
-          << " |\n";
+      out << "| `" << info.name << "` | " << spelling_of(info.energy) << " | "
+          << yes_or_no(info.friction) << " | " << spelling_of(info.massless) << " | "
+          << yes_or_no(info.predictor) << " | " << instant(info) << " | "
+          << yes_or_no(info.changing_mesh) << " | " << yes_or_no(info.variable_step()) << " | "
+          << info.summary << " |\n";
   }
 
 
   void print_schemes_as_json(std::ostream &out)
   {
-    const auto truth     = [](const bool value) { return value ? "true" : "false"; };
+    const auto  truth     = [](const bool value) { return value ? "true" : "false"; };
     const char *separator = "[\n";
     for (const SchemeInfo &info : scheme_table())
       {
-        out << separator << "  {\"name\": " << quoted(info.name) << ", \"summary\": " << quoted(info.summary)
-            << ",\n   \"energy\": " << quoted(spelling_of(info.energy)) << ", \"friction\": " << truth(info.friction)
+        out << separator << "  {\"name\": " << quoted(info.name)
+            << ", \"summary\": " << quoted(info.summary)
+            << ",\n   \"energy\": " << quoted(spelling_of(info.energy))
+            << ", \"friction\": " << truth(info.friction)
             << ", \"massless_nodes\": " << quoted(spelling_of(info.massless))
             << ", \"predictor\": " << truth(info.predictor)
             << ",\n   \"force_before_end\": " << quoted(info.force_before_end)
-            << ", \"parameter\": " << quoted(info.parameter) << ", \"mean_velocity\": " << truth(info.mean_velocity)
+            << ", \"parameter\": " << quoted(info.parameter)
+            << ", \"mean_velocity\": " << truth(info.mean_velocity)
             << ",\n   \"changing_mesh\": " << truth(info.changing_mesh)
             << ", \"variable_step\": " << truth(info.variable_step()) << "}";
         separator = ",\n";

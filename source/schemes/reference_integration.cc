@@ -36,7 +36,8 @@ namespace signorini
       {
         Vector load = system.make_vector(), contact_force;
         system.add_load(load, 1., time);
-        effort       = massless_nodes.equilibrate_massless(complete(motion.block(0)), load, contact_force);
+        effort =
+          massless_nodes.equilibrate_massless(complete(motion.block(0)), load, contact_force);
         Vector force = system.make_vector();
         system.apply_stiffness(force, guess);
         force.sadd(-1., 1., load);
@@ -87,7 +88,8 @@ namespace signorini
       motion.block(0) = state.displacement;
       motion.block(1).reinit(state.velocity);
       motion.block(1).equ(tau, state.velocity);
-      if (const MovingSupports *supports = system.capabilities().moving_supports; supports != nullptr)
+      if (const MovingSupports *supports = system.capabilities().moving_supports;
+          supports != nullptr)
         supports->stop_at_supports(motion.block(1));
       for (const unsigned int i : massless)
         motion.block(1).local_element(i) = 0.;
@@ -96,7 +98,10 @@ namespace signorini
     }
 
 
-    /** From the start of a step to its end. @param tolerance of each step of the integrator, relative */
+    /**
+     * From the start of a step to its end. @param tolerance of each step of the integrator,
+     * relative
+     */
     void integrate(Equation    &equation,
                    Motion      &motion,
                    const double start_time,
@@ -117,7 +122,8 @@ namespace signorini
       Integrator integrator(data, motion.block(0).get_mpi_communicator());
 
       std::exception_ptr failure; // exceptions must not pass through SUNDIALS
-      integrator.explicit_function = [&](const double time, const Motion &y, Motion &derivative) -> int {
+      integrator.explicit_function =
+        [&](const double time, const Motion &y, Motion &derivative) -> int {
         try
           {
             equation.right_hand_side(time, y, derivative);
@@ -138,8 +144,9 @@ namespace signorini
         {
           if (failure)
             std::rethrow_exception(failure);
-          throw RunError("Time/Scheme: the integrator ARKODE gave up at time " + std::to_string(start_time)
-                         + ". Use a smaller step size, or a larger Reference tolerance. (" + error.what() + ")");
+          throw RunError(
+            "Time/Scheme: the integrator ARKODE gave up at time " + std::to_string(start_time)
+            + ". Use a smaller step size, or a larger Reference tolerance. (" + error.what() + ")");
         }
     }
   } // namespace
@@ -176,8 +183,8 @@ namespace signorini
 
     StepReport report;
     report.corrector = equation.effort;
-    State end =
-      trapezoidal_rule::end_of_step(system, state, tau, increment, velocity_change, std::move(contact_force));
+    State end        = trapezoidal_rule::end_of_step(
+      system, state, tau, increment, velocity_change, std::move(contact_force));
     swap(state, end);
     return report;
   }

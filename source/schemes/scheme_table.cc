@@ -26,7 +26,10 @@ namespace signorini
   {
     using Made = std::unique_ptr<TimeScheme>;
 
-    /** Most schemes: trapezoidal rule, one contact force against the elastic forces of the middle, no friction. */
+    /**
+     * Most schemes: trapezoidal rule, one contact force against the elastic forces of the middle,
+     * no friction.
+     */
     SchemeInfo common(const std::string &name, const EnergyLaw energy, const std::string &summary)
     {
       SchemeInfo info{};
@@ -65,11 +68,13 @@ namespace signorini
 
     SchemeInfo contact_stabilized()
     {
-      SchemeInfo info = common("contact-stabilized",
-                               EnergyLaw::dissipates,
-                               "Newmark with a predictor that respects the contact condition; smooth contact forces");
+      SchemeInfo info = common(
+        "contact-stabilized",
+        EnergyLaw::dissipates,
+        "Newmark with a predictor that respects the contact condition; smooth contact forces");
       info.friction = info.predictor = true;
-      refuse_massless_nodes(info, ": its predictor stops the mass of contact nodes, and they have none");
+      refuse_massless_nodes(info,
+                            ": its predictor stops the mass of contact nodes, and they have none");
       info.make = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes);
       };
@@ -92,20 +97,22 @@ namespace signorini
 
     SchemeInfo contact_implicit()
     {
-      SchemeInfo info =
-        common("contact-implicit", EnergyLaw::dissipates, "Newmark without a predictor; contact forces oscillate");
-      info.friction = true;
-      info.make     = make<ContactImplicitNewmark>;
+      SchemeInfo info = common("contact-implicit",
+                               EnergyLaw::dissipates,
+                               "Newmark without a predictor; contact forces oscillate");
+      info.friction   = true;
+      info.make       = make<ContactImplicitNewmark>;
       return info;
     }
 
 
     SchemeInfo laursen_chawla()
     {
-      SchemeInfo info = common(
-        "laursen-chawla", EnergyLaw::conserves, "contact as a condition of persistency; allows penetration");
-      info.friction = true;
-      info.make     = make<LaursenChawla>;
+      SchemeInfo info = common("laursen-chawla",
+                               EnergyLaw::conserves,
+                               "contact as a condition of persistency; allows penetration");
+      info.friction   = true;
+      info.make       = make<LaursenChawla>;
       return info;
     }
 
@@ -115,7 +122,8 @@ namespace signorini
       SchemeInfo info = common(
         "laursen-love", EnergyLaw::conserves, "gives lost energy back by impulses; no penetration");
       info.friction = info.impulses = true;
-      refuse_massless_nodes(info, ": impulses on contact nodes without mass have no effect that is finite");
+      refuse_massless_nodes(
+        info, ": impulses on contact nodes without mass have no effect that is finite");
       info.make = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<LaursenLove>(parameters.impulses_per_node);
       };
@@ -125,15 +133,17 @@ namespace signorini
 
     SchemeInfo khenous_laborde_renard()
     {
-      SchemeInfo info = common(
-        "khenous-laborde-renard", EnergyLaw::none, "contact nodes have no mass; smooth contact forces");
+      SchemeInfo info = common("khenous-laborde-renard",
+                               EnergyLaw::none,
+                               "contact nodes have no mass; smooth contact forces");
       need_massless_nodes(info);
       info.balance          = StepBalance::end;
       info.force_before_end = "0"; // in equilibrium at the end
       info.mean_velocity    = true;
       info.keys             = {"Newmark beta", "Newmark gamma"};
       info.make             = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta, parameters.newmark_gamma);
+        return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta,
+                                                      parameters.newmark_gamma);
       };
       return info;
     }
@@ -141,8 +151,9 @@ namespace signorini
 
     SchemeInfo hager_hueeber_wohlmuth()
     {
-      SchemeInfo info = common(
-        "hager-hueeber-wohlmuth", EnergyLaw::conserves, "laursen-chawla with contact nodes without mass");
+      SchemeInfo info = common("hager-hueeber-wohlmuth",
+                               EnergyLaw::conserves,
+                               "laursen-chawla with contact nodes without mass");
       need_massless_nodes(info);
       info.friction = info.macro_elements = true;
       info.make                           = make<HagerHueeberWohlmuth>;
@@ -152,8 +163,8 @@ namespace signorini
 
     SchemeInfo newmark()
     {
-      SchemeInfo info =
-        common("newmark", EnergyLaw::none, "the classical scheme with contact; gains energy at impact");
+      SchemeInfo info = common(
+        "newmark", EnergyLaw::none, "the classical scheme with contact; gains energy at impact");
       info.friction         = true;
       info.balance          = StepBalance::both_ends;
       info.force_before_end = "0"; // forces of both ends act, each with its own elastic forces
@@ -164,7 +175,8 @@ namespace signorini
 
     SchemeInfo hht_alpha()
     {
-      SchemeInfo info = common("hht-alpha", EnergyLaw::none, "numerical damping by `HHT alpha`; for comparison");
+      SchemeInfo info =
+        common("hht-alpha", EnergyLaw::none, "numerical damping by `HHT alpha`; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
       info.force_before_end = "-p"; // alpha_f
       info.parameter        = "HHT alpha";
@@ -178,14 +190,16 @@ namespace signorini
 
     SchemeInfo generalized_alpha()
     {
-      SchemeInfo info =
-        common("generalized-alpha", EnergyLaw::none, "numerical damping by `Spectral radius`; for comparison");
+      SchemeInfo info = common("generalized-alpha",
+                               EnergyLaw::none,
+                               "numerical damping by `Spectral radius`; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
       info.force_before_end = "p/(1+p)"; // alpha_f
       info.parameter        = "Spectral radius";
       info.keys             = {info.parameter};
       info.make             = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<GeneralizedAlpha>(AlphaRule::with_spectral_radius(parameters.spectral_radius));
+        return std::make_unique<GeneralizedAlpha>(
+          AlphaRule::with_spectral_radius(parameters.spectral_radius));
       };
       return info;
     }
@@ -193,9 +207,10 @@ namespace signorini
 
     SchemeInfo nonsmooth_generalized_alpha()
     {
-      SchemeInfo info = common("nonsmooth-generalized-alpha",
-                               EnergyLaw::none,
-                               "generalized-alpha with contact as jumps of the velocity; for comparison");
+      SchemeInfo info =
+        common("nonsmooth-generalized-alpha",
+               EnergyLaw::none,
+               "generalized-alpha with contact as jumps of the velocity; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
       info.keys = {"Spectral radius"};
       info.make = [](const SchemeParameters &parameters) -> Made {
@@ -208,7 +223,8 @@ namespace signorini
 
     SchemeInfo backward_euler()
     {
-      SchemeInfo info = common("backward-euler", EnergyLaw::dissipates, "damps all that moves; for comparison");
+      SchemeInfo info =
+        common("backward-euler", EnergyLaw::dissipates, "damps all that moves; for comparison");
       info.friction         = true;
       info.balance          = StepBalance::end;
       info.force_before_end = "0";
@@ -219,8 +235,9 @@ namespace signorini
 
     SchemeInfo moreau_jean()
     {
-      SchemeInfo info = common(
-        "moreau-jean", EnergyLaw::none, "contact as a condition of velocities; penetrates; for comparison");
+      SchemeInfo info = common("moreau-jean",
+                               EnergyLaw::none,
+                               "contact as a condition of velocities; penetrates; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
       info.make = make<MoreauJean>;
       return info;
@@ -282,7 +299,8 @@ namespace signorini
   }
 
 
-  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters)
+  std::unique_ptr<TimeScheme> make_time_scheme(const std::string      &name,
+                                               const SchemeParameters &parameters)
   {
     return scheme_info(name).make(parameters);
   }

@@ -16,7 +16,8 @@ namespace signorini
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (gap[k] <= touching && solution.normal_reaction[k] < 0.)
         {
-          const bool sticks = tangential && !solution.status.empty() && contact_status::sticks(solution.status[k]);
+          const bool sticks =
+            tangential && !solution.status.empty() && contact_status::sticks(solution.status[k]);
           if (normal)
             held[k] = sticks ? contact_status::stick : contact_status::slip;
           else if (sticks)
@@ -36,13 +37,13 @@ namespace signorini
   {
     Vector new_velocity = velocity, correction, impulses;
     new_velocity += velocity_change;
-    const SolveReport effort =
-      system.capabilities().projections->stop_relative_motion(new_velocity, held, correction, impulses);
+    const SolveReport effort = system.capabilities().projections->stop_relative_motion(
+      new_velocity, held, correction, impulses);
     if (effort.n_active == 0)
       return 0.;
     const Vector supports     = support_part(system, impulses);
     const double work_support = supports * new_velocity;
-    const double work         = impulses * new_velocity + 0.5 * (impulses * correction) - work_support;
+    const double work = impulses * new_velocity + 0.5 * (impulses * correction) - work_support;
 
     velocity_change += correction;
     contact_force.add(1. / step_size, impulses, -1. / step_size, supports);

@@ -17,8 +17,10 @@ namespace signorini
     }
 
 
-    ProjectedPredictor
-    project_predictor(DynamicalSystem &system, const State &state, const double step_size, const NormalGap &gap)
+    ProjectedPredictor project_predictor(DynamicalSystem &system,
+                                         const State     &state,
+                                         const double     step_size,
+                                         const NormalGap &gap)
     {
       ProjectedPredictor result;
       result.increment = state.velocity;
@@ -39,7 +41,9 @@ namespace signorini
     {
       const double      square = step_size * step_size;
       IncrementSolution solution;
-      system.solve({square / 4., right_hand_side, gap, state, step_size, square / 2., further_reaction}, solution);
+      system.solve(
+        {square / 4., right_hand_side, gap, state, step_size, square / 2., further_reaction},
+        solution);
       return solution;
     }
 
@@ -50,8 +54,10 @@ namespace signorini
     }
 
 
-    StepReport
-    finish_implicit(DynamicalSystem &system, State &state, const double tau, const IncrementSolution &solution)
+    StepReport finish_implicit(DynamicalSystem         &system,
+                               State                   &state,
+                               const double             tau,
+                               const IncrementSolution &solution)
     {
       const Vector &d = solution.increment;
       Vector        r = solution.contact_reaction;
@@ -67,7 +73,8 @@ namespace signorini
 
       Vector velocity_change = d;
       velocity_change.sadd(2. / tau, -2., state.velocity);
-      State end = end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+      State end = end_of_step(
+        system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
       swap(state, end);
       return report;
     }

@@ -26,8 +26,8 @@ namespace signorini
         velocities.push_back(body.initial_velocity);
       }
     State state;
-    state.displacement  = discretization.interpolate(displacements);
-    state.velocity      = discretization.interpolate(velocities);
+    state.displacement = discretization.interpolate(displacements);
+    state.velocity     = discretization.interpolate(velocities);
     state.velocity *= 1. + perturbation_of_velocities();
     state.contact_force = state.momentum = state.internal_force = discretization.make_vector();
     return state;

@@ -27,10 +27,15 @@ namespace signorini
       estimate = std::make_unique<EmbeddedEstimate>(scheme);
     const double wave_part =
       sizes.control == StepSizeControl::doubling ? 1. : 0.5; // of a doubled step the halves count
-    const double maximum   = sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
-    return std::make_unique<AdaptiveSteps>(
-      std::move(estimate),
-      AdaptiveSteps::Parameters{
-        sizes.tolerance, time.step_size, sizes.minimum, maximum, time.end_time, wave_part, shortest_wave_time});
+    const double maximum =
+      sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
+    return std::make_unique<AdaptiveSteps>(std::move(estimate),
+                                           AdaptiveSteps::Parameters{sizes.tolerance,
+                                                                     time.step_size,
+                                                                     sizes.minimum,
+                                                                     maximum,
+                                                                     time.end_time,
+                                                                     wave_part,
+                                                                     shortest_wave_time});
   }
 } // namespace signorini

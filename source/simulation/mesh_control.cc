@@ -42,17 +42,20 @@ namespace signorini
     latest         = indicator->evaluate(step);
     last_judgement = step.end.step;
 
-    std::vector<bool> to_keep = cells_in_contact(discretization, meshed.surface, step.end.contact_force), to_refine;
+    std::vector<bool> to_keep =
+                        cells_in_contact(discretization, meshed.surface, step.end.contact_force),
+                      to_refine;
     if (parameters.refines_contact())
       {
-        // An estimate sees contact when it is there; nodes that come into contact on coarse cells would give a blow.
+        // An estimate sees contact when it is there; nodes that come into contact on coarse cells
+        // would give a blow.
         const auto closeness =
           DistanceIndicator<dim>(discretization, meshed.surface, parameters, time.step_size)
             .evaluate(step);
         to_refine.resize(to_keep.size());
         for (unsigned int cell = 0; cell < to_keep.size(); ++cell)
           {
-            to_keep[cell]   = to_keep[cell] || closeness(cell) >= DistanceIndicator<dim>::far_enough;
+            to_keep[cell] = to_keep[cell] || closeness(cell) >= DistanceIndicator<dim>::far_enough;
             to_refine[cell] = closeness(cell) >= DistanceIndicator<dim>::too_close;
           }
       }

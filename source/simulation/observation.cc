@@ -174,7 +174,8 @@ namespace signorini
   template <int dim>
   double Observation<dim>::relative_scale() const
   {
-    // Bodies that start at rest bring hardly any energy of their own; then the largest energy of the motion is the measure.
+    // Bodies that start at rest bring hardly any energy of their own; then the largest energy of
+    // the motion is the measure.
     const double initial = std::abs(ledger.initial().total());
     return initial > 1e-3 * largest_energy ? initial : largest_energy;
   }

@@ -3,11 +3,11 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/output/earlier_results.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
-#include <signorini/schemes/scheme_table.h>
 #include <signorini/system/static_equilibrium.h>
 
 #include <algorithm>
@@ -88,7 +88,8 @@ namespace signorini
       }
 
     timer.print_wall_time_statistics(mesh.communicator());
-    log.message(stepping->summary() + observation.summary() + meshed->system.cost_summary() + timer_table.str());
+    log.message(stepping->summary() + observation.summary() + meshed->system.cost_summary()
+                + timer_table.str());
     log.finish();
   }
 
@@ -119,7 +120,8 @@ namespace signorini
   template <int dim>
   AcceptedStep Simulation<dim>::advance_on_this_mesh(TimeStepping &stepping)
   {
-    TimerOutput::Scope scope(timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
+    TimerOutput::Scope scope(
+      timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
     mesh_has_just_changed = false;
     return stepping.advance(meshed->system, state);
   }
@@ -184,7 +186,8 @@ namespace signorini
   {
     if (!scene.output.vtu)
       return false;
-    return step == 0 || is_last || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
+    return step == 0 || is_last
+           || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
   }
 
 
@@ -199,7 +202,8 @@ namespace signorini
       text << scene.time.n_steps() << " steps of ";
     text << scene.time.step_size << "\n";
     if (n_equilibrium_steps > 0)
-      text << "  start             equilibrium, found in " << n_equilibrium_steps << " proximal steps\n";
+      text << "  start             equilibrium, found in " << n_equilibrium_steps
+           << " proximal steps\n";
     if (!meshed->mass_note.empty())
       text << "  mass              " << meshed->mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "
@@ -212,9 +216,9 @@ namespace signorini
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none "
               "faces its obstacle, or supports hold them all\n";
     if (meshed->surface.n_supported() > 0)
-      text
-        << "  note: " << meshed->surface.n_supported()
-        << " nodes of the contact surface are held in the normal direction by a support and take no part in contact\n";
+      text << "  note: " << meshed->surface.n_supported()
+           << " nodes of the contact surface are held in the normal direction by a support and "
+              "take no part in contact\n";
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
         && std::any_of(
           scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {
@@ -224,8 +228,8 @@ namespace signorini
       text << "  warning: on a mesh that changes, a round body keeps the facets of its initial "
               "`Refinements`, however fine the mesh becomes.\n           Set `Mapping = curved`.\n";
     if (perturbation_of_velocities() != 0.)
-      text << "  note: SIGNORINI_PERTURB changes the initial velocities by " << perturbation_of_velocities()
-           << " of themselves\n";
+      text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
+           << perturbation_of_velocities() << " of themselves\n";
     for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
     return text.str();

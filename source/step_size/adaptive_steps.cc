@@ -72,12 +72,13 @@ namespace signorini
   {
     if (!std::isfinite(touch))
       return;
-    // Touches that matter are found by their forces, and those of vibrating nodes should not hold up a flight.
+    // Touches that matter are found by their forces, and those of vibrating nodes should not hold
+    // up a flight.
     const double reach =
       rules.flight_is_free ? touch - clear_of_touch * parameters.first : part_of_approach * touch;
-    const int    shortest = rules.flight_is_free ? std::max(lowest, std::min(level, 0)) : lowest;
-    const int    reached  = reach > 0. ? level_below(reach, parameters.first) : lowest;
-    level                 = std::min(level, std::max(reached, shortest));
+    const int shortest = rules.flight_is_free ? std::max(lowest, std::min(level, 0)) : lowest;
+    const int reached  = reach > 0. ? level_below(reach, parameters.first) : lowest;
+    level              = std::min(level, std::max(reached, shortest));
   }
 
 
@@ -90,7 +91,8 @@ namespace signorini
         level = highest;
         return;
       }
-    // Vibrations that are not resolved have errors as large as themselves, however long the step is.
+    // Vibrations that are not resolved have errors as large as themselves, however long the step
+    // is.
     const double content = trial.is_flight ? rules.content_in_flight : rules.content;
     if (factor >= 2. || trial.error <= content * parameters.tolerance)
       level = std::min(level + 1, highest);
@@ -101,7 +103,7 @@ namespace signorini
   {
     if (new_mesh)
       lowest = std::min(0, -level_below(parameters.first, minimum()));
-    new_mesh = false;
+    new_mesh           = false;
     const double touch = time_to_touch(system, state, 2. * parameters.maximum);
     approach(touch);
     level = std::max(level, lowest);
@@ -112,7 +114,8 @@ namespace signorini
         StepTrial    trial = estimate->attempt(system, state, size, parameters.tolerance);
         n_solved += trial.n_solved;
         const double factor =
-          trial.error > 0. ? std::pow(safety * parameters.tolerance / trial.error, trial.exponent) : 2.; // of the size
+          trial.error > 0. ? std::pow(safety * parameters.tolerance / trial.error, trial.exponent)
+                           : 2.; // of the size
         if (trial.error <= parameters.tolerance || level == lowest)
           {
             try_longer(trial, factor);
@@ -167,8 +170,9 @@ namespace signorini
   std::string AdaptiveSteps::summary() const
   {
     std::ostringstream text;
-    text << "  steps             " << n_accepted << " accepted, sizes from " << smallest_size << " to " << largest_size
-         << "; " << n_rejected << " attempts rejected; " << n_solved << " steps computed for that\n";
+    text << "  steps             " << n_accepted << " accepted, sizes from " << smallest_size
+         << " to " << largest_size << "; " << n_rejected << " attempts rejected; " << n_solved
+         << " steps computed for that\n";
     return text.str();
   }
 } // namespace signorini

@@ -34,14 +34,15 @@ namespace signorini
       largest = std::max(largest, std::abs(value));
     largest = dealii::Utilities::MPI::max(largest, state.contact_force.get_mpi_communicator());
 
-    const double threshold =
-      std::max(negligible * largest, negligible_beside_energy * energy_of_motion(state) / system.length());
+    const double threshold = std::max(
+      negligible * largest, negligible_beside_energy * energy_of_motion(state) / system.length());
     ActiveSet result(force.size(), contact_status::open);
     for (std::size_t k = 0; k < force.size(); ++k)
       if (force[k] < -threshold)
         {
-          const bool sticks = state.friction.any() && contact_status::sticks(state.friction.status[k]);
-          result[k]         = sticks ? contact_status::stick : contact_status::slip;
+          const bool sticks =
+            state.friction.any() && contact_status::sticks(state.friction.status[k]);
+          result[k] = sticks ? contact_status::stick : contact_status::slip;
         }
     return result;
   }
@@ -56,7 +57,9 @@ namespace signorini
 
   bool differ(const ActiveSet &a, const ActiveSet &b, const Vector &like)
   {
-    return dealii::Utilities::MPI::max(static_cast<unsigned int>(a != b), like.get_mpi_communicator()) > 0;
+    return dealii::Utilities::MPI::max(static_cast<unsigned int>(a != b),
+                                       like.get_mpi_communicator())
+           > 0;
   }
 
 
@@ -64,9 +67,10 @@ namespace signorini
   {
     if (any_contact(system, state))
       return std::numeric_limits<double>::infinity();
-    const NormalGap gap = system.normal_gap(state.displacement), approach = system.relative_normal(state.velocity);
-    const double    touching = 1e-9 * system.length();
-    double          first    = std::numeric_limits<double>::infinity();
+    const NormalGap gap      = system.normal_gap(state.displacement),
+                    approach = system.relative_normal(state.velocity);
+    const double touching    = 1e-9 * system.length();
+    double       first       = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (approach[k] * horizon > gap[k] + touching)
         first = std::min(first, std::max(0., gap[k]) / approach[k]);

@@ -10,7 +10,8 @@
 
 namespace signorini
 {
-  StepTrial EmbeddedEstimate::attempt(DynamicalSystem &system, const State &start, const double span, double)
+  StepTrial
+  EmbeddedEstimate::attempt(DynamicalSystem &system, const State &start, const double span, double)
   {
     StepTrial trial;
     trial.n_solved = 1;
@@ -18,8 +19,8 @@ namespace signorini
     TakenStep &step = trial.steps.back();
     step.report     = scheme.advance(system, step.state, span);
 
-    const bool changed =
-      differ(contact_statuses(system, start), contact_statuses(system, step.state), start.displacement);
+    const bool changed = differ(
+      contact_statuses(system, start), contact_statuses(system, step.state), start.displacement);
     trial.exponent  = changed ? 2. : 0.5;
     trial.is_flight = !changed && !any_contact(system, start);
     trial.is_known  = start.last_step.any();
@@ -47,6 +48,7 @@ namespace signorini
 
   void EmbeddedEstimate::accept(const State &start, const StepTrial &trial)
   {
-    largest_energy = std::max({largest_energy, energy_of_motion(start), energy_of_motion(trial.steps.back().state)});
+    largest_energy = std::max(
+      {largest_energy, energy_of_motion(start), energy_of_motion(trial.steps.back().state)});
   }
 } // namespace signorini

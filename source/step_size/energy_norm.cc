@@ -28,7 +28,8 @@ namespace signorini
   double energy_distance(const State &a, const State &b)
   {
     const double kinetic = difference(a.velocity, b.velocity) * difference(a.momentum, b.momentum);
-    const double elastic = difference(a.displacement, b.displacement) * difference(a.internal_force, b.internal_force);
+    const double elastic =
+      difference(a.displacement, b.displacement) * difference(a.internal_force, b.internal_force);
     return std::sqrt(0.5 * std::max(0., kinetic + elastic)); // below zero by round-off
   }
 } // namespace signorini

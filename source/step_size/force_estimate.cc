@@ -25,8 +25,10 @@ namespace signorini
   } // namespace
 
 
-  StepTrial
-  ForceEstimate::attempt(DynamicalSystem &system, const State &start, const double span, const double tolerance)
+  StepTrial ForceEstimate::attempt(DynamicalSystem &system,
+                                   const State     &start,
+                                   const double     span,
+                                   const double     tolerance)
   {
     StepTrial    trial = motion.attempt(system, start, span, tolerance);
     const State &end   = trial.steps.back().state;
@@ -37,19 +39,22 @@ namespace signorini
 
     Vector change = end.contact_force;
     change -= start.contact_force;
-    const double between = start.last_step.any() ? (start.last_step.size + span) / 2. : span; // from mean to mean
-    const double forces  = change.l1_norm() * span / between;
+    const double between =
+      start.last_step.any() ? (start.last_step.size + span) / 2. : span; // from mean to mean
+    const double forces = change.l1_norm() * span / between;
     if (forces > 0.)
-      trial.error = std::max(trial.error, forces / largest_expected_force(start, end) * (span / unit) * (span / unit));
+      trial.error = std::max(
+        trial.error, forces / largest_expected_force(start, end) * (span / unit) * (span / unit));
     return trial;
   }
 
 
   double ForceEstimate::largest_expected_force(const State &start, const State &end) const
   {
-    const double before  = start.contact_force.l1_norm();
-    const double force   = std::max(before, end.contact_force.l1_norm());
-    const double energy  = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
+    const double before = start.contact_force.l1_norm();
+    const double force  = std::max(before, end.contact_force.l1_norm());
+    const double energy =
+      std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
     const double least   = noticeable * energy;
     const double elastic = std::max(elastic_energy(end), least);
     const double so_far  = std::max(largest_elastic_energy, least);
@@ -61,9 +66,9 @@ namespace signorini
   void ForceEstimate::accept(const State &start, const StepTrial &trial)
   {
     motion.accept(start, trial);
-    const State &end       = trial.steps.back().state;
-    largest_force          = std::max(largest_force, end.contact_force.l1_norm());
-    largest_energy         = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
+    const State &end = trial.steps.back().state;
+    largest_force    = std::max(largest_force, end.contact_force.l1_norm());
+    largest_energy   = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
     largest_elastic_energy = std::max(largest_elastic_energy, elastic_energy(end));
   }
 
@@ -71,7 +76,7 @@ namespace signorini
   StepRules ForceEstimate::rules() const
   {
     StepRules rules;
-    rules.content           = 0.3; // forces waver: what is 1.2 for twice the size by now may soon be less
+    rules.content = 0.3; // forces waver: what is 1.2 for twice the size by now may soon be less
     rules.content_in_flight = 1.;
     rules.rest              = 0;
     rules.smallest_part     = 1. / 8.; // resting contact chatters in shorter and shorter steps

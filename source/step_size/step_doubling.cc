@@ -7,8 +7,10 @@
 
 namespace signorini
 {
-  StepTrial
-  StepDoubling::attempt(DynamicalSystem &system, const State &start, const double span, const double tolerance)
+  StepTrial StepDoubling::attempt(DynamicalSystem &system,
+                                  const State     &start,
+                                  const double     span,
+                                  const double     tolerance)
   {
     StepTrial       coarse       = single.attempt(system, start, span, tolerance);
     const State    &end          = coarse.steps.back().state;

@@ -17,9 +17,11 @@ namespace signorini
   namespace
   {
     /** Without friction, none of its cost. */
-    std::unique_ptr<ConstrainedSolver> make_solver(const bool with_friction, const SolverParameters &parameters)
+    std::unique_ptr<ConstrainedSolver> make_solver(const bool              with_friction,
+                                                   const SolverParameters &parameters)
     {
-      const ActiveSetLimits limits{parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations};
+      const ActiveSetLimits limits{parameters.maximum_active_set_iterations,
+                                   parameters.maximum_linear_iterations};
       if (with_friction)
         return std::make_unique<FrictionalNewton>(limits);
       return std::make_unique<PrimalDualActiveSet>(limits);
@@ -69,7 +71,8 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::add_load(Vector &destination, const double factor, const double time)
+  void
+  ElasticContactSystem<dim>::add_load(Vector &destination, const double factor, const double time)
   {
     if (loads.any())
       destination.add(factor, loads.at(time));
@@ -82,20 +85,23 @@ namespace signorini
                                                      const Vector              &right_hand_side,
                                                      const std::vector<double> &prescribed) const
   {
-    // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most 2/tau^2 e'K e.
-    const double scale = energy_scale > 0. ? step_size * std::sqrt(energy_scale / 2.)
-                                           : response_size( // at rest: what this step is going to bring
-                                             *matrix.product,
-                                             *matrix.preconditioner,
-                                             right_hand_side,
-                                             coordinates.supported_entries(),
-                                             prescribed);
+    // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most
+    // 2/tau^2 e'K e.
+    const double scale = energy_scale > 0.
+                           ? step_size * std::sqrt(energy_scale / 2.)
+                           : response_size( // at rest: what this step is going to bring
+                             *matrix.product,
+                             *matrix.preconditioner,
+                             right_hand_side,
+                             coordinates.supported_entries(),
+                             prescribed);
     return parameters.solver.tolerance * scale;
   }
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::guess_from_start(const IncrementProblem &problem, Vector &increment)
+  void ElasticContactSystem<dim>::guess_from_start(const IncrementProblem &problem,
+                                                   Vector                 &increment)
   {
     increment.equ(problem.step_size, problem.start.velocity);
     coordinates.displacement_to_contact(increment);
@@ -103,8 +109,10 @@ namespace signorini
     coordinates.force_to_contact(force);
     for (unsigned int k = 0; k < active.size(); ++k)
       {
-        // New nodes between those that stick and those that slip are under pressure, but have no status yet.
-        active[k] = problem.start.friction.any() ? problem.start.friction.status[k] : contact_status::open;
+        // New nodes between those that stick and those that slip are under pressure, but have no
+        // status yet.
+        active[k] =
+          problem.start.friction.any() ? problem.start.friction.status[k] : contact_status::open;
         if (is_pressed(force.local_element(coordinates.normal_entries()[k])))
           active[k] = std::max(active[k], contact_status::slip);
       }
@@ -112,9 +120,11 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<double> ElasticContactSystem<dim>::prescribed_increments(const IncrementProblem &problem) const
+  std::vector<double>
+  ElasticContactSystem<dim>::prescribed_increments(const IncrementProblem &problem) const
   {
-    std::vector<double> prescribed = coordinates.supported_values(problem.start.time + problem.step_size);
+    std::vector<double> prescribed =
+      coordinates.supported_values(problem.start.time + problem.step_size);
     if (prescribed.empty())
       return prescribed;
     Vector displacement = problem.start.displacement;
@@ -126,9 +136,19 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::solve(const IncrementProblem &problem, IncrementSolution &solution)
+  void ElasticContactSystem<dim>::expect_contact(const Vector &increment, const NormalGap &bounds)
   {
-    StepMatrix<dim>           &matrix = step_matrices.get(problem.stiffness_factor, problem.step_size);
+    for (unsigned int k = 0; k < active.size(); ++k)
+      if (increment.local_element(coordinates.normal_entries()[k]) > bounds[k])
+        active[k] = std::max(active[k], contact_status::slip);
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::solve(const IncrementProblem &problem,
+                                        IncrementSolution      &solution)
+  {
+    StepMatrix<dim> &matrix = step_matrices.get(problem.stiffness_factor, problem.step_size);
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;
@@ -137,11 +157,7 @@ namespace signorini
     increment         = discretization.make_vector();
     if (!matrix.forecast.guess(right_hand_side, increment))
       guess_from_start(problem, increment);
-
-    // A node that the guess drives into the obstacle is expected to touch.
-    for (unsigned int k = 0; k < active.size(); ++k)
-      if (increment.local_element(coordinates.normal_entries()[k]) > problem.bounds[k])
-        active[k] = std::max(active[k], contact_status::slip);
+    expect_contact(increment, problem.bounds);
 
     Friction friction_of_nodes;
     if (friction.any())
@@ -152,16 +168,17 @@ namespace signorini
 
     const std::vector<double> prescribed = prescribed_increments(problem);
     Vector                    residual   = discretization.make_vector();
-    const ConstrainedProblem  constrained{*matrix.product,
-                                         *matrix.preconditioner,
-                                         right_hand_side,
-                                         coordinates.normal_entries(),
-                                         problem.bounds,
-                                         coordinates.supported_entries(),
-                                         prescribed,
-                                         solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
-                                         bound_tolerance(increment, discretization.mesh().body_size()),
-                                         friction_of_nodes};
+    const ConstrainedProblem  constrained{
+      *matrix.product,
+      *matrix.preconditioner,
+      right_hand_side,
+      coordinates.normal_entries(),
+      problem.bounds,
+      coordinates.supported_entries(),
+      prescribed,
+      solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
+      bound_tolerance(increment, discretization.mesh().body_size()),
+      friction_of_nodes};
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.forecast.remember(right_hand_side, increment, residual);
 
@@ -169,14 +186,17 @@ namespace signorini
     solution.support_reaction = solution.contact_reaction;
     solution.normal_reaction.assign(active.size(), 0.);
     for (unsigned int k = 0; k < active.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k]; contact_status::is_closed(active[k]))
-        solution.contact_reaction.local_element(i) = solution.normal_reaction[k] = -residual.local_element(i);
+      if (const unsigned int i = coordinates.normal_entries()[k];
+          contact_status::is_closed(active[k]))
+        solution.contact_reaction.local_element(i) = solution.normal_reaction[k] =
+          -residual.local_element(i);
     for (const unsigned int i : coordinates.supported_entries())
       solution.support_reaction.local_element(i) = -residual.local_element(i);
     if (friction.any())
       {
         const bool pressed_from_elsewhere = problem.further_reaction != nullptr;
-        friction.extract(friction_of_nodes, active, increment, residual, pressed_from_elsewhere, solution);
+        friction.extract(
+          friction_of_nodes, active, increment, residual, pressed_from_elsewhere, solution);
         coordinates.force_to_cartesian(solution.friction_reaction);
       }
 
@@ -198,8 +218,9 @@ namespace signorini
 
 
   template <int dim>
-  SolveReport
-  ElasticContactSystem<dim>::equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force)
+  SolveReport ElasticContactSystem<dim>::equilibrate_massless(Vector       &displacement,
+                                                              const Vector &load,
+                                                              Vector       &contact_force)
   {
     dealii::TimerOutput::Scope scope(timer, "step: equilibrium of massless nodes");
     if (!massless_equilibrium)
@@ -221,7 +242,8 @@ namespace signorini
 
 
   template <int dim>
-  bool ElasticContactSystem<dim>::supports_move(const double start_time, const double end_time) const
+  bool ElasticContactSystem<dim>::supports_move(const double start_time,
+                                                const double end_time) const
   {
     const std::vector<double> start = coordinates.supported_values(start_time);
     bool                      moved = false;
@@ -231,7 +253,9 @@ namespace signorini
         for (unsigned int j = 0; j < now.size(); ++j)
           moved = moved || std::abs(now[j] - start[j]) > 1e-13 * discretization.mesh().body_size();
       }
-    return dealii::Utilities::MPI::max(static_cast<unsigned int>(moved), discretization.communicator()) > 0;
+    return dealii::Utilities::MPI::max(static_cast<unsigned int>(moved),
+                                       discretization.communicator())
+           > 0;
   }
 
 
@@ -249,7 +273,8 @@ namespace signorini
   Vector ElasticContactSystem<dim>::support_part(const Vector &forces) const
   {
     Vector part = discretization.make_vector(), local = forces;
-    coordinates.force_to_contact(local); // collective: also where this process owns no supported node
+    coordinates.force_to_contact(
+      local); // collective: also where this process owns no supported node
     for (const unsigned int i : coordinates.supported_entries())
       part.local_element(i) = local.local_element(i);
     coordinates.rotate_from_frames(part); // supported entries are not relative
@@ -262,8 +287,9 @@ namespace signorini
   {
     const ProductCount &products = discretization.matrices().products();
     std::ostringstream  text;
-    text << "  products          " << products.combined << " with M + s A, " << products.stiffness << " with A, "
-         << products.mass << " with M; preconditioner " << step_matrices.preconditioner_name() << "\n";
+    text << "  products          " << products.combined << " with M + s A, " << products.stiffness
+         << " with A, " << products.mass << " with M; preconditioner "
+         << step_matrices.preconditioner_name() << "\n";
     if (step_matrices.n_built() > 1)
       text << "  step matrices     " << step_matrices.n_built() << " preconditioners built\n";
     return text.str();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/system/energy_projection.h>
 #include <signorini/preconditioners/preconditioners.h>
+#include <signorini/system/energy_projection.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 namespace signorini
@@ -29,13 +29,15 @@ namespace signorini
                            const double                   size,
                            const SolverParameters        &limits)
   {
-    const double                                mass_factor = negligible_frequency_square(discretization);
+    const double            mass_factor = negligible_frequency_square(discretization);
     const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
     const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
       PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);
-    PrimalDualActiveSet solver({limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
+    PrimalDualActiveSet solver(
+      {limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
 
-    Vector right_hand_side = error_moments, correction = discretization.make_vector(), residual = correction;
+    Vector right_hand_side = error_moments, correction = discretization.make_vector(),
+           residual = correction;
     coordinates.force_to_contact(right_hand_side);
     const std::vector<double> nothing(coordinates.supported_entries().size(), 0.);
     ActiveSet                 active(bounds.size(), contact_status::open);

@@ -26,9 +26,10 @@ namespace signorini
         scaling[i]    = gram(i, i) > 0. ? 1. / std::sqrt(gram(i, i)) : 0.;
       }
     // The increments are nearly parallel; directions that are lost in round-off are left out.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaling.asDiagonal() * gram * scaling.asDiagonal());
-    const double                                         smallest = 1e-13 * modes.eigenvalues()[n - 1];
-    Eigen::VectorXd weights = modes.eigenvectors().transpose() * scaling.asDiagonal() * projection;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaling.asDiagonal() * gram
+                                                               * scaling.asDiagonal());
+    const double    smallest = 1e-13 * modes.eigenvalues()[n - 1];
+    Eigen::VectorXd weights  = modes.eigenvectors().transpose() * scaling.asDiagonal() * projection;
     for (unsigned int i = 0; i < n; ++i)
       weights[i] = modes.eigenvalues()[i] > smallest ? weights[i] / modes.eigenvalues()[i] : 0.;
     weights   = scaling.asDiagonal() * modes.eigenvectors() * weights;
@@ -39,7 +40,9 @@ namespace signorini
   }
 
 
-  void IncrementForecast::remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual)
+  void IncrementForecast::remember(const Vector &right_hand_side,
+                                   const Vector &increment,
+                                   const Vector &residual)
   {
     Entry entry;
     if (entries.size() == n_kept) // reuse the memory of the oldest

@@ -60,7 +60,8 @@ namespace signorini
         left[k]    = bounds[k] - left[k];
         admissible = admissible && left[k] >= -bound_length;
       }
-    if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible), discretization.communicator()))
+    if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible),
+                                    discretization.communicator()))
       return SolveReport();
     dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
     if (mass_parameters.predictor == PredictorMass::lumped)
@@ -71,19 +72,20 @@ namespace signorini
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.supported_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const SolveReport         report = solver.solve({*mass,
-                                                     *preconditioner,
-                                                     zero,
-                                                     coordinates.normal_entries(),
-                                                     left,
-                                                     coordinates.supported_entries(),
-                                                     nothing,
-                                                     tolerance * step_size * std::sqrt(energy_scale / 2.),
-                                                     bound_length},
+    const double              accepted_error = tolerance * step_size * std::sqrt(energy_scale / 2.);
+    const SolveReport         report         = solver.solve({*mass,
+                                                             *preconditioner,
+                                                             zero,
+                                                             coordinates.normal_entries(),
+                                                             left,
+                                                             coordinates.supported_entries(),
+                                                             nothing,
+                                                             accepted_error,
+                                                             bound_length},
                                             projected,
                                             correction,
                                             mass_correction);
-    last_correction = correction;
+    last_correction                          = correction;
     for (unsigned int k = 0; k < projected.size(); ++k)
       if (projected[k])
         held.push_back(coordinates.normal_entries()[k]);
@@ -91,13 +93,15 @@ namespace signorini
     keep_only(held, mass_correction);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
-    return {report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
+    return {
+      report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
   }
 
 
   template <int dim>
-  SolveReport
-  MassProblems<dim>::project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction)
+  SolveReport MassProblems<dim>::project_node_by_node(const NormalGap &left,
+                                                      Vector          &correction,
+                                                      Vector          &mass_correction)
   {
     SolveReport effort;
     for (unsigned int k = 0; k < left.size(); ++k)
@@ -129,8 +133,9 @@ namespace signorini
         if (contact_status::is_closed(held[k]))
           fixed.push_back(coordinates.normal_entries()[k]);
         if (contact_status::sticks(held[k]))
-          fixed.insert(
-            fixed.end(), coordinates.tangential_entries()[k].begin(), coordinates.tangential_entries()[k].end());
+          fixed.insert(fixed.end(),
+                       coordinates.tangential_entries()[k].begin(),
+                       coordinates.tangential_entries()[k].end());
       }
     SolveReport        effort;
     const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
@@ -183,19 +188,27 @@ namespace signorini
         .solve(force);
     prepare();
     dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
-    Vector                     right_hand_side = force, result = discretization.make_vector(), residual = result;
+    Vector right_hand_side = force, result = discretization.make_vector(), residual = result;
     coordinates.force_to_contact(right_hand_side);
     const std::vector<double> held(coordinates.supported_entries().size(), 0.);
     ActiveSet                 none;
-    // The error is one of velocity: its kinetic energy shall be small compared with that of the response.
+    // The error is one of velocity: its kinetic energy shall be small compared with that of the
+    // response.
     preconditioner->set_mask(Mask(result.locally_owned_size(), 0));
     preconditioner->vmult(residual, right_hand_side);
     const double size = std::sqrt(std::max(0., dot(residual, right_hand_side)));
-    solver.solve(
-      {*mass, *preconditioner, right_hand_side, {}, {}, coordinates.supported_entries(), held, 1e-13 * size, 0.},
-      none,
-      result,
-      residual);
+    solver.solve({*mass,
+                  *preconditioner,
+                  right_hand_side,
+                  {},
+                  {},
+                  coordinates.supported_entries(),
+                  held,
+                  1e-13 * size,
+                  0.},
+                 none,
+                 result,
+                 residual);
     coordinates.displacement_to_cartesian(result);
     return result;
   }

@@ -42,24 +42,26 @@ namespace signorini
                                               const double  energy_scale,
                                               Vector       &contact_force)
   {
-    Vector right_hand_side = discretization.make_vector(), increment = right_hand_side, residual = right_hand_side;
+    Vector right_hand_side = discretization.make_vector(), increment = right_hand_side,
+           residual = right_hand_side;
     discretization.matrices().apply_stiffness(right_hand_side, displacement);
     right_hand_side.sadd(-1., 1., load);
     coordinates.force_to_contact(right_hand_side);
-    const std::vector<double> gap    = surface.normal_gap(displacement), zeros(fixed_entries.size(), 0.);
-    const SolveReport         report = solver.solve({stiffness,
-                                                     *preconditioner,
-                                                     right_hand_side,
-                                                     coordinates.normal_entries(),
-                                                     gap,
-                                                     fixed_entries,
-                                                     zeros,
-                                                     1e-12 * std::sqrt(energy_scale),
-                                                     1e-13 * discretization.mesh().body_size()},
+    const std::vector<double> gap = surface.normal_gap(displacement),
+                              zeros(fixed_entries.size(), 0.);
+    const SolveReport report = solver.solve({stiffness,
+                                             *preconditioner,
+                                             right_hand_side,
+                                             coordinates.normal_entries(),
+                                             gap,
+                                             fixed_entries,
+                                             zeros,
+                                             1e-12 * std::sqrt(energy_scale),
+                                             1e-13 * discretization.mesh().body_size()},
                                             active,
                                             increment,
                                             residual);
-    contact_force                    = discretization.make_vector();
+    contact_force            = discretization.make_vector();
     for (unsigned int k = 0; k < active.size(); ++k)
       if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
         contact_force.local_element(i) = -residual.local_element(i);

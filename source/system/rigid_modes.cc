@@ -38,7 +38,8 @@ namespace signorini
 
 
   template <int dim>
-  RigidModes<dim>::RigidModes(const Discretization<dim> &discretization, const ContactCoordinates<dim> &coordinates)
+  RigidModes<dim>::RigidModes(const Discretization<dim>     &discretization,
+                              const ContactCoordinates<dim> &coordinates)
     : discretization(discretization)
   {
     const std::size_t n_bodies = discretization.mesh().bodies().size();
@@ -55,7 +56,8 @@ namespace signorini
             // Twice: far from the origin a rotation is nearly a translation.
             for (unsigned int pass = 0; pass < 2; ++pass)
               for (std::size_t j = first; j < modes.size(); ++j)
-                mode.displacement.add(-dot(modes[j].momentum, mode.displacement), modes[j].displacement);
+                mode.displacement.add(-dot(modes[j].momentum, mode.displacement),
+                                      modes[j].displacement);
             discretization.matrices().apply_mass(mode.momentum, mode.displacement);
             const double size = std::sqrt(dot(mode.momentum, mode.displacement));
             mode.displacement /= size;
@@ -78,11 +80,13 @@ namespace signorini
         for (const unsigned int entry : entries)
           gram(i, j) += local[i].local_element(entry) * local[j].local_element(entry);
     const dealii::ArrayView<double> sums(gram.data(), gram.size());
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums), discretization.communicator(), sums);
+    dealii::Utilities::MPI::sum(
+      dealii::ArrayView<const double>(sums), discretization.communicator(), sums);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
     std::vector<Motion>                                  free;
     for (Eigen::Index k = 0; k < n; ++k)
-      if (eigen.eigenvalues()[k] <= 1e-10 * eigen.eigenvalues()[n - 1] || eigen.eigenvalues()[n - 1] == 0.)
+      if (eigen.eigenvalues()[k] <= 1e-10 * eigen.eigenvalues()[n - 1]
+          || eigen.eigenvalues()[n - 1] == 0.)
         {
           free.push_back({discretization.make_vector(), discretization.make_vector()});
           for (Eigen::Index i = 0; i < n; ++i)

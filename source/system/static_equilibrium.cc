@@ -52,7 +52,10 @@ namespace signorini
           make_preconditioner(kind, discretization.matrices(), coordinates, sigma, 1.);
       }
 
-      /** @param force b, Cartesian @param solution, residual in contact coordinates, the former also a guess */
+      /**
+       * @param force b, Cartesian @param solution, residual in contact coordinates, the former
+       * also a guess
+       */
       void solve(Vector           force,
                  const NormalGap &gap,
                  const Friction  &laws,
@@ -62,8 +65,10 @@ namespace signorini
       {
         coordinates.force_to_contact(force);
         if (tolerance < 0.)
-          tolerance = 1e-2 * parameters.tolerance
-                      * response_size(matrix, *preconditioner, force, coordinates.supported_entries(), prescribed);
+          tolerance =
+            1e-2 * parameters.tolerance
+            * response_size(
+              matrix, *preconditioner, force, coordinates.supported_entries(), prescribed);
         solver.solve({matrix,
                       *preconditioner,
                       force,
@@ -91,8 +96,12 @@ namespace signorini
     };
 
 
-    /** Take free motions out of a change of the displacement. @return the largest of their amplitudes */
-    double take_out(const std::vector<Motion> &free, const double sigma, Motion &change, Vector &balance)
+    /**
+     * Take free motions out of a change of the displacement. @return the largest of their
+     * amplitudes
+     */
+    double
+    take_out(const std::vector<Motion> &free, const double sigma, Motion &change, Vector &balance)
     {
       double largest = 0.;
       for (const Motion &mode : free)
@@ -156,7 +165,8 @@ namespace signorini
         change.displacement.sadd(-1., 1., now.displacement);
         change.momentum.sadd(-1., 1., now.momentum);
 
-        // What drives a free motion becomes its acceleration; the rest of the change tells how far the equilibrium is.
+        // What drives a free motion becomes its acceleration; the rest of the change tells how far
+        // the equilibrium is.
         const std::vector<Motion> free       = rigid.free_of(held_entries(status));
         const double              driven     = take_out(free, sigma, change, balance);
         const double              unbalanced = std::hypot(size_of(change), driven);
@@ -177,13 +187,14 @@ namespace signorini
 
 
   template <int dim>
-  Friction StaticEquilibrium<dim>::friction_of_nodes(const NormalGap &gap, const Vector &velocity) const
+  Friction StaticEquilibrium<dim>::friction_of_nodes(const NormalGap &gap,
+                                                     const Vector    &velocity) const
   {
     if (!friction.any())
       return Friction(gap.size());
     Friction laws =
       friction.of_step(1., gap, touching_distance(discretization.mesh().body_size()), nullptr);
-    Vector   relative = velocity;
+    Vector relative = velocity;
     coordinates.displacement_to_contact(relative);
     const double speed = relative.linfty_norm();
     for (FrictionNode &node : laws)
@@ -223,7 +234,8 @@ namespace signorini
   {
     state.contact_force = discretization.make_vector();
     for (std::size_t k = 0; k < status.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k]; contact_status::is_closed(status[k]))
+      if (const unsigned int i = coordinates.normal_entries()[k];
+          contact_status::is_closed(status[k]))
         state.contact_force.local_element(i) = -residual.local_element(i);
     coordinates.force_to_cartesian(state.contact_force);
     if (!friction.any())
@@ -233,7 +245,8 @@ namespace signorini
     coordinates.force_to_cartesian(solution.friction_reaction);
     state.contact_force += solution.friction_reaction;
     state.friction.force = solution.friction_reaction;
-    state.friction.slip = state.friction.accumulated_slip = discretization.make_vector(); // slip counts from here
+    state.friction.slip  = state.friction.accumulated_slip =
+      discretization.make_vector(); // slip counts from here
     state.friction.slip_path.assign(status.size(), 0.);
     state.friction.status = solution.status;
   }

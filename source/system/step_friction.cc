@@ -9,7 +9,8 @@ namespace signorini
 {
   namespace
   {
-    /** Of a node for all but the solver: an open one that others press is closed, and none hangs. */
+    /** Of a node for all but the solver: an open one that others press is closed, and none hangs.
+     */
     char reported_status(const char status, const bool pressed)
     {
       if (contact_status::is_closed(status))
@@ -22,7 +23,8 @@ namespace signorini
 
 
   template <int dim>
-  StepFriction<dim>::StepFriction(const ContactCoordinates<dim> &coordinates, const MPI_Comm communicator)
+  StepFriction<dim>::StepFriction(const ContactCoordinates<dim> &coordinates,
+                                  const MPI_Comm                 communicator)
     : coordinates(coordinates)
   {
     unsigned int n = 0;
@@ -54,7 +56,8 @@ namespace signorini
         if (bounds[k] > touching)
           law.constant = 0.;
         if (further_reaction != nullptr)
-          law.constant -= law.coefficient * std::min(0., further.local_element(coordinates.normal_entries()[k]));
+          law.constant -=
+            law.coefficient * std::min(0., further.local_element(coordinates.normal_entries()[k]));
       }
     return friction;
   }
@@ -77,9 +80,11 @@ namespace signorini
       {
         const FrictionNode &node   = friction[k];
         const bool          closed = contact_status::is_closed(status[k]);
-        const NodeForces    forces = node_forces(node, coordinates.normal_entries()[k], closed, increment, residual);
-        const bool          sticks = contact_status::sticks(status[k]);
-        solution.status[k]         = reported_status(status[k], pressed_from_elsewhere && node.law.constant > 0.);
+        const NodeForces    forces =
+          node_forces(node, coordinates.normal_entries()[k], closed, increment, residual);
+        const bool sticks = contact_status::sticks(status[k]);
+        solution.status[k] =
+          reported_status(status[k], pressed_from_elsewhere && node.law.constant > 0.);
         if (node.entries.empty() || (!sticks && node.law.bound(forces.normal) == 0.))
           continue;
         const TangentVector force = sticks ? forces.tangential : slip_force(node.law, forces);

@@ -9,9 +9,11 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int n_kept     = 4; ///< matrices: sizes of steps and half steps, and their neighbours
-    constexpr unsigned int forget_age = 4; ///< in solutions: older increments belong to another phase of the motion
-  }                                        // namespace
+    constexpr unsigned int n_kept =
+      4; ///< matrices: sizes of steps and half steps, and their neighbours
+    constexpr unsigned int forget_age =
+      4; ///< in solutions: older increments belong to another phase of the motion
+  }      // namespace
 
 
   template <int dim>
@@ -31,9 +33,10 @@ namespace signorini
   StepMatrix<dim> &StepMatrices<dim>::get(const double stiffness_factor, const double step_size)
   {
     ++uses;
-    const auto known = std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
-      return matrix.stiffness_factor == stiffness_factor;
-    });
+    const auto known =
+      std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
+        return matrix.stiffness_factor == stiffness_factor;
+      });
     if (known != recent.end())
       recent.splice(recent.begin(), recent, known);
     else
@@ -66,7 +69,8 @@ namespace signorini
       return; // only for the first use, and when their number has doubled
     PreconditionerKind kind = preconditioner.kind;
     if (kind == PreconditionerKind::automatic)
-      // Nobody knows how long a mesh will last; one that has outlived what was expected may do so again.
+      // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
+      // again.
       kind = choose_preconditioner(discretization.mesh().courant_number(step_size),
                                    std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses));
     if (kind == matrix.kind)

@@ -12,7 +12,8 @@ namespace signorini
     const Capabilities offered = system.capabilities();
     const auto         check   = [](const bool needed, const void *offer, const std::string &what) {
       if (needed && offer == nullptr)
-        throw UserError("Time/Scheme needs " + what + ", which the bodies of this scene do not offer. Take another scheme.");
+        throw UserError("Time/Scheme needs " + what
+                        + ", which the bodies of this scene do not offer. Take another scheme.");
     };
     check(needs.projections, offered.projections, "projections in the norm of the mass");
     check(needs.impulses, offered.impulses, "impulses at single contact nodes");

@@ -14,9 +14,12 @@ namespace signorini
 {
   namespace
   {
-    /** Move the entries of node k that its status holds to their values. @return whether any moved */
-    bool
-    move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, const std::size_t k, Vector &solution)
+    /** Move the entries of node k that its status holds to their values. @return whether any moved
+     */
+    bool move_to_values(const ConstrainedProblem &problem,
+                        const ActiveSet          &status,
+                        const std::size_t         k,
+                        Vector                   &solution)
     {
       bool       moved = false;
       const auto move  = [&](const unsigned int i, const double value) {
@@ -33,8 +36,10 @@ namespace signorini
   } // namespace
 
 
-  SolveReport
-  FrictionalNewton::solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
+  SolveReport FrictionalNewton::solve(const ConstrainedProblem &problem,
+                                      ActiveSet                &status,
+                                      Vector                   &solution,
+                                      Vector                   &residual)
   {
     check_sizes(problem, status, solution, residual);
     AssertDimension(problem.friction.size(), status.size());
@@ -53,7 +58,8 @@ namespace signorini
         ++report.active_set_iterations;
         set_mask(problem, status);
         linearise(problem, status, solution, residual);
-        const auto linear = step(problem, solution, residual, precision, last_norm, report.linear_iterations == 0);
+        const auto linear =
+          step(problem, solution, residual, precision, last_norm, report.linear_iterations == 0);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
@@ -90,7 +96,10 @@ namespace signorini
   }
 
 
-  void FrictionalNewton::start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
+  void FrictionalNewton::start(const ConstrainedProblem &problem,
+                               ActiveSet                &status,
+                               Vector                   &solution,
+                               Vector                   &residual)
   {
     for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
       solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
@@ -121,8 +130,9 @@ namespace signorini
         const char          old    = status[k];
         const double        beyond = solution.local_element(i) - problem.upper_bounds[k];
         const bool          was    = contact_status::is_closed(old);
-        const bool          closed = was ? residual.local_element(i) >= 0. : beyond > problem.bound_tolerance;
-        status[k]                  = closed ? contact_status::slip : contact_status::open;
+        const bool          closed =
+          was ? residual.local_element(i) >= 0. : beyond > problem.bound_tolerance;
+        status[k] = closed ? contact_status::slip : contact_status::open;
         if (node.law.any() && !node.entries.empty())
           {
             NodeForces forces = node_forces(node, i, closed && was, solution, residual);
@@ -130,10 +140,13 @@ namespace signorini
               {
                 forces.tangential = slip.forces()[slipped++ - slipping.begin()];
                 if (was && !closed)
-                  forces.tangential = TangentVector::Zero(); // under tension the linearised law points backwards
+                  forces.tangential =
+                    TangentVector::Zero(); // under tension the linearised law points backwards
               }
             if (closed && !was)
-              forces = {stiffness[k] * beyond, TangentVector::Zero(), forces.slip}; // about what will hold it
+              forces = {stiffness[k] * beyond,
+                        TangentVector::Zero(),
+                        forces.slip}; // about what will hold it
             if (sticks(node.law, forces, stiffness[k]))
               status[k] = closed ? contact_status::stick : contact_status::hang;
           }
@@ -143,8 +156,10 @@ namespace signorini
   }
 
 
-  void
-  FrictionalNewton::hold(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution, Vector &residual)
+  void FrictionalNewton::hold(const ConstrainedProblem &problem,
+                              const ActiveSet          &status,
+                              Vector                   &solution,
+                              Vector                   &residual)
   {
     correction           = solution;
     unsigned int n_moved = 0;
@@ -186,12 +201,16 @@ namespace signorini
     for (std::size_t k = 0; k < status.size(); ++k)
       if (!contact_status::sticks(status[k]) && !problem.friction[k].entries.empty())
         {
-          const FrictionNode &node   = problem.friction[k];
-          const unsigned int  i      = problem.bounded_entries[k];
-          const NodeForces    forces = node_forces(node, i, contact_status::is_closed(status[k]), solution, residual);
+          const FrictionNode &node = problem.friction[k];
+          const unsigned int  i    = problem.bounded_entries[k];
+          const NodeForces    forces =
+            node_forces(node, i, contact_status::is_closed(status[k]), solution, residual);
           if (node.law.bound(forces.normal) > 0.)
             {
-              slip.add(i, node, linearise_slip(node.law, forces, stiffness[k], node.entries.size()), stiffness[k]);
+              slip.add(i,
+                       node,
+                       linearise_slip(node.law, forces, stiffness[k], node.entries.size()),
+                       stiffness[k]);
               slipping.push_back(k);
             }
         }
@@ -218,12 +237,14 @@ namespace signorini
     const auto goal = [&](const double norm) {
       double reduction = rough_reduction;
       if (precision == Precision::settled && slip.any_turning() && last_norm > 0.)
-        reduction = std::min(reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for
+        reduction = std::min(
+          reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for
       else if (precision != Precision::rough)
         reduction = 0.;
       return std::max(problem.tolerance, reduction * norm);
     };
-    const auto report = slip.solve(problem, residual, correction, goal, limits.maximum_linear_iterations);
+    const auto report =
+      slip.solve(problem, residual, correction, goal, limits.maximum_linear_iterations);
     solution += correction;
     return report;
   }

@@ -16,15 +16,17 @@ namespace signorini
   namespace
   {
     /**
-     * The problem in the variables y_i = x_i / s_i, s_i = K_ii^(-1/2), whose matrix has a unit diagonal. Entry by entry: what it is
-     * (free, fixed), its bound, and the parts of the gradient of Dostal's method.
+     * The problem in the variables y_i = x_i / s_i, s_i = K_ii^(-1/2), whose matrix has a unit
+     * diagonal. Entry by entry: what it is (free, fixed), its bound, and the parts of the gradient
+     * of Dostal's method.
      */
     class ScaledProblem
     {
     public:
       explicit ScaledProblem(const ConstrainedProblem &problem)
         : problem(problem)
-        , bounds(problem.right_hand_side.locally_owned_size(), std::numeric_limits<double>::infinity())
+        , bounds(problem.right_hand_side.locally_owned_size(),
+                 std::numeric_limits<double>::infinity())
         , is_fixed(bounds.size(), 0)
       {
         scaling.reinit(problem.right_hand_side, true);
@@ -59,9 +61,15 @@ namespace signorini
         gradient -= scratch;
       }
 
-      bool at_bound(const unsigned int i, const Vector &y) const { return y.local_element(i) >= bounds[i]; }
+      bool at_bound(const unsigned int i, const Vector &y) const
+      {
+        return y.local_element(i) >= bounds[i];
+      }
 
-      /** Free and chopped gradient: what can be gained with, and by leaving, the present active set. */
+      /**
+       * Free and chopped gradient: what can be gained with, and by leaving, the present active
+       * set.
+       */
       void split(const Vector &gradient, const Vector &y, Vector &free, Vector &chopped) const
       {
         for (unsigned int i = 0; i < size(); ++i)
@@ -80,7 +88,9 @@ namespace signorini
         for (unsigned int i = 0; i < size(); ++i)
           {
             const double phi = free.local_element(i);
-            sum += phi * (phi < 0. ? std::max(phi, (y.local_element(i) - bounds[i]) / step_length) : phi);
+            sum +=
+              phi
+              * (phi < 0. ? std::max(phi, (y.local_element(i) - bounds[i]) / step_length) : phi);
           }
         return dealii::Utilities::MPI::sum(sum, y.get_mpi_communicator());
       }
@@ -239,8 +249,10 @@ namespace signorini
   } // namespace
 
 
-  SolveReport
-  Mprgp::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
+  SolveReport Mprgp::solve(const ConstrainedProblem &problem,
+                           ActiveSet                &active,
+                           Vector                   &solution,
+                           Vector                   &residual)
   {
     check_sizes(problem, active, solution, residual);
     for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
@@ -262,11 +274,13 @@ namespace signorini
     if (!(norm <= goal))
       throw RunError(
         "The inequality of this step was not solved to its tolerance: neither the active set "
-        "method nor MPRGP converged. Choose a larger Solver/Tolerance or a smaller Time/Step size.");
+        "method nor MPRGP converged. Choose a larger Solver/Tolerance or a smaller Time/Step "
+        "size.");
 
     return_solution(problem, scaled, iteration.point(), active, solution, residual);
     report.n_active = dealii::Utilities::MPI::sum(
-      static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)), solution.get_mpi_communicator());
+      static_cast<unsigned int>(std::count(active.begin(), active.end(), 1)),
+      solution.get_mpi_communicator());
     return report;
   }
 } // namespace signorini

@@ -12,8 +12,10 @@
 
 namespace signorini
 {
-  SolveReport
-  PrimalDualActiveSet::solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
+  SolveReport PrimalDualActiveSet::solve(const ConstrainedProblem &problem,
+                                         ActiveSet                &active,
+                                         Vector                   &solution,
+                                         Vector                   &residual)
   {
     check_sizes(problem, active, solution, residual);
     SolveReport  report;
@@ -64,8 +66,10 @@ namespace signorini
   }
 
 
-  void
-  PrimalDualActiveSet::start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual)
+  void PrimalDualActiveSet::start(const ConstrainedProblem &problem,
+                                  ActiveSet                &active,
+                                  Vector                   &solution,
+                                  Vector                   &residual)
   {
     for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
       solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
@@ -87,9 +91,10 @@ namespace signorini
     unsigned int n_changes = 0;
     for (std::size_t k = 0; k < active.size(); ++k)
       {
-        const unsigned int i   = problem.bounded_entries[k];
-        const bool         now = active[k] ? residual.local_element(i) >= 0.
-                                           : solution.local_element(i) > problem.upper_bounds[k] + problem.bound_tolerance;
+        const unsigned int i     = problem.bounded_entries[k];
+        const double       bound = problem.upper_bounds[k] + problem.bound_tolerance;
+        const bool         now =
+          active[k] ? residual.local_element(i) >= 0. : solution.local_element(i) > bound;
         n_changes += (now != static_cast<bool>(active[k]));
         active[k] = now;
       }

@@ -16,9 +16,9 @@ namespace signorini
     /** (I + sym(Q)/c)^(-1/2), where negative curvature is left out. */
     TangentMatrix scaling_of(const TangentMatrix &slip_stiffness, const double stiffness)
     {
-      const Eigen::SelfAdjointEigenSolver<TangentMatrix> eigen((slip_stiffness + slip_stiffness.transpose())
-                                                               / (2. * stiffness));
-      const TangentVector                                scales = (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
+      const Eigen::SelfAdjointEigenSolver<TangentMatrix> eigen(
+        (slip_stiffness + slip_stiffness.transpose()) / (2. * stiffness));
+      const TangentVector scales = (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
       return eigen.eigenvectors() * scales.asDiagonal() * eigen.eigenvectors().transpose();
     }
   } // namespace
@@ -33,7 +33,8 @@ namespace signorini
   }
 
 
-  void add_to_tangential_entries(const FrictionNode &node, const TangentVector &values, Vector &vector)
+  void
+  add_to_tangential_entries(const FrictionNode &node, const TangentVector &values, Vector &vector)
   {
     for (unsigned int j = 0; j < node.entries.size(); ++j)
       vector.local_element(node.entries[j]) += values[j];
@@ -85,23 +86,27 @@ namespace signorini
     const auto jacobian = [&](Vector &destination, const Vector &source) {
       problem.matrix.vmult(destination, source);
       for (const Node &node : slipping)
-        add_to_tangential_entries(*node.friction,
-                                  node.condition.stiffness * tangential_entries(*node.friction, source)
-                                    - node.condition.coupling * destination.local_element(node.normal),
-                                  destination);
+        add_to_tangential_entries(
+          *node.friction,
+          node.condition.stiffness * tangential_entries(*node.friction, source)
+            - node.condition.coupling * destination.local_element(node.normal),
+          destination);
     };
 
     unbalanced = residual;
     for (const Node &node : slipping)
       add_to_tangential_entries(*node.friction, -node.condition.force, unbalanced);
-    const auto report = gmres.solve(jacobian, precondition, correction, unbalanced, goal, maximum_iterations);
+    const auto report =
+      gmres.solve(jacobian, precondition, correction, unbalanced, goal, maximum_iterations);
     // The new b - K x is what is unbalanced plus the forces by the linearised law.
     law_forces.clear();
     for (const Node &node : slipping)
       {
-        const double change_of_normal = unbalanced.local_element(node.normal) - residual.local_element(node.normal);
+        const double change_of_normal =
+          unbalanced.local_element(node.normal) - residual.local_element(node.normal);
         law_forces.push_back(node.condition.force
-                             + node.condition.stiffness * tangential_entries(*node.friction, correction)
+                             + node.condition.stiffness
+                                 * tangential_entries(*node.friction, correction)
                              + node.condition.coupling * change_of_normal);
         add_to_tangential_entries(*node.friction, law_forces.back(), unbalanced);
       }

@@ -23,8 +23,8 @@ namespace signorini
     for (std::size_t k = 0; k < status.size(); ++k)
       if (status[k] != contact_status::open)
         {
-          std::uint64_t x =
-            (static_cast<std::uint64_t>(first) << 32) + 4 * k + status[k] + 0x9e3779b97f4a7c15ull; // splitmix64
+          std::uint64_t x = (static_cast<std::uint64_t>(first) << 32) + 4 * k + status[k]
+                            + 0x9e3779b97f4a7c15ull; // splitmix64
           x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
           x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
           sum += x ^ (x >> 31);

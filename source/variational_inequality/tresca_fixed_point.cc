@@ -12,16 +12,19 @@
 
 namespace signorini
 {
-  SolveReport
-  TrescaFixedPoint::solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual)
+  SolveReport TrescaFixedPoint::solve(const ConstrainedProblem &problem,
+                                      ActiveSet                &status,
+                                      Vector                   &solution,
+                                      Vector                   &residual)
   {
     check_sizes(problem, status, solution, residual);
     AssertDimension(problem.friction.size(), status.size());
     const std::vector<double> stiffness = node_stiffness(problem);
     std::vector<double>       bounds(status.size()), changes(status.size(), 0.);
     const auto                bound = [&](const std::size_t k) {
-      const double normal =
-        !contact_status::is_closed(status[k]) ? 0. : residual.local_element(problem.bounded_entries[k]);
+      const double normal = !contact_status::is_closed(status[k])
+                                             ? 0.
+                                             : residual.local_element(problem.bounded_entries[k]);
       return problem.friction[k].law.bound(normal);
     };
 
@@ -47,7 +50,7 @@ namespace signorini
             products[0] += changes[k] * changes[k] / stiffness[k];
             products[1] += changes[k] * last / stiffness[k];
           }
-        products            = dealii::Utilities::MPI::sum(products, solution.get_mpi_communicator());
+        products = dealii::Utilities::MPI::sum(products, solution.get_mpi_communicator());
         const double change = std::sqrt(products[0]);
         if (change <= problem.tolerance)
           return report;

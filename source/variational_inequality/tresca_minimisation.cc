@@ -20,8 +20,8 @@ namespace signorini
     using dealii::Utilities::MPI::sum;
 
     /**
-     * Of one Newton step. Far beyond what a reduction by 100 takes; a step that is cut short here does no harm, as the
-     * next move goes on from the best point of its direction.
+     * Of one Newton step. Far beyond what a reduction by 100 takes; a step that is cut short here
+     * does no harm, as the next move goes on from the best point of its direction.
      */
     constexpr unsigned int maximum_linear_iterations = 10000;
 
@@ -32,7 +32,10 @@ namespace signorini
     class Descent
     {
     public:
-      Descent(const ConstrainedProblem &problem, const std::vector<double> &bounds, Vector &solution, Vector &residual)
+      Descent(const ConstrainedProblem  &problem,
+              const std::vector<double> &bounds,
+              Vector                    &solution,
+              Vector                    &residual)
         : problem(problem)
         , bounds(bounds)
         , solution(solution)
@@ -60,8 +63,8 @@ namespace signorini
       }
 
       /**
-       * A step against the gradient in the metric of the diagonal, with bounds and friction taken exactly, shortened to the
-       * minimum of J.
+       * A step against the gradient in the metric of the diagonal, with bounds and friction taken
+       * exactly, shortened to the minimum of J.
        */
       void proximal_step()
       {
@@ -77,12 +80,18 @@ namespace signorini
             const NodeForces    node = forces(k);
             const TangentVector free = node.slip + node.tangential / stiffness[k];
             const double        size = free.norm(), lost = bounds[k] / stiffness[k];
-            set_slip(target, k, size > lost ? TangentVector((1. - lost / size) * free) : TangentVector(TangentVector::Zero()));
+            set_slip(target,
+                     k,
+                     size > lost ? TangentVector((1. - lost / size) * free)
+                                 : TangentVector(TangentVector::Zero()));
           }
         move();
       }
 
-      /** @return iterations of the linear solver; zero if x is the minimum among the points with these statuses */
+      /**
+       * @return iterations of the linear solver; zero if x is the minimum among the points with
+       * these statuses
+       */
       unsigned int newton_step(const ActiveSet &status)
       {
         Mask mask = is_fixed;
@@ -117,7 +126,8 @@ namespace signorini
             clip_normal(k);
             if (!has_friction(k) || rests(k))
               continue;
-            // No further than to the kink of |slip|: whether to go beyond is for the proximal step to say.
+            // No further than to the kink of |slip|: whether to go beyond is for the proximal step
+            // to say.
             const TangentVector before = forces(k).slip;
             if (before.dot(before + tangential_entries(problem.friction[k], direction)) < 0.)
               set_slip(target, k, TangentVector::Zero());
@@ -126,14 +136,18 @@ namespace signorini
         return report.iterations;
       }
 
-      /** What holds each node at x. @return whether a held node wants to be released, on any process */
+      /**
+       * What holds each node at x. @return whether a held node wants to be released, on any
+       * process
+       */
       bool find_status(ActiveSet &status) const
       {
         unsigned int wrong = 0;
         for (std::size_t k = 0; k < bounds.size(); ++k)
           {
-            const unsigned int i = problem.bounded_entries[k];
-            const bool closed = solution.local_element(i) >= problem.upper_bounds[k] && residual.local_element(i) >= 0.;
+            const unsigned int i      = problem.bounded_entries[k];
+            const bool         closed = solution.local_element(i) >= problem.upper_bounds[k]
+                                && residual.local_element(i) >= 0.;
             if (has_friction(k) && rests(k))
               status[k] = closed ? contact_status::stick : contact_status::hang;
             else
@@ -152,11 +166,15 @@ namespace signorini
       Mask                       is_fixed;
       SlipSystem                 slip;
 
-      bool has_friction(const std::size_t k) const { return bounds[k] > 0. && !problem.friction[k].entries.empty(); }
+      bool has_friction(const std::size_t k) const
+      {
+        return bounds[k] > 0. && !problem.friction[k].entries.empty();
+      }
 
       NodeForces forces(const std::size_t k) const
       {
-        return node_forces(problem.friction[k], problem.bounded_entries[k], true, solution, residual);
+        return node_forces(
+          problem.friction[k], problem.bounded_entries[k], true, solution, residual);
       }
 
       /** Whether the node has no slip and its force is not beyond the bound. */
@@ -166,7 +184,10 @@ namespace signorini
         return node.slip.norm() == 0. && node.tangential.norm() <= bounds[k] * (1. + round_off);
       }
 
-      /** Force and stiffness of the term b |slip|; at a kink that the node wants to leave, the direction is that of its force. */
+      /**
+       * Force and stiffness of the term b |slip|; at a kink that the node wants to leave, the
+       * direction is that of its force.
+       */
       SlipCondition condition(const std::size_t k) const
       {
         const NodeForces    node      = forces(k);
@@ -192,7 +213,10 @@ namespace signorini
           point.local_element(node.entries[j]) = value[j] - node.past[j];
       }
 
-      /** To the minimum of J on the segment from x to the target; entries that reach a bound or a kink are there exactly. */
+      /**
+       * To the minimum of J on the segment from x to the target; entries that reach a bound or a
+       * kink are there exactly.
+       */
       void move()
       {
         direction = target;
@@ -208,8 +232,8 @@ namespace signorini
       }
 
       /**
-       * A step that ends just short of a kink leaves a part of 1e-15 of the slip. The node would count as slipping, with
-       * all the force of its bound, in a direction that nothing can turn.
+       * A step that ends just short of a kink leaves a part of 1e-15 of the slip. The node would
+       * count as slipping, with all the force of its bound, in a direction that nothing can turn.
        */
       void stop_slip_of_round_off()
       {
@@ -254,8 +278,9 @@ namespace signorini
                                         Vector                    &residual)
   {
     AssertDimension(bounds.size(), status.size());
-    Assert(std::none_of(bounds.begin(), bounds.end(), [](const double bound) { return bound < 0.; }),
-           dealii::ExcMessage("A bound of the friction is not negative."));
+    Assert(
+      std::none_of(bounds.begin(), bounds.end(), [](const double bound) { return bound < 0.; }),
+      dealii::ExcMessage("A bound of the friction is not negative."));
     Descent     descent(problem, bounds, solution, residual);
     SolveReport report;
     while (report.active_set_iterations < maximum_iterations)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The distance indicator sees what is close and what will be close, on both sides of a pair; it needs no motion. Marked by it, the mesh is
-// fine at the contact and goes back when the contact is over.
+// The distance indicator sees what is close and what will be close, on both sides of a pair; it
+// needs no motion. Marked by it, the mesh is fine at the contact and goes back when the contact is
+// over.
 
 #include "../contact/contact_scene.h"
 #include "../contact/two_bodies.h"
@@ -42,8 +43,9 @@ namespace
 
   /** Largest indicator, and how many are at least 1, on all processes. */
   template <int dim>
-  std::pair<double, unsigned int>
-  look(const Discretization<dim> &discretization, const dealii::Vector<double> &indicator, const unsigned int body)
+  std::pair<double, unsigned int> look(const Discretization<dim>    &discretization,
+                                       const dealii::Vector<double> &indicator,
+                                       const unsigned int            body)
   {
     double       largest = 0.;
     unsigned int number  = 0;
@@ -53,7 +55,8 @@ namespace
           largest = std::max(largest, indicator(cell->active_cell_index()));
           number += indicator(cell->active_cell_index()) >= 1.;
         }
-    return {dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD), dealii::Utilities::MPI::sum(number, MPI_COMM_WORLD)};
+    return {dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD),
+            dealii::Utilities::MPI::sum(number, MPI_COMM_WORLD)};
   }
 
   template <int dim>
@@ -76,7 +79,7 @@ TEST(Distance, SeesWhatIsCloseOrWillBe)
   const ContactProblem<2> problem(disc_above_floor(0.02));
   const auto              indicator =
     indicator_of(problem.scene, problem.discretization, problem.surface, problem.supports);
-  const auto              at        = [&](const double height, const double speed) {
+  const auto at = [&](const double height, const double speed) {
     const State state = moving(problem.discretization, height, speed);
     return look(problem.discretization, indicator->evaluate({state, state, 0.}), 0);
   };
@@ -92,27 +95,28 @@ TEST(Distance, SeesWhatIsCloseOrWillBe)
 
 TEST(Distance, BothBodiesOfAPair)
 {
-  auto scene                 = stacked<3>(block<3>("slave", {0.4, 0.4, 0.05}, {0.6, 0.6, 0.5}, {{2, 2, 2}}),
+  auto scene = stacked<3>(block<3>("slave", {0.4, 0.4, 0.05}, {0.6, 0.6, 0.5}, {{2, 2, 2}}),
                           block<3>("master", {0., 0., -1.}, {1., 1., 0.}, {{5, 5, 5}}));
   scene.adaptivity.indicator = IndicatorKind::distance;
   const TwoBodies<3> bodies(scene);
   const auto         indicator =
     indicator_of(bodies.scene, bodies.discretization, bodies.surface, bodies.supports);
-  const State        state     = moving(bodies.discretization, 0., 0.);
-  const auto         value     = indicator->evaluate({state, state, 0.});
+  const State state = moving(bodies.discretization, 0., 0.);
+  const auto  value = indicator->evaluate({state, state, 0.});
   // Three times the size of a cell over the gap: 3 * 0.15 / 0.05 and 3 * 0.2 / 0.05, at most 4.
   EXPECT_GE(look(bodies.discretization, value, 0).second, 4u);
   EXPECT_EQ(look(bodies.discretization, value, 1).first, 4.);
-  EXPECT_EQ(look(bodies.discretization, value, 1).second, 9u); // the cells around the middle one share nodes with it
+  EXPECT_EQ(look(bodies.discretization, value, 1).second,
+            9u); // the cells around the middle one share nodes with it
 }
 
 TEST(Distance, TheMeshIsFineAtTheContactAndGoesBack)
 {
   Scene<2> scene              = disc_above_floor(0.02);
   scene.adaptivity.hysteresis = 0.; // these are few cells
-  Mesh<2>           mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping, true);
-  const auto        cells = [&] { return mesh.triangulation().n_global_active_cells(); };
-  const auto        adapt = [&](const double height) {
+  Mesh<2>    mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping, true);
+  const auto cells = [&] { return mesh.triangulation().n_global_active_cells(); };
+  const auto adapt = [&](const double height) {
     for (unsigned int times = 0; times < 6; ++times)
       {
         const Discretization<2> discretization(mesh);

@@ -1,19 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Effectivity of the residual estimate: its ratio to the true error stays between fixed bounds while the mesh is refined adaptively, for a
-// static problem of Signorini and for one time step, from meshes that are coarse for a wave in a step to fine ones. With J the functional
-// that the problem minimises, 2 (J(u_h) - J(u)) is the squared error in the energy norm, and with contact a bound of it; J(u) comes
-// from further levels. The meshes are nested and the gaps linear, so that J decreases.
+// Effectivity of the residual estimate: its ratio to the true error stays between fixed bounds
+// while the mesh is refined adaptively, for a static problem of Signorini and for one time step,
+// from meshes that are coarse for a wave in a step to fine ones. With J the functional that the
+// problem minimises, 2 (J(u_h) - J(u)) is the squared error in the energy norm, and with contact a
+// bound of it; J(u) comes from further levels. The meshes are nested and the gaps linear, so that J
+// decreases.
 
 #include "../contact/contact_scene.h"
 #include "../contact/two_bodies.h"
 
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/residual_estimate.h>
+#include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/meshed_scene.h>
 #include <signorini/system/static_equilibrium.h>
-#include <signorini/schemes/scheme_table.h>
 
 #include <gtest/gtest.h>
 
@@ -55,20 +57,24 @@ namespace
 
   Scene<2> block_on_floor(const dealii::Tensor<1, 2> &normal)
   {
-    const auto body                = block<2>("block", {}, {2., 1.}, {{4, 2}});
-    Scene<2>   scene               = contact_scene<2>(body, {plane<2>("floor", {}, normal)}, {bottom_id<2>});
+    const auto body  = block<2>("block", {}, {2., 1.}, {{4, 2}});
+    Scene<2>   scene = contact_scene<2>(body, {plane<2>("floor", {}, normal)}, {bottom_id<2>});
     scene.solver.tolerance         = 1e-12;
     scene.adaptivity.indicator     = IndicatorKind::residual;
     scene.adaptivity.maximum_level = 15;
     return scene;
   }
 
-  /** Refine adaptively, print a table, and check the effectivities. @return the errors and numbers of cells by level */
-  std::vector<std::pair<double, double>> expect_bounded_effectivity(const std::string                           &title,
-                                                                    const Scene<2>                              &scene,
-                                                                    const std::function<Found(OnMesh &on_mesh)> &solve,
-                                                                    const double                                 least,
-                                                                    const double                                 most)
+  /**
+   * Refine adaptively, print a table, and check the effectivities. @return the errors and numbers
+   * of cells by level
+   */
+  std::vector<std::pair<double, double>>
+  expect_bounded_effectivity(const std::string                           &title,
+                             const Scene<2>                              &scene,
+                             const std::function<Found(OnMesh &on_mesh)> &solve,
+                             const double                                 least,
+                             const double                                 most)
   {
     Mesh<2>                   mesh(scene.bodies, MPI_COMM_WORLD, scene.mapping, true);
     std::vector<double>       estimates, functionals;
@@ -89,15 +95,16 @@ namespace
     // The last meshes tell how far the limit is: the error of J is inverse to the number of cells.
     const std::size_t last  = functionals.size() - 1;
     const double      ratio = double(cells[last]) / cells[last - 1];
-    const double      limit = functionals[last] - (functionals[last - 1] - functionals[last]) / (ratio - 1.);
+    const double      limit =
+      functionals[last] - (functionals[last - 1] - functionals[last]) / (ratio - 1.);
 
     std::cout << title << "\n| cells | error | estimate | effectivity |\n|-|-|-|-|\n";
     std::vector<std::pair<double, double>> errors;
     for (unsigned int level = 0; level < n_levels; ++level)
       {
         const double error = std::sqrt(2. * (functionals[level] - limit));
-        std::cout << "| " << cells[level] << " | " << std::setprecision(3) << error << " | " << estimates[level]
-                  << " | " << estimates[level] / error << " |\n";
+        std::cout << "| " << cells[level] << " | " << std::setprecision(3) << error << " | "
+                  << estimates[level] << " | " << estimates[level] / error << " |\n";
         EXPECT_GT(estimates[level], least * error) << cells[level] << " cells";
         EXPECT_LT(estimates[level], most * error) << cells[level] << " cells";
         errors.emplace_back(error, cells[level]);
@@ -106,7 +113,8 @@ namespace
   }
 } // namespace
 
-// Pressed on the left, lifted on the right: the block touches the floor with a part of its lower face.
+// Pressed on the left, lifted on the right: the block touches the floor with a part of its lower
+// face.
 TEST(Effectivity, StaticContact)
 {
   Scene<2> scene = block_on_floor(dealii::Point<2>(0., 1.));
@@ -122,7 +130,8 @@ TEST(Effectivity, StaticContact)
     const Vector &u = state.displacement;
     return Found{
       ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
-        .squares(balance_at_rest(discretization, on_mesh.surface, u, state.contact_force), ResidualWeights{}),
+        .squares(balance_at_rest(discretization, on_mesh.surface, u, state.contact_force),
+                 ResidualWeights{}),
       0.5 * (u * stiffness_times(discretization, u)) - load * u};
   };
   const auto errors = expect_bounded_effectivity("static contact", scene, solve, 4., 9.5);
@@ -131,17 +140,19 @@ TEST(Effectivity, StaticContact)
   EXPECT_GT(std::log(first.first / last.first) / std::log(last.second / first.second), 0.42);
 }
 
-// A block that falls on an inclined floor, one step: the part that would be below the floor is stopped, which sends a wave into the block.
+// A block that falls on an inclined floor, one step: the part that would be below the floor is
+// stopped, which sends a wave into the block.
 TEST(Effectivity, OneTimeStep)
 {
-  Scene<2>     scene               = block_on_floor(dealii::Point<2>(-0.05, 1.) / std::sqrt(1.0025));
-  const double tau                 = 0.05;
-  scene.time.step_size             = tau;
-  scene.time.scheme                = "contact-implicit";
+  Scene<2>     scene   = block_on_floor(dealii::Point<2>(-0.05, 1.) / std::sqrt(1.0025));
+  const double tau     = 0.05;
+  scene.time.step_size = tau;
+  scene.time.scheme    = "contact-implicit";
   scene.bodies[0].initial_velocity = {{"0", "-2"}};
   const auto solve                 = [&](OnMesh &on_mesh) {
-    const auto             &discretization = on_mesh.discretization;
-    dealii::TimerOutput     timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    const auto         &discretization = on_mesh.discretization;
+    dealii::TimerOutput timer(
+      std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
     ElasticContactSystem<2> system(discretization,
                                    on_mesh.surface,
                                    on_mesh.coordinates,
@@ -159,14 +170,15 @@ TEST(Effectivity, OneTimeStep)
     make_time_scheme(scene.time.scheme)->advance(system, end, tau);
     // Squared norm of velocity and displacement: 4/tau^2 times that of the problem of the step.
     const Vector &d = end.displacement;
-    return Found{
-      ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
-        .squares(
-          balance_of_step(discretization, on_mesh.surface, {start, end, tau}, scheme_info(scene.time.scheme).balance),
-          ResidualWeights{tau}),
-      4. / (tau * tau)
-        * (0.5 * (d * mass_times(discretization, d)) - tau * (d * start.momentum)
-           + tau * tau / 8. * (d * end.internal_force))};
+    return Found{ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
+                   .squares(balance_of_step(discretization,
+                                            on_mesh.surface,
+                                            {start, end, tau},
+                                            scheme_info(scene.time.scheme).balance),
+                            ResidualWeights{tau}),
+                 4. / (tau * tau)
+                   * (0.5 * (d * mass_times(discretization, d)) - tau * (d * start.momentum)
+                      + tau * tau / 8. * (d * end.internal_force))};
   };
   expect_bounded_effectivity("one time step", scene, solve, 4., 9.5);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Two blocks under uniform pressure: the discrete solution is exact, every contact node is in full contact, and both sides are in balance.
-// The residual estimate must be zero, at rest and of a time step, whatever the meshes and whichever block is the slave; it is not zero any
-// more when the contact force of one node is taken away.
+// Two blocks under uniform pressure: the discrete solution is exact, every contact node is in full
+// contact, and both sides are in balance. The residual estimate must be zero, at rest and of a time
+// step, whatever the meshes and whichever block is the slave; it is not zero any more when the
+// contact force of one node is taken away.
 
 #include "../contact/stacked_blocks.h"
 
@@ -37,15 +38,18 @@ namespace
       return ResidualEstimate(discretization, bodies.surface, bodies.supports)
         .squares(balance, ResidualWeights{step_size});
     };
-    const ForceBalance rest = balance_at_rest(discretization, bodies.surface, state.displacement, state.contact_force);
+    const ForceBalance rest =
+      balance_at_rest(discretization, bodies.surface, state.displacement, state.contact_force);
     EXPECT_LT(sum(squares(rest, 0.)), 1e-20 * energy);
     for (const double tau : {1e-3, 1.})
       EXPECT_LT(
-        sum(squares(balance_of_step(discretization, bodies.surface, {state, state, tau}, StepBalance::middle),
-                    tau)),
+        sum(squares(
+          balance_of_step(discretization, bodies.surface, {state, state, tau}, StepBalance::middle),
+          tau)),
         1e-20 * energy);
 
-    // Without the forces the pressure is a residual on both sides: 2 h p^2 / mu over the common face, or more.
+    // Without the forces the pressure is a residual on both sides: 2 h p^2 / mu over the common
+    // face, or more.
     ForceBalance unbalanced  = rest;
     unbalanced.contact_force = 0.;
     EXPECT_GT(sum(squares(unbalanced, 0.)), 1e-3 * energy);
@@ -89,21 +93,24 @@ TEST(FullContact, NoErrorIn3dWithHangingNodes)
   expect_nothing(both);
 }
 
-// Nodes around an open one are in semi-contact: their normal stress counts, and so does the pressure times the gap.
+// Nodes around an open one are in semi-contact: their normal stress counts, and so does the
+// pressure times the gap.
 TEST(FullContact, AnOpenNodeMakesItsNeighboursSemiContact)
 {
   const auto         blocks = stack<2>({{4, 2}}, {{4, 2}}, 1.);
   const TwoBodies<2> bodies(blocks.scene(true));
-  const Vector       u       = blocks.exact(bodies);
-  ForceBalance       balance = balance_at_rest(bodies.discretization, bodies.surface, u, uniform_contact_force(bodies));
+  const Vector       u = blocks.exact(bodies);
+  ForceBalance       balance =
+    balance_at_rest(bodies.discretization, bodies.surface, u, uniform_contact_force(bodies));
   std::vector<double> forces(bodies.surface.nodes().size());
   Vector              force = bodies.discretization.make_vector();
   for (std::size_t k = 0; k < forces.size(); ++k)
     {
-      const ContactNode<2> &node                                  = bodies.surface.nodes()[k];
-      const bool            is_middle                             = std::abs(node.position[0] - 0.5) < 1e-9;
-      force.local_element(bodies.coordinates.normal_entries()[k]) = is_middle ? 0. : -pressure * node.weight;
-      balance.gap[k]                                              = is_middle ? 0.01 : 0.;
+      const ContactNode<2> &node      = bodies.surface.nodes()[k];
+      const bool            is_middle = std::abs(node.position[0] - 0.5) < 1e-9;
+      force.local_element(bodies.coordinates.normal_entries()[k]) =
+        is_middle ? 0. : -pressure * node.weight;
+      balance.gap[k] = is_middle ? 0.01 : 0.;
     }
   bodies.coordinates.force_to_cartesian(force);
   balance.contact_force = force;
@@ -113,16 +120,19 @@ TEST(FullContact, AnOpenNodeMakesItsNeighboursSemiContact)
                                      balance,
                                      bodies.discretization.interpolate_hanging_nodes(u));
   for (const ContactNode<2> &node : bodies.surface.nodes())
-    EXPECT_EQ(fields.open.local_element(2 * node.node), std::abs(node.position[0] - 0.5) < 0.3 ? 1. : 0.)
+    EXPECT_EQ(fields.open.local_element(2 * node.node),
+              std::abs(node.position[0] - 0.5) < 0.3 ? 1. : 0.)
       << node.position;
-  const auto squares =
-    ResidualEstimate(bodies.discretization, bodies.surface, bodies.supports).squares(balance, ResidualWeights{});
-  double by_gap = 0.; // of the cells of the slave next to the open node: normal stress p on half, and s gap
+  const auto squares = ResidualEstimate(bodies.discretization, bodies.surface, bodies.supports)
+                         .squares(balance, ResidualWeights{});
+  double by_gap =
+    0.; // of the cells of the slave next to the open node: normal stress p on half, and s gap
   for (const auto &cell : bodies.discretization.mesh().triangulation().active_cell_iterators())
     if (cell->is_locally_owned() && cell->material_id() == 0)
       by_gap += squares(cell->active_cell_index());
   by_gap = dealii::Utilities::MPI::sum(by_gap, MPI_COMM_WORLD);
-  // Two faces of the size 1/4 with `open` = 1 at both ends and two with one end: p^2 h / mu (2 + 1) h; s gap: 2 p 0.01 h / 6.
+  // Two faces of the size 1/4 with `open` = 1 at both ends and two with one end: p^2 h / mu (2 + 1)
+  // h; s gap: 2 p 0.01 h / 6.
   const double h = 0.25, mu = blocks.upper.material.mu();
   EXPECT_NEAR(by_gap, 3. * pressure * pressure * h * h / mu + 2. * pressure * 0.01 * h / 6., 1e-8);
 }

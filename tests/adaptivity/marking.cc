@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Marking is checked against its definition, with indicators that are functions of the place: what the bulk criterion chooses, what the limits
-// forbid, and that a mesh which is good enough is kept. The numbers are the same on any number of processes.
+// Marking is checked against its definition, with indicators that are functions of the place: what
+// the bulk criterion chooses, what the limits forbid, and that a mesh which is good enough is kept.
+// The numbers are the same on any number of processes.
 
 #include "../discretization/bodies.h"
 
@@ -36,7 +37,8 @@ namespace
       return body;
     }
 
-    dealii::Vector<double> indicator(const std::function<double(const dealii::Point<2> &)> &value) const
+    dealii::Vector<double>
+    indicator(const std::function<double(const dealii::Point<2> &)> &value) const
     {
       dealii::Vector<double> result(mesh.triangulation().n_active_cells());
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
@@ -125,7 +127,9 @@ TEST(Marking, NothingToSeeIsNoReasonForAChange)
 TEST(Marking, ChangesThatAreNotWorthItAreLeftOut)
 {
   Marked     problem;
-  const auto peak = [](const dealii::Point<2> &p) { return p[0] < 0.25 && p[1] < 0.25 ? 1. : 1e-3; };
+  const auto peak = [](const dealii::Point<2> &p) {
+    return p[0] < 0.25 && p[1] < 0.25 ? 1. : 1e-3;
+  };
   problem.scene.adaptivity.maximum_level = 4;
   EXPECT_EQ(problem.mark(peak).n_to_refine, 16u);
   EXPECT_EQ(problem.change(), 256u + 3 * 16);
@@ -156,7 +160,9 @@ TEST(Marking, CoarsenRatioIsOfTheThreshold)
   problem.scene.adaptivity.tolerance = 1.;
   EXPECT_TRUE(problem.mark([](const auto &p) { return p[0] < 0.5 ? 1. : 0.; }).refines());
   const double n_cells = problem.change();
-  const auto   behind  = [&](const dealii::Point<2> &p) { return std::sqrt((p[0] < 0.5 ? 0.4 : 2.) / n_cells); };
+  const auto   behind  = [&](const dealii::Point<2> &p) {
+    return std::sqrt((p[0] < 0.5 ? 0.4 : 2.) / n_cells);
+  };
   EXPECT_FALSE(problem.mark(behind).coarsens());
   problem.scene.adaptivity.coarsen_ratio = 0.3;
   EXPECT_FALSE(problem.mark(behind).coarsens());
@@ -164,7 +170,8 @@ TEST(Marking, CoarsenRatioIsOfTheThreshold)
   EXPECT_GT(problem.mark(behind).n_to_coarsen, 400u);
 }
 
-// Cells that are wanted fine are refined whatever their indicator, but not beyond the highest level, and at the expense of others if cells are limited.
+// Cells that are wanted fine are refined whatever their indicator, but not beyond the highest
+// level, and at the expense of others if cells are limited.
 TEST(Marking, WantedCellsAreRefinedInAnyCase)
 {
   Marked            problem;
@@ -185,7 +192,8 @@ TEST(Marking, WantedCellsAreRefinedInAnyCase)
   EXPECT_EQ(mark(decaying), 0u);
 }
 
-// The children of a refined cell have a quarter of its square each, and a fourth of that by the order of the method. They must not be taken for too fine.
+// The children of a refined cell have a quarter of its square each, and a fourth of that by the
+// order of the method. They must not be taken for too fine.
 TEST(Marking, WhatIsCoarsenedIsNotRefinedAtOnce)
 {
   for (const MarkingKind marking : {MarkingKind::fixed_fraction, MarkingKind::tolerance})

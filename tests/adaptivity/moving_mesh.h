@@ -41,7 +41,8 @@ namespace signorini::tests
     }
 
     /** Refine and coarsen a few cells anywhere. */
-    void change_at_random(const unsigned int highest_level, const double refined, const double coarsened)
+    void
+    change_at_random(const unsigned int highest_level, const double refined, const double coarsened)
     {
       ++n_changes;
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
@@ -56,7 +57,8 @@ namespace signorini::tests
             if (mine < refined && cell->level() < static_cast<int>(highest_level))
               cell->set_refine_flag();
             else if (ours < coarsened
-                     && cell->level() > static_cast<int>(scene.bodies[cell->material_id()].refinements))
+                     && cell->level()
+                          > static_cast<int>(scene.bodies[cell->material_id()].refinements))
               cell->set_coarsen_flag();
           }
       change();

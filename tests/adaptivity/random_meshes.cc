@@ -2,13 +2,17 @@
 // Copyright (C) 2026 by the signorini authors
 
 // A new mesh is no force. The mesh is refined and coarsened at random in every one of 200 steps:
-//  - in free flight of a body that vibrates, momentum stays the same to round-off, since velocities are projected in the mass matrix
-//    and constants are in every space; no contact force appears; the transfer takes energy and never brings any (projections
-//    in the norms of energy), and what it takes is booked, so that the ledger closes;
-//  - a body, or a stack of two with friction, that is pressed on a plane has a displacement that every mesh represents; it stays, with
+//  - in free flight of a body that vibrates, momentum stays the same to round-off, since velocities
+//  are projected in the mass matrix
+//    and constants are in every space; no contact force appears; the transfer takes energy and
+//    never brings any (projections in the norms of energy), and what it takes is booked, so that
+//    the ledger closes;
+//  - a body, or a stack of two with friction, that is pressed on a plane has a displacement that
+//  every mesh represents; it stays, with
 //    the same contact force, and nothing starts to move. The solver finds contact where it was.
-// Of a body that flies without deformation the velocity is the first guess. It leaves the round-off of
-// stiffness times displacement: nothing to solve, or where that is near to what is accepted, an iteration.
+// Of a body that flies without deformation the velocity is the first guess. It leaves the round-off
+// of stiffness times displacement: nothing to solve, or where that is near to what is accepted, an
+// iteration.
 
 #include "moving_mesh.h"
 
@@ -40,12 +44,13 @@ namespace
     BodyDescription<dim> body      = box<dim>("box", 0.);
     body.initial_velocity[0]       = "1 + 0.3*sin(2*x)*cos(y)";
     body.initial_velocity[dim - 1] = "-2 + 0.5*cos(3*y + x)";
-    Scene<dim> scene               = contact_scene<dim>(body, {floor_at<dim>(-100.)}, {bottom_id<dim>});
-    scene.time.scheme              = "contact-stabilized";
+    Scene<dim> scene  = contact_scene<dim>(body, {floor_at<dim>(-100.)}, {bottom_id<dim>});
+    scene.time.scheme = "contact-stabilized";
     MovingMesh<dim> moving(scene);
     const double    energy           = moving.total_energy();
-    double          largest_transfer = -1., largest_residual = 0., taken = 0., momentum_change = 0., force = 0.;
-    unsigned long   fewest = 1000000, most = 0;
+    double          largest_transfer = -1., largest_residual = 0., taken = 0., momentum_change = 0.,
+           force         = 0.;
+    unsigned long fewest = 1000000, most = 0;
     for (unsigned int step = 0; step < (dim == 2 ? 200 : 40); ++step)
       {
         const Momentum before = momentum(moving.meshed->discretization, moving.state);
@@ -72,9 +77,11 @@ namespace
     EXPECT_LT(largest_residual, 1e-10 * energy);
   }
 
-  /** Displacement of a block under pressure p on its top, free at its sides, and its expressions. */
+  /** Displacement of a block under pressure p on its top, free at its sides, and its expressions.
+   */
   template <int dim>
-  std::array<std::string, dim> uniform_compression(const Material &material, const double p, const double height)
+  std::array<std::string, dim>
+  uniform_compression(const Material &material, const double p, const double height)
   {
     const double                 E = material.youngs_modulus, nu = material.poissons_ratio;
     const double                 down   = dim == 3 ? p / E : (1. - nu * nu) / E * p;
@@ -83,7 +90,8 @@ namespace
     std::array<std::string, dim> result;
     for (unsigned int c = 0; c + 1 < dim; ++c)
       result[c] = std::to_string(1e9 * aside) + "e-9*" + axes[c];
-    result[dim - 1] = "-" + std::to_string(1e9 * down) + "e-9*(" + axes[dim - 1] + "+" + std::to_string(height) + ")";
+    result[dim - 1] = "-" + std::to_string(1e9 * down) + "e-9*(" + axes[dim - 1] + "+"
+                      + std::to_string(height) + ")";
     return result;
   }
 
@@ -108,9 +116,10 @@ namespace
     on_floor.obstacle           = 0;
     scene.pairs.push_back(on_floor);
     scene.time.scheme = "contact-stabilized";
-    MovingMesh<dim>    moving(scene);
-    const double       energy             = std::abs(moving.total_energy());
-    double             displacement_error = 0., velocity = 0., force_error = 0., largest_transfer = 0., residual = 0.;
+    MovingMesh<dim> moving(scene);
+    const double    energy             = std::abs(moving.total_energy());
+    double          displacement_error = 0., velocity = 0., force_error = 0., largest_transfer = 0.,
+           residual                     = 0.;
     unsigned int       most_active_sets = 0;
     const unsigned int n_steps          = dim == 2 ? 200 : 20;
     for (unsigned int step = 0; step < n_steps; ++step)
@@ -130,14 +139,16 @@ namespace
           most_active_sets = std::max(most_active_sets, moving.effort.active_set_iterations);
         const ContactSummary contact =
           contact_summary(moving.meshed->surface, moving.meshed->discretization, moving.state);
-        force_error = std::max(force_error, std::abs(contact.normal_force - (two_bodies ? 2. : 1.) * pressure));
+        force_error =
+          std::max(force_error, std::abs(contact.normal_force - (two_bodies ? 2. : 1.) * pressure));
       }
     EXPECT_LT(displacement_error, 1e-9);
     EXPECT_LT(velocity, 1e-9);
     EXPECT_LT(force_error, 1e-6);
     EXPECT_LT(largest_transfer, 1e-11 * energy);
     EXPECT_LT(residual, 1e-10 * energy);
-    EXPECT_LE(most_active_sets, 2u) << "contact is where it was: one look and another one that confirms it";
+    EXPECT_LE(most_active_sets, 2u)
+      << "contact is where it was: one look and another one that confirms it";
   }
 
   template <int dim>

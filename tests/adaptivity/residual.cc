@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The parts of the residual estimate for displacements whose residuals are known: zero where the stress is constant and in balance, the
-// exact integrals where it is not, also on meshes with hanging nodes and on several processes.
+// The parts of the residual estimate for displacements whose residuals are known: zero where the
+// stress is constant and in balance, the exact integrals where it is not, also on meshes with
+// hanging nodes and on several processes.
 
 #include "../contact/contact_scene.h"
 
@@ -26,10 +27,12 @@ namespace
 
 TEST(Residual, InteriorOfABilinearDisplacement)
 {
-  const Assembled<2>     problem(box_with_hanging_nodes<2>());
-  const auto            &discretization = problem.discretization;
-  const Vector           u     = discretization.interpolate_hanging_nodes(field<2>(discretization, {{"x*y", "0"}}));
-  const Vector           force = discretization.interpolate_hanging_nodes(field<2>(discretization, {{"3", "0"}}));
+  const Assembled<2> problem(box_with_hanging_nodes<2>());
+  const auto        &discretization = problem.discretization;
+  const Vector       u =
+    discretization.interpolate_hanging_nodes(field<2>(discretization, {{"x*y", "0"}}));
+  const Vector force =
+    discretization.interpolate_hanging_nodes(field<2>(discretization, {{"3", "0"}}));
   dealii::Vector<double> squares(discretization.mesh().triangulation().n_active_cells());
   const CellNeighbors<2> mesh(discretization);
   add_interior_residual(mesh, u, force, ResidualWeights{}, squares);
@@ -49,21 +52,25 @@ TEST(Residual, InteriorOfABilinearDisplacement)
 
 TEST(Residual, JumpsOfAKink)
 {
-  // Hanging nodes lie in the left half, away from the kink, and cells of different size meet the kink on both sides.
+  // Hanging nodes lie in the left half, away from the kink, and cells of different size meet the
+  // kink on both sides.
   BodyDescription<3> body = box<3>();
   body.local_refinements  = 1;
   body.refine_where       = "0.3 - y";
   const Assembled<3> problem(body);
   const auto        &discretization = problem.discretization;
-  const Vector u = discretization.interpolate_hanging_nodes(field<3>(discretization, {{"0", "0", "max(x - 0.5, 0)"}}));
+  const Vector       u              = discretization.interpolate_hanging_nodes(
+    field<3>(discretization, {{"0", "0", "max(x - 0.5, 0)"}}));
   const CellNeighbors<3> mesh(discretization);
   dealii::Vector<double> jumps(discretization.mesh().triangulation().n_active_cells());
   add_stress_jumps(StressVectors<3>(mesh, u), ResidualWeights{}, jumps);
-  // sigma_xz jumps by mu: mu^2 h / mu over the area 1, one half of it with h = 1/4, the other with h = 1/2.
+  // sigma_xz jumps by mu: mu^2 h / mu over the area 1, one half of it with h = 1/4, the other with
+  // h = 1/2.
   EXPECT_NEAR(sum_of(jumps), material.mu() * 0.5 * (0.25 + 0.5), 1e-10 * material.mu());
 }
 
-// With a step, what is larger than the way of a shear wave in half of it has the weight of the mass.
+// With a step, what is larger than the way of a shear wave in half of it has the weight of the
+// mass.
 TEST(Residual, WeightsOfAStep)
 {
   const double          wave = std::sqrt(material.mu() / rho), tau = 0.02;
@@ -87,9 +94,10 @@ TEST(Residual, BoundaryOfABodyUnderTraction)
   const ContactProblem<2> problem(contact_scene<2>(body, {}));
   const auto             &discretization = problem.discretization;
   const auto              estimate       = [&](const std::array<std::string, 2> &u) {
-    const ForceBalance balance =
-      balance_at_rest(discretization, problem.surface, field<2>(discretization, u), discretization.make_vector());
-    return sum_of(ResidualEstimate(discretization, problem.surface, problem.supports).squares(balance, ResidualWeights{}));
+    const ForceBalance balance = balance_at_rest(
+      discretization, problem.surface, field<2>(discretization, u), discretization.make_vector());
+    return sum_of(ResidualEstimate(discretization, problem.surface, problem.supports)
+                    .squares(balance, ResidualWeights{}));
   };
   // Uniaxial plane stress in plane strain: sigma_xx = 7, sigma_yy = 0.
   const std::string along  = std::to_string(1e9 * 7. * (1. - nu * nu) / E) + "e-9*x",

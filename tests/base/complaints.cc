@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What processes complain about becomes one error that all of them throw, also those that found nothing wrong: the worst
-// one, among equals the first in the alphabet, whoever has it.
+// What processes complain about becomes one error that all of them throw, also those that found
+// nothing wrong: the worst one, among equals the first in the alphabet, whoever has it.
 
 #include <signorini/base/complaints.h>
 #include <signorini/base/user_error.h>

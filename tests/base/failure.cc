@@ -20,7 +20,8 @@ namespace
 
   bool is_last()
   {
-    return dealii::Utilities::MPI::this_mpi_process(comm) + 1 == dealii::Utilities::MPI::n_mpi_processes(comm);
+    return dealii::Utilities::MPI::this_mpi_process(comm) + 1
+           == dealii::Utilities::MPI::n_mpi_processes(comm);
   }
 } // namespace
 
@@ -31,13 +32,15 @@ TEST(Failure, StatusAndMessage)
   EXPECT_EQ(mistake.status, 2);
   EXPECT_EQ(mistake.message, "a.prm: wrong");
   EXPECT_EQ(attempt([] { throw RunError("no convergence"); }).status, 1);
-  EXPECT_NE(attempt([] { throw std::bad_alloc(); }).message.find("out of memory"), std::string::npos);
+  EXPECT_NE(attempt([] { throw std::bad_alloc(); }).message.find("out of memory"),
+            std::string::npos);
   EXPECT_EQ(attempt([] { throw 1; }).status, 1);
 }
 
 TEST(Failure, UsefulPartOfAnExceptionOfDealII)
 {
-  const Failure failure = attempt([] { AssertThrow(false, dealii::ExcMessage("the matrix is singular")); });
+  const Failure failure =
+    attempt([] { AssertThrow(false, dealii::ExcMessage("the matrix is singular")); });
   EXPECT_EQ(failure.status, 1);
   EXPECT_EQ(failure.message, "the run failed: the matrix is singular");
 }

@@ -11,8 +11,9 @@
 namespace signorini::tests
 {
   template <int dim>
-  ObstacleDescription<dim>
-  plane(const std::string &name, const dealii::Point<dim> &point, const dealii::Tensor<1, dim> &normal)
+  ObstacleDescription<dim> plane(const std::string            &name,
+                                 const dealii::Point<dim>     &point,
+                                 const dealii::Tensor<1, dim> &normal)
   {
     ObstacleDescription<dim> obstacle;
     obstacle.name   = name;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Contact coordinates are an orthogonal change of the basis at contact nodes: it can be undone, keeps scalar products, makes u.nu a single
-// entry, and is the same on all processes that know a node. (Without a second body; for that see relative_coordinates.cc.)
+// Contact coordinates are an orthogonal change of the basis at contact nodes: it can be undone,
+// keeps scalar products, makes u.nu a single entry, and is the same on all processes that know a
+// node. (Without a second body; for that see relative_coordinates.cc.)
 
 #include "contact_scene.h"
 
@@ -49,8 +50,9 @@ namespace
 TEST(ContactCoordinates, CanBeUndoneAndKeepProducts)
 {
   const CoordinatesProblem<3> problem(ball_in_hollow_sphere());
-  const Vector x = irregular_field(problem.discretization, 3.), y = irregular_field(problem.discretization, 7.);
-  Vector       w = x, z = y;
+  const Vector                x = irregular_field(problem.discretization, 3.),
+               y                = irregular_field(problem.discretization, 7.);
+  Vector w = x, z = y;
   problem.coordinates.force_to_contact(w);
   problem.coordinates.force_to_contact(z);
   EXPECT_NEAR(w * z, x * y, 1e-13 * x.l2_norm() * y.l2_norm());
@@ -87,7 +89,8 @@ TEST(ContactCoordinates, SupportsAreSingleEntriesWithTheirValues)
   EXPECT_EQ(dealii::Utilities::MPI::sum(entries.size(), MPI_COMM_WORLD), 27u);
   EXPECT_EQ(problem.surface.n_global_nodes(), 6u);
 
-  // A displacement with the prescribed values has them in these entries, up to the sign of the direction.
+  // A displacement with the prescribed values has them in these entries, up to the sign of the
+  // direction.
   Vector w = field<3>(problem.discretization, {{"0.25 + y", "0.5", "0.5"}});
   problem.coordinates.force_to_contact(w);
   for (unsigned int k = 0; k < entries.size(); ++k)
@@ -122,13 +125,16 @@ TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
       const auto normal = make_obstacle(problem.scene.obstacles[0])
                             ->project(problem.discretization.node_positions()[node.node])
                             .normal;
-      EXPECT_LT((Tensor<1, 3>({node.frame[0], node.frame[1], node.frame[2]}) - normal).norm(), 1e-14);
+      EXPECT_LT((Tensor<1, 3>({node.frame[0], node.frame[1], node.frame[2]}) - normal).norm(),
+                1e-14);
     }
   EXPECT_EQ(found, expected);
   if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
     {
       const unsigned int n_ghosts =
-        std::count_if(found.begin(), found.end(), [&](const unsigned int node) { return node >= pattern.n_owned; });
+        std::count_if(found.begin(), found.end(), [&](const unsigned int node) {
+          return node >= pattern.n_owned;
+        });
       EXPECT_GT(dealii::Utilities::MPI::sum(n_ghosts, MPI_COMM_WORLD), 0u);
     }
 }

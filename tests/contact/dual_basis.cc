@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The dual basis is biorthogonal to the shape functions of all nodes that carry a multiplier, and contains the constants: on whole and
-// on partly covered faces, for every choice of carriers, and also on distorted faces.
+// The dual basis is biorthogonal to the shape functions of all nodes that carry a multiplier, and
+// contains the constants: on whole and on partly covered faces, for every choice of carriers, and
+// also on distorted faces.
 
 #include <signorini/contact/dual_basis.h>
 #include <signorini/contact/face_segments.h>
@@ -16,8 +17,12 @@ using dealii::Point;
 
 namespace
 {
-  /** A face in the plane where the last coordinate is `height`, its outward side up (1) or down (-1). */
-  SurfaceFace<3> quadrilateral(const std::vector<Point<2>> &corners, const double height, const double side)
+  /**
+   * A face in the plane where the last coordinate is `height`, its outward side up (1) or down
+   * (-1).
+   */
+  SurfaceFace<3>
+  quadrilateral(const std::vector<Point<2>> &corners, const double height, const double side)
   {
     SurfaceFace<3> face;
     for (unsigned int v = 0; v < 4; ++v)
@@ -26,7 +31,8 @@ namespace
     return face;
   }
 
-  SurfaceFace<2> interval(const double lower, const double upper, const double height, const double side)
+  SurfaceFace<2>
+  interval(const double lower, const double upper, const double height, const double side)
   {
     SurfaceFace<2> face;
     face.vertices    = {{Point<2>(lower, height), Point<2>(upper, height)}};
@@ -67,11 +73,13 @@ namespace
             const double expected = carries[i] ? integrals[i] : 0.;
             EXPECT_EQ(psi.row(i).isZero(0.), !carries[i]) << set;
             for (Eigen::Index j = 0; j < n; ++j)
-              EXPECT_NEAR(carries[j] ? product(i, j) : 0., i == j ? expected : 0., 1e-12 * integrals.sum())
+              EXPECT_NEAR(
+                carries[j] ? product(i, j) : 0., i == j ? expected : 0., 1e-12 * integrals.sum())
                 << set << ": " << i << j;
           }
         for (Eigen::Index j = 0; j < n; ++j)
-          EXPECT_NEAR(psi.col(j).sum(), 1., 1e-12) << set << ": the sum of the functions at node " << j;
+          EXPECT_NEAR(psi.col(j).sum(), 1., 1e-12)
+            << set << ": the sum of the functions at node " << j;
       }
   }
 
@@ -102,22 +110,26 @@ TEST(DualBasis, OfQuadrilaterals)
       expect_dual(covered_mass(quadrilateral(slave, 0., -1.), quadrilateral(master, -0.1, 1.)));
 }
 
-// A face with a hanging vertex between its first node and one of the neighbour, which moves it with half the weight.
+// A face with a hanging vertex between its first node and one of the neighbour, which moves it with
+// half the weight.
 TEST(DualBasis, WithAHangingVertex)
 {
   Eigen::MatrixXd parents = Eigen::MatrixXd::Identity(4, 4); // row: node, column: vertex
   parents(0, 1) = parents(1, 1) = 0.5;
   for (const auto &master : {everything, corner})
     {
-      const Eigen::MatrixXd mass = covered_mass(quadrilateral(unit_square, 0., -1.), quadrilateral(master, -0.1, 1.));
+      const Eigen::MatrixXd mass =
+        covered_mass(quadrilateral(unit_square, 0., -1.), quadrilateral(master, -0.1, 1.));
       expect_dual(parents * mass * parents.transpose());
     }
 }
 
-// A sliver as narrow as the coupling accepts: the condition of the mass is large, yet the dual basis keeps its digits.
+// A sliver as narrow as the coupling accepts: the condition of the mass is large, yet the dual
+// basis keeps its digits.
 TEST(DualBasis, OfASliver)
 {
-  const Eigen::MatrixXd mass = covered_mass(interval(0., 1., 0., -1.), interval(1. - 1.1e-3, 2., 0., 1.));
+  const Eigen::MatrixXd mass =
+    covered_mass(interval(0., 1., 0., -1.), interval(1. - 1.1e-3, 2., 0., 1.));
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mass).eigenvalues().minCoeff(), 0.);
   expect_dual(mass);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A contact frame is orthonormal, with the normal first, so that the change of coordinates keeps lengths; a supported direction is
-// one of its tangents, so that both conditions hold single entries.
+// A contact frame is orthonormal, with the normal first, so that the change of coordinates keeps
+// lengths; a supported direction is one of its tangents, so that both conditions hold single
+// entries.
 
 #include "contact_scene.h"
 
@@ -16,7 +17,9 @@ using dealii::Tensor;
 namespace
 {
   template <int dim>
-  double product_of_rows(const std::array<double, dim * dim> &frame, const unsigned int i, const unsigned int j)
+  double product_of_rows(const std::array<double, dim * dim> &frame,
+                         const unsigned int                   i,
+                         const unsigned int                   j)
   {
     double sum = 0.;
     for (unsigned int c = 0; c < dim; ++c)
@@ -31,7 +34,8 @@ namespace
       EXPECT_DOUBLE_EQ(frame[c], normal[c]);
     for (unsigned int i = 0; i < dim; ++i)
       for (unsigned int j = 0; j < dim; ++j)
-        EXPECT_NEAR(product_of_rows<dim>(frame, i, j), i == j ? 1. : 0., 1e-15) << normal << ": " << i << " " << j;
+        EXPECT_NEAR(product_of_rows<dim>(frame, i, j), i == j ? 1. : 0., 1e-15)
+          << normal << ": " << i << " " << j;
   }
 
   std::vector<Tensor<1, 3>> normals()
@@ -68,7 +72,8 @@ TEST(ContactFrame, IsRightHanded)
   for (const Tensor<1, 3> &normal : normals())
     {
       const auto         frame = contact_frame(normal);
-      const Tensor<1, 3> first({frame[3], frame[4], frame[5]}), second({frame[6], frame[7], frame[8]});
+      const Tensor<1, 3> first({frame[3], frame[4], frame[5]}),
+        second({frame[6], frame[7], frame[8]});
       EXPECT_NEAR(dealii::cross_product_3d(normal, first) * second, 1., 1e-15);
     }
 }
@@ -92,8 +97,10 @@ TEST(ContactFrame, TakesInTangentialSupports)
 TEST(ContactFrame, RefusesSupportsThatAreNotTangential)
 {
   std::array<double, 9> frame;
-  EXPECT_FALSE(contact_frame_with_supports<3>(Tensor<1, 3>({0., 0., -1.}), {{false, false, true}}, frame));
-  EXPECT_FALSE(contact_frame_with_supports<3>(Tensor<1, 3>({0.6, 0., 0.8}), {{true, true, false}}, frame));
+  EXPECT_FALSE(
+    contact_frame_with_supports<3>(Tensor<1, 3>({0., 0., -1.}), {{false, false, true}}, frame));
+  EXPECT_FALSE(
+    contact_frame_with_supports<3>(Tensor<1, 3>({0.6, 0., 0.8}), {{true, true, false}}, frame));
   std::array<double, 4> flat;
   EXPECT_FALSE(contact_frame_with_supports<2>(Tensor<1, 2>({0.6, 0.8}), {{true, false}}, flat));
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The geometry of the mortar coupling: clipped polygons have the areas that one computes by hand, a segment integrates over exactly
-// the common part of two faces with points on lines along the slave normal, and the segments of whole surfaces add up to their overlap.
+// The geometry of the mortar coupling: clipped polygons have the areas that one computes by hand, a
+// segment integrates over exactly the common part of two faces with points on lines along the slave
+// normal, and the segments of whole surfaces add up to their overlap.
 
 #include "two_bodies.h"
 
@@ -29,7 +30,8 @@ namespace mortar_geometry_tests
       return {Point<2>(x0, y0), Point<2>(x1, y0), Point<2>(x1, y1), Point<2>(x0, y1)};
     }
 
-    Polygon turned(const Polygon &polygon, const double angle, const Tensor<1, 2> &shift = Tensor<1, 2>())
+    Polygon
+    turned(const Polygon &polygon, const double angle, const Tensor<1, 2> &shift = Tensor<1, 2>())
     {
       Polygon result;
       for (const Point<2> &p : polygon)
@@ -63,15 +65,17 @@ namespace mortar_geometry_tests
     {
       SurfaceFace<dim> result = original;
       for (Point<dim> &vertex : result.vertices)
-        vertex = Point<dim>(rotation<dim>(angle) * Tensor<1, dim>(vertex) + Tensor<1, dim>(Point<dim>::unit_vector(0)));
+        vertex = Point<dim>(rotation<dim>(angle) * Tensor<1, dim>(vertex)
+                            + Tensor<1, dim>(Point<dim>::unit_vector(0)));
       return result;
     }
 
     const Tensor<1, 3> up({0., 0., 1.}), down({0., 0., -1.});
 
     /** A quadrilateral in the plane z = a + b x + c y over corners in lexicographic order. */
-    SurfaceFace<3>
-    quadrilateral(const std::vector<Point<2>> &corners, const Point<3> &plane, const Tensor<1, 3> &outward)
+    SurfaceFace<3> quadrilateral(const std::vector<Point<2>> &corners,
+                                 const Point<3>              &plane,
+                                 const Tensor<1, 3>          &outward)
     {
       std::vector<Point<3>> vertices;
       for (const Point<2> &p : corners)
@@ -99,8 +103,9 @@ namespace mortar_geometry_tests
     }
 
     template <int dim>
-    void
-    expect_points_on_lines(const Segment<dim> &segment, const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
+    void expect_points_on_lines(const Segment<dim>     &segment,
+                                const SurfaceFace<dim> &slave,
+                                const SurfaceFace<dim> &master)
     {
       const Tensor<1, dim> normal = central_normal(slave);
       for (const SegmentPoint<dim> &point : segment.points)
@@ -116,7 +121,8 @@ namespace mortar_geometry_tests
 
     /** Integral of a function of the position on the slave face over a segment. */
     template <int dim, typename Function>
-    double integral(const Segment<dim> &segment, const SurfaceFace<dim> &slave, const Function &function)
+    double
+    integral(const Segment<dim> &segment, const SurfaceFace<dim> &slave, const Function &function)
     {
       double sum = 0.;
       for (const SegmentPoint<dim> &point : segment.points)
@@ -137,9 +143,11 @@ namespace mortar_geometry_tests
     const Polygon diamond = {{1.5, 0.}, {0., 1.5}, {-1.5, 0.}, {0., -1.5}};
     expect_common_area(rectangle(-1., -1., 1., 1.), diamond, 3.5);
     EXPECT_EQ(clip(diamond, rectangle(-1., -1., 1., 1.)).size(), 8u);
-    const Polygon inscribed = {{1., 0.}, {0., 1.}, {-1., 0.}, {0., -1.}}; // its corners on edges of the other
+    const Polygon inscribed = {
+      {1., 0.}, {0., 1.}, {-1., 0.}, {0., -1.}}; // its corners on edges of the other
     expect_common_area(rectangle(-1., -1., 1., 1.), inscribed, 2.);
-    const Polygon triangle = {{0., 0.}, {2., 0.}, {0., 2.}}, opposite = {{1.5, 1.5}, {-0.5, 1.5}, {1.5, -0.5}};
+    const Polygon triangle = {{0., 0.}, {2., 0.}, {0., 2.}},
+                  opposite = {{1.5, 1.5}, {-0.5, 1.5}, {1.5, -0.5}};
     expect_common_area(triangle, opposite, 2. - 2. * 0.125 - 0.5);
   }
 
@@ -162,7 +170,8 @@ namespace mortar_geometry_tests
     EXPECT_DOUBLE_EQ(area(l), -2.5);
   }
 
-  // Of squares turned against each other: commutative, additive over a partition of the window, nothing lost.
+  // Of squares turned against each other: commutative, additive over a partition of the window,
+  // nothing lost.
   TEST(Clipping, PartsAddUp)
   {
     const Polygon subject = rectangle(-1., -1., 1., 1.);
@@ -177,11 +186,13 @@ namespace mortar_geometry_tests
           double parts = 0.;
           for (unsigned int i = 0; i < 7; ++i)
             for (unsigned int j = 0; j < 5; ++j)
-              parts += area(clip(
-                subject,
-                turned(rectangle(-1.2 + 2. / 7. * i, -0.7 + 0.36 * j, -1.2 + 2. / 7. * (i + 1), -0.7 + 0.36 * (j + 1)),
-                       angle,
-                       along)));
+              parts += area(clip(subject,
+                                 turned(rectangle(-1.2 + 2. / 7. * i,
+                                                  -0.7 + 0.36 * j,
+                                                  -1.2 + 2. / 7. * (i + 1),
+                                                  -0.7 + 0.36 * (j + 1)),
+                                        angle,
+                                        along)));
           EXPECT_NEAR(whole, parts, 1e-14) << angle << " " << shift;
         }
   }
@@ -197,28 +208,34 @@ namespace mortar_geometry_tests
             const Polygon common  = clip(outline(corners), outline(other));
             const auto    segment = intersect(slave, master);
             EXPECT_NEAR(segment.area, area(common), 1e-14);
-            EXPECT_NEAR(integral(segment, slave, [](const Point<3> &) { return 1.; }), area(common), 1e-13);
+            EXPECT_NEAR(
+              integral(segment, slave, [](const Point<3> &) { return 1.; }), area(common), 1e-13);
             EXPECT_NEAR(segment.gap, 0.3, 1e-14);
             EXPECT_NEAR(projected_area(slave), area(outline(corners)), 1e-14);
             expect_points_on_lines(segment, slave, master);
           }
   }
 
-  // The integrands of the mass matrices are quadratic on flat faces; the part of the unit square left of x + y = 1 is known.
+  // The integrands of the mass matrices are quadratic on flat faces; the part of the unit square
+  // left of x + y = 1 is known.
   TEST(Segments, IntegrateQuadraticFunctions)
   {
-    const auto slave  = quadrilateral(unit_square, {0., 0., 0.}, down);
-    const auto master = quadrilateral({{-1., -1.}, {1., 0.}, {-1., 2.}, {0., 1.}}, {-1., 0., 0.}, up);
+    const auto slave = quadrilateral(unit_square, {0., 0., 0.}, down);
+    const auto master =
+      quadrilateral({{-1., -1.}, {1., 0.}, {-1., 2.}, {0., 1.}}, {-1., 0., 0.}, up);
     const auto common = intersect(slave, master);
     EXPECT_NEAR(integral(common, slave, [](const Point<3> &p) { return p[0]; }), 1. / 6., 1e-14);
-    EXPECT_NEAR(integral(common, slave, [](const Point<3> &p) { return p[0] * p[0]; }), 1. / 12., 1e-14);
-    EXPECT_NEAR(integral(common, slave, [](const Point<3> &p) { return p[0] * p[1]; }), 1. / 24., 1e-14);
+    EXPECT_NEAR(
+      integral(common, slave, [](const Point<3> &p) { return p[0] * p[0]; }), 1. / 12., 1e-14);
+    EXPECT_NEAR(
+      integral(common, slave, [](const Point<3> &p) { return p[0] * p[1]; }), 1. / 24., 1e-14);
   }
 
   TEST(Segments, InclinedMaster)
   {
-    const auto slave  = quadrilateral(unit_square, {0., 0., 0.}, down);
-    const auto master = quadrilateral({{-1., -1.}, {0.5, -1.}, {-1., 2.}, {0.5, 2.}}, {-0.3, 0.2, -0.1}, up);
+    const auto slave = quadrilateral(unit_square, {0., 0., 0.}, down);
+    const auto master =
+      quadrilateral({{-1., -1.}, {0.5, -1.}, {-1., 2.}, {0.5, 2.}}, {-0.3, 0.2, -0.1}, up);
     for (const double angle : {0., 0.7})
       {
         const auto a = turned(slave, angle), b = turned(master, angle);
@@ -229,14 +246,18 @@ namespace mortar_geometry_tests
       }
   }
 
-  // The weights are those of the slave surface; seen from the plane across the central normal, they are shorter by its cosine.
+  // The weights are those of the slave surface; seen from the plane across the central normal, they
+  // are shorter by its cosine.
   TEST(Segments, WarpedSlave)
   {
-    const auto slave   = face<3>({{0., 0., 0.1}, {1., 0., -0.1}, {0., 1., -0.1}, {1., 1., 0.1}}, down);
-    const auto master  = quadrilateral({{0.2, -1.}, {2., -1.}, {0.4, 2.}, {2., 2.}}, {-0.3, 0.1, 0.}, up);
+    const auto slave =
+      face<3>({{0., 0., 0.1}, {1., 0., -0.1}, {0., 1., -0.1}, {1., 1., 0.1}}, down);
+    const auto master =
+      quadrilateral({{0.2, -1.}, {2., -1.}, {0.4, 2.}, {2., 2.}}, {-0.3, 0.1, 0.}, up);
     const auto segment = intersect(slave, master);
     expect_points_on_lines(segment, slave, master);
-    EXPECT_NEAR(segment.area, 0.7, 1e-14) << "the left edge of the master is at x = 0.3 in the mean";
+    EXPECT_NEAR(segment.area, 0.7, 1e-14)
+      << "the left edge of the master is at x = 0.3 in the mean";
     double projected = 0., surface = 0.;
     for (const auto &point : segment.points)
       {
@@ -257,7 +278,8 @@ namespace mortar_geometry_tests
           std::vector<Point<2>> ends = {{0.5, -0.4}, {3., -0.4 + 0.25}};
           if (reversed)
             std::reverse(ends.begin(), ends.end());
-          const auto a = turned(slave, angle), b = turned(face<2>(ends, Tensor<1, 2>({0., 1.})), angle);
+          const auto a       = turned(slave, angle),
+                     b       = turned(face<2>(ends, Tensor<1, 2>({0., 1.})), angle);
           const auto segment = intersect(a, b);
           EXPECT_NEAR(segment.area, 1.5, 1e-15);
           EXPECT_NEAR(integral(segment, a, [](const Point<2> &) { return 1.; }), 1.5, 1e-14);
@@ -274,13 +296,13 @@ namespace mortar_geometry_tests
 
   TEST(Segments, FacesThatDoNotLookAtEachOther)
   {
-    const auto slave = quadrilateral(unit_square, {0., 0., 0.}, down);
-    const auto steep =
-      face<3>({{0.4, 0., -1.}, {0.5, 0., 1.}, {0.4, 1., -1.}, {0.5, 1., 1.}}, Tensor<1, 3>({-20., 0., 1.}));
+    const auto slave  = quadrilateral(unit_square, {0., 0., 0.}, down);
+    const auto steep  = face<3>({{0.4, 0., -1.}, {0.5, 0., 1.}, {0.4, 1., -1.}, {0.5, 1., 1.}},
+                               Tensor<1, 3>({-20., 0., 1.}));
     const auto far    = quadrilateral({{2., 2.}, {3., 2.}, {2., 3.}, {3., 3.}}, {-0.1, 0., 0.}, up);
     const auto beside = quadrilateral({{1., 0.}, {2., 0.}, {1., 1.}, {2., 1.}}, {-0.1, 0., 0.}, up);
-    for (const SurfaceFace<3> &master :
-         std::vector<SurfaceFace<3>>{quadrilateral(unit_square, {-0.1, 0., 0.}, down), steep, far, beside})
+    for (const SurfaceFace<3> &master : std::vector<SurfaceFace<3>>{
+           quadrilateral(unit_square, {-0.1, 0., 0.}, down), steep, far, beside})
       {
         EXPECT_TRUE(intersect(slave, master).points.empty());
         EXPECT_TRUE(intersect(master, slave).points.empty());
@@ -288,27 +310,36 @@ namespace mortar_geometry_tests
     EXPECT_FALSE(intersect(slave, quadrilateral(unit_square, {-0.1, 0., 0.}, up)).points.empty());
 
     const auto flat = face<2>({{0., 0.}, {2., 0.}}, Tensor<1, 2>({0., -1.}));
-    EXPECT_TRUE(intersect(flat, face<2>({{0., -1.}, {2., -1.}}, Tensor<1, 2>({0., -1.}))).points.empty());
-    EXPECT_TRUE(intersect(flat, face<2>({{2., -1.}, {3., -1.}}, Tensor<1, 2>({0., 1.}))).points.empty());
+    EXPECT_TRUE(
+      intersect(flat, face<2>({{0., -1.}, {2., -1.}}, Tensor<1, 2>({0., -1.}))).points.empty());
+    EXPECT_TRUE(
+      intersect(flat, face<2>({{2., -1.}, {3., -1.}}, Tensor<1, 2>({0., 1.}))).points.empty());
   }
 
-  // The segments of non-matching surfaces add up to what is opposite: no face is forgotten, none counts twice.
+  // The segments of non-matching surfaces add up to what is opposite: no face is forgotten, none
+  // counts twice.
   TEST(CoveredArea, OfBlocks)
   {
     const double root = std::sqrt(2.), pi = dealii::numbers::PI;
     for (const double angle : {0., 0.7})
       {
-        // Equal footprint 1 to 3; slave smaller; slave larger; overlap of a corner, also with a gap between the bodies.
+        // Equal footprint 1 to 3; slave smaller; slave larger; overlap of a corner, also with a gap
+        // between the bodies.
         const auto flat = block<3>("flat", {0., 0., -1.}, {1., 1., 0.}, {{3, 3, 1}});
         const auto area = [&](const Point<3> &lower, const Point<3> &upper) {
-          const TwoBodies<3> bodies(stacked<3>(block<3>("slave", lower, upper, {{2, 3, 1}}), flat), turn<3>(angle));
-          EXPECT_NEAR(bodies.mortar.slave_area(), (upper[0] - lower[0]) * (upper[1] - lower[1]), 1e-13);
+          const TwoBodies<3> bodies(stacked<3>(block<3>("slave", lower, upper, {{2, 3, 1}}), flat),
+                                    turn<3>(angle));
+          EXPECT_NEAR(
+            bodies.mortar.slave_area(), (upper[0] - lower[0]) * (upper[1] - lower[1]), 1e-13);
           return bodies.mortar.covered_area();
         };
         EXPECT_NEAR(area({0., 0., 0.}, {1., 1., 1.}), 1., 1e-13);
-        EXPECT_NEAR(area({0.1, 0.2, 0.}, {root / 2., pi / 4., 1.}), (root / 2. - 0.1) * (pi / 4. - 0.2), 1e-13);
+        EXPECT_NEAR(area({0.1, 0.2, 0.}, {root / 2., pi / 4., 1.}),
+                    (root / 2. - 0.1) * (pi / 4. - 0.2),
+                    1e-13);
         EXPECT_NEAR(area({-root, -pi, 0.}, {root, pi, 1.}), 1., 1e-13);
-        EXPECT_NEAR(area({root / 3., -0.3, 0.25}, {root, pi / 5., 1.}), (1. - root / 3.) * (pi / 5.), 1e-13);
+        EXPECT_NEAR(
+          area({root / 3., -0.3, 0.25}, {root, pi / 5., 1.}), (1. - root / 3.) * (pi / 5.), 1e-13);
       }
   }
 
@@ -319,21 +350,23 @@ namespace mortar_geometry_tests
       for (const unsigned int n : {1, 3, 7})
         {
           const auto slave = block<2>("slave", {0., 0.}, {1., 1.}, {{4, 1}});
+          EXPECT_NEAR(TwoBodies<2>(
+                        stacked<2>(slave, block<2>("master", {root / 3., -1.}, {2., 0.}, {{n, 1}})),
+                        turn<2>(angle))
+                        .mortar.covered_area(),
+                      1. - root / 3.,
+                      1e-14);
           EXPECT_NEAR(
-            TwoBodies<2>(stacked<2>(slave, block<2>("master", {root / 3., -1.}, {2., 0.}, {{n, 1}})), turn<2>(angle))
-              .mortar.covered_area(),
-            1. - root / 3.,
-            1e-14);
-          EXPECT_NEAR(
-            TwoBodies<2>(stacked<2>(slave, block<2>("master", {-root, -1.}, {2., -0.5}, {{n, 1}})), turn<2>(angle))
+            TwoBodies<2>(stacked<2>(slave, block<2>("master", {-root, -1.}, {2., -0.5}, {{n, 1}})),
+                         turn<2>(angle))
               .mortar.covered_area(),
             1.,
             1e-14);
         }
   }
 
-  // The end of a cylinder is a polygon with inclined edges; a block that is larger sees all of it, a smaller one is covered, and a
-  // quarter plane sees a quarter.
+  // The end of a cylinder is a polygon with inclined edges; a block that is larger sees all of it,
+  // a smaller one is covered, and a quarter plane sees a quarter.
   TEST(CoveredArea, OfBlocksOnACylinder)
   {
     BodyDescription<3> column;
@@ -344,7 +377,7 @@ namespace mortar_geometry_tests
     column.refinements = 1;
     column.material    = {500., 0.3, 2.};
     const auto covered = [&](const Point<3> &lower, const Point<3> &upper) {
-      Scene<3> scene                     = stacked<3>(block<3>("slave", lower, upper, {{3, 5, 1}}), column);
+      Scene<3> scene = stacked<3>(block<3>("slave", lower, upper, {{3, 5, 1}}), column);
       scene.pairs[0].master_boundary_ids = {2};
       return TwoBodies<3>(scene, turn<3>(0.4)).mortar.covered_area();
     };

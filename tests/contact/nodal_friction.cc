@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The law of a pair at its nodes: expressions are evaluated where the node is in the reference configuration, and stresses become
-// forces of the node. Every pair has its own law; at obstacles friction acts, too, but nothing is relative.
+// The law of a pair at its nodes: expressions are evaluated where the node is in the reference
+// configuration, and stresses become forces of the node. Every pair has its own law; at obstacles
+// friction acts, too, but nothing is relative.
 
 #include "two_bodies.h"
 
@@ -84,7 +85,8 @@ TEST(NodalFriction, ObstaclesAreNotRelative)
 {
   const auto count = [](const FrictionDescription &friction) {
     const ContactProblem<2>     problem(on_floor(friction));
-    const ContactCoordinates<2> coordinates(problem.discretization, problem.surface, problem.supports);
+    const ContactCoordinates<2> coordinates(
+      problem.discretization, problem.surface, problem.supports);
     EXPECT_TRUE(coordinates.relative_entries().empty());
     unsigned int n = 0;
     for (unsigned int k = 0; k < problem.surface.nodes().size(); ++k)
@@ -97,7 +99,8 @@ TEST(NodalFriction, ObstaclesAreNotRelative)
     return dealii::Utilities::MPI::sum(n, MPI_COMM_WORLD);
   };
   EXPECT_EQ(count({FrictionKind::coulomb, "0.3", "", true}), 3u);
-  EXPECT_EQ(count({FrictionKind::coulomb, "max(0, x - 0.5)", "", true}), 1u) << "where there is friction";
+  EXPECT_EQ(count({FrictionKind::coulomb, "max(0, x - 0.5)", "", true}), 1u)
+    << "where there is friction";
   EXPECT_EQ(count({FrictionKind::coulomb, "0", "", false}), 0u);
 }
 
@@ -131,6 +134,8 @@ TEST(NodalFriction, NegativeValuesAreRefused)
   EXPECT_NE(coefficient.find("Contact/upper : lower/Friction coefficient = 0.5 - x: this is -"),
             std::string::npos)
     << coefficient;
-  EXPECT_NE(bound.find("Contact/upper : lower/Friction bound = 1/(x - 1): this is "), std::string::npos) << bound;
+  EXPECT_NE(bound.find("Contact/upper : lower/Friction bound = 1/(x - 1): this is "),
+            std::string::npos)
+    << bound;
   EXPECT_EQ(refusal({FrictionKind::coulomb, "1 - x", "1 - y", true}), "") << "zero is allowed";
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The gap is the distance to the obstacle, negative inside of it, and the normal is the unit vector towards the obstacle, against the
-// gradient of the distance.
+// The gap is the distance to the obstacle, negative inside of it, and the normal is the unit vector
+// towards the obstacle, against the gradient of the distance.
 
 #include "contact_scene.h"
 
@@ -27,7 +27,8 @@ namespace
   {
     const auto projection = make_obstacle(obstacle)->project(point);
     EXPECT_NEAR(projection.gap, gap, tolerance) << point;
-    EXPECT_LT((projection.normal - normal).norm(), tolerance) << projection.normal << " at " << point;
+    EXPECT_LT((projection.normal - normal).norm(), tolerance)
+      << projection.normal << " at " << point;
     EXPECT_NEAR(projection.normal.norm(), 1., 1e-14) << point;
   }
 } // namespace
@@ -79,7 +80,8 @@ TEST(Obstacles, FunctionIsScaledToADistance)
        {Point<3>(0., 0., 2.), Point<3>(0.6, 0., 0.8), Point<3>(-1., 2., 2.), Point<3>(0., 0.5, 0.)})
     expect_projection<3>(ball, point, point.norm() - 1., -point / point.norm(), 1e-9);
   ball.signed_distance = "z - 0.1*x";
-  expect_projection<3>(ball, {0., 0., 0.}, 0., Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01), 1e-9);
+  expect_projection<3>(
+    ball, {0., 0., 0.}, 0., Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01), 1e-9);
 }
 
 TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
@@ -92,7 +94,10 @@ TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
   pipe.axis            = Tensor<1, 3>({1., 2., 2.});
   pipe.radius          = 0.3;
   for (const auto &description :
-       {plane<3>("plane", Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.})), sphere<3>({2., 0., 0.}, 1.), pipe, wave})
+       {plane<3>("plane", Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.})),
+        sphere<3>({2., 0., 0.}, 1.),
+        pipe,
+        wave})
     {
       const auto     obstacle = make_obstacle(description);
       const Point<3> point(0.3, 0.2, 0.);

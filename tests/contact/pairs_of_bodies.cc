@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Which pairs of bodies are accepted: bodies that are apart never count as overlapping, however coarse their curved surfaces are; real
-// overlaps are found at any depth; nodes that two pairs share, oblique supports and masters that no slave node can see are
-// refused with a message that says so. All processes say the same.
+// Which pairs of bodies are accepted: bodies that are apart never count as overlapping, however
+// coarse their curved surfaces are; real overlaps are found at any depth; nodes that two pairs
+// share, oblique supports and masters that no slave node can see are refused with a message that
+// says so. All processes say the same.
 
 #include "two_bodies.h"
 
@@ -17,7 +18,8 @@ using dealii::Point;
 
 namespace
 {
-  BodyDescription<3> ball_at(const std::string &name, const Point<3> &centre, const unsigned int refinements)
+  BodyDescription<3>
+  ball_at(const std::string &name, const Point<3> &centre, const unsigned int refinements)
   {
     BodyDescription<3> body;
     body.name        = name;
@@ -50,7 +52,8 @@ namespace
       }
     catch (const UserError &error)
       {
-        const auto messages = dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, std::string(error.what()));
+        const auto messages =
+          dealii::Utilities::MPI::all_gather(MPI_COMM_WORLD, std::string(error.what()));
         for (const std::string &message : messages)
           EXPECT_EQ(message, messages[0]);
         return error.what();
@@ -60,7 +63,8 @@ namespace
 
   void expect_refusal(const std::string &message, const std::string &part)
   {
-    EXPECT_NE(message.find(part), std::string::npos) << "'" << message << "' should contain '" << part << "'";
+    EXPECT_NE(message.find(part), std::string::npos)
+      << "'" << message << "' should contain '" << part << "'";
   }
 } // namespace
 
@@ -70,8 +74,9 @@ TEST(PairsOfBodies, BallsThatTouchInAPointDoNotOverlapOnAnyMesh)
     for (const unsigned int master : {1, 2, 3})
       for (const double shift : {0., 0.3})
         {
-          Scene<3> scene                    = stacked<3>(ball_at("upper", {0., 0., 1.}, slave),
-                                      ball_at("lower", {shift, 0., -std::sqrt(4. - shift * shift) + 1.}, master));
+          Scene<3> scene =
+            stacked<3>(ball_at("upper", {0., 0., 1.}, slave),
+                       ball_at("lower", {shift, 0., -std::sqrt(4. - shift * shift) + 1.}, master));
           scene.pairs[0].slave_boundary_ids = scene.pairs[0].master_boundary_ids = {};
           EXPECT_EQ(refusal<3>(scene), "") << slave << " " << master << " " << shift;
           const TwoBodies<3> problem(scene);
@@ -110,8 +115,9 @@ TEST(PairsOfBodies, SurfacesHaveToFaceEachOther)
 
 TEST(PairsOfBodies, AMasterMustBeSeenByANode)
 {
-  const Scene<3> scene = stacked<3>(block<3>("upper", {0., 0., 0.}, {3., 3., 3.}, {{1, 1, 1}}),
-                                    block<3>("lower", {1.4, 1.4, -1.}, {1.6, 1.6, 0.}, {{1, 1, 1}}));
+  const Scene<3> scene =
+    stacked<3>(block<3>("upper", {0., 0., 0.}, {3., 3., 3.}, {{1, 1, 1}}),
+               block<3>("lower", {1.4, 1.4, -1.}, {1.6, 1.6, 0.}, {{1, 1, 1}}));
   expect_refusal(refusal<3>(scene), "covers so little of the faces of the slave");
 }
 

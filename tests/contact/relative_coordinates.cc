@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// With two bodies in contact the change of coordinates T is not orthogonal, but it is invertible, forces transform by its transpose, the
-// normal entry is the relative displacement, and a contact force alone is equal and opposite on the two bodies. Where friction acts
-// all this holds for the tangential entries, too, and without friction these are the node's own.
+// With two bodies in contact the change of coordinates T is not orthogonal, but it is invertible,
+// forces transform by its transpose, the normal entry is the relative displacement, and a contact
+// force alone is equal and opposite on the two bodies. Where friction acts all this holds for the
+// tangential entries, too, and without friction these are the node's own.
 
 #include "two_bodies.h"
 
@@ -21,7 +22,10 @@ using dealii::Tensor;
 
 namespace
 {
-  /** Blocks off-centre with hanging nodes on both sides and nodes without multiplier; the master also stands on a floor. */
+  /**
+   * Blocks off-centre with hanging nodes on both sides and nodes without multiplier; the master
+   * also stands on a floor.
+   */
   Scene<3> scene_3d()
   {
     auto slave              = block<3>("slave", {0., 0., 0.}, {1., 1., 1.}, {{2, 3, 1}});
@@ -64,7 +68,8 @@ namespace
   void expect_inverse_and_transpose(const TwoBodies<dim> &bodies)
   {
     const auto  &coordinates = bodies.coordinates;
-    const Vector u = irregular_field(bodies.discretization, 3.), f = irregular_field(bodies.discretization, 7.);
+    const Vector u           = irregular_field(bodies.discretization, 3.),
+                 f           = irregular_field(bodies.discretization, 7.);
 
     Vector w = u;
     coordinates.displacement_to_contact(w);
@@ -80,7 +85,8 @@ namespace
 
     Vector force = f;
     coordinates.force_to_contact(force);
-    EXPECT_NEAR(force * w, f * u, 1e-13 * f.l2_norm() * u.l2_norm()) << "work does not depend on the coordinates";
+    EXPECT_NEAR(force * w, f * u, 1e-13 * f.l2_norm() * u.l2_norm())
+      << "work does not depend on the coordinates";
     EXPECT_GT(std::abs(f * w - f * u), 1e-3) << "but the entries do";
     coordinates.force_to_cartesian(force);
     force -= f;
@@ -106,12 +112,16 @@ namespace
         EXPECT_NEAR(sliding[k] * nodes[k].normal(), 0., 1e-14);
         for (unsigned int row = 1; row < dim; ++row)
           EXPECT_NEAR(w.local_element(entries[k] + row),
-                      nodes[k].direction(row) * (nodes[k].relative[row] ? sliding[k] : at_node<dim>(u, nodes[k].node)),
+                      nodes[k].direction(row)
+                        * (nodes[k].relative[row] ? sliding[k] : at_node<dim>(u, nodes[k].node)),
                       1e-14);
       }
   }
 
-  /** All directions in which friction can act are relative, if there is another body; the normal always is. */
+  /**
+   * All directions in which friction can act are relative, if there is another body; the normal
+   * always is.
+   */
   template <int dim>
   void expect_right_directions(const TwoBodies<dim> &bodies)
   {
@@ -126,9 +136,10 @@ namespace
         const auto &supported = bodies.coordinates.supported_entries();
         for (unsigned int row = 0; row < dim; ++row)
           {
-            const unsigned int entry   = dim * nodes[k].node + row;
-            const bool         is_held = std::find(supported.begin(), supported.end(), entry) != supported.end();
-            const bool         acts    = row > 0 && nodes[k].friction.any() && !is_held;
+            const unsigned int entry = dim * nodes[k].node + row;
+            const bool         is_held =
+              std::find(supported.begin(), supported.end(), entry) != supported.end();
+            const bool acts = row > 0 && nodes[k].friction.any() && !is_held;
             if (acts)
               tangential.push_back(entry);
             if (has_partners && (row == 0 || acts))
@@ -139,7 +150,10 @@ namespace
     EXPECT_EQ(bodies.coordinates.relative_entries(), relative);
   }
 
-  /** What both bodies do is not relative; what the slave does alone is, and a node that takes the share of another sees more of it. */
+  /**
+   * What both bodies do is not relative; what the slave does alone is, and a node that takes the
+   * share of another sees more of it.
+   */
   template <int dim>
   void expect_translations(const TwoBodies<dim> &bodies)
   {
@@ -170,7 +184,8 @@ namespace
           EXPECT_LT((sliding[k] - node.transmission * tangential).norm(), 1e-12);
           for (unsigned int row = 0; row < dim; ++row)
             EXPECT_NEAR(slave.local_element(dim * node.node + row),
-                        (node.relative[row] ? node.transmission : 1.) * (shift * node.direction(row)),
+                        (node.relative[row] ? node.transmission : 1.)
+                          * (shift * node.direction(row)),
                         1e-12);
         }
   }
@@ -193,7 +208,8 @@ namespace
     on_slave = dealii::Utilities::MPI::sum(on_slave, MPI_COMM_WORLD);
     scale    = dealii::Utilities::MPI::sum(scale, MPI_COMM_WORLD);
     bodies.coordinates.force_to_cartesian(force);
-    EXPECT_LT((bodies.resultant_on(0, force) - on_slave).norm(), 1e-13 * scale) << "the transmission says so";
+    EXPECT_LT((bodies.resultant_on(0, force) - on_slave).norm(), 1e-13 * scale)
+      << "the transmission says so";
     EXPECT_LT((bodies.resultant_on(1, force) + on_slave).norm(), 1e-13 * scale);
     EXPECT_GT(on_slave.norm(), 0.5 * scale);
   }
@@ -204,13 +220,14 @@ namespace
   {
     const auto             &discretization = bodies.discretization;
     const StepOperator<dim> matrix(discretization.matrices(), bodies.coordinates, 2., 0.3);
-    const Vector            u = irregular_field(discretization, 3.), v = irregular_field(discretization, 7.);
-    Vector                  w = u, z = v, product = u;
+    const Vector u = irregular_field(discretization, 3.), v = irregular_field(discretization, 7.);
+    Vector       w = u, z = v, product = u;
     bodies.coordinates.displacement_to_contact(w);
     bodies.coordinates.displacement_to_contact(z);
     matrix.vmult(product, w);
-    const double expected = v * mass_times(discretization, u) * 2. + v * stiffness_times(discretization, u) * 0.3;
-    const double scale    = product.l2_norm() * z.l2_norm();
+    const double expected =
+      v * mass_times(discretization, u) * 2. + v * stiffness_times(discretization, u) * 0.3;
+    const double scale = product.l2_norm() * z.l2_norm();
     EXPECT_NEAR(z * product, expected, 1e-13 * scale);
     matrix.vmult(product, z);
     EXPECT_NEAR(w * product, expected, 1e-13 * scale);
@@ -254,9 +271,12 @@ TEST(RelativeCoordinates, SomeTangentsAreHeldIn3d)
   scene.pairs[0].friction = {FrictionKind::coulomb, "0.3", "", true};
   const TwoBodies<3> bodies(scene);
   const auto         count = [&](const unsigned int n) {
-    return bodies.sum([n](const ContactNode<3> &node) { return 0u + node.relative[1] + node.relative[2] == n; });
+    return bodies.sum(
+      [n](const ContactNode<3> &node) { return 0u + node.relative[1] + node.relative[2] == n; });
   };
-  EXPECT_EQ(count(1), bodies.sum([](const ContactNode<3> &node) { return node.pair == 0 && node.position[0] == 1.; }));
+  EXPECT_EQ(count(1), bodies.sum([](const ContactNode<3> &node) {
+    return node.pair == 0 && node.position[0] == 1.;
+  }));
   EXPECT_GT(count(1), 1.);
   EXPECT_GT(count(2), 1.);
   EXPECT_EQ(count(0), bodies.sum([](const ContactNode<3> &node) { return node.pair == 1; }));

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Two ways to the matrix T'(a M + b A)T of two bodies in contact: products, and entries for preconditioners. They agree, whichever
-// directions are relative: with friction, without, with friction on a part of the surface, and where a support holds a tangent.
+// Two ways to the matrix T'(a M + b A)T of two bodies in contact: products, and entries for
+// preconditioners. They agree, whichever directions are relative: with friction, without, with
+// friction on a part of the surface, and where a support holds a tangent.
 
 #include "two_bodies.h"
 
@@ -40,8 +41,9 @@ namespace
   template <int dim>
   Scene<dim> matching(const std::string &coefficient)
   {
-    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(2)),
-                                    block<dim>("master", corner_of<dim>(0., -1.), corner_of<dim>(1., 0.), cells<dim>(2)));
+    Scene<dim> scene = stacked<dim>(
+      block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(2)),
+      block<dim>("master", corner_of<dim>(0., -1.), corner_of<dim>(1., 0.), cells<dim>(2)));
     scene.pairs[0].friction = {FrictionKind::coulomb, coefficient, "", coefficient != "0"};
     return scene;
   }
@@ -50,8 +52,9 @@ namespace
   template <int dim>
   Scene<dim> irregular(const std::string &coefficient)
   {
-    Scene<dim> scene        = stacked<dim>(block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(3)),
-                                    block<dim>("master", corner_of<dim>(0.4, -1.), corner_of<dim>(1.3, -0.1), cells<dim>(2)));
+    Scene<dim> scene = stacked<dim>(
+      block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(3)),
+      block<dim>("master", corner_of<dim>(0.4, -1.), corner_of<dim>(1.3, -0.1), cells<dim>(2)));
     scene.pairs[0].friction = {FrictionKind::coulomb, coefficient, "", coefficient != "0"};
     return scene;
   }
@@ -61,7 +64,7 @@ namespace
   {
     const TwoBodies<dim>    bodies(scene, turn<dim>(angle));
     const StepOperator<dim> matrix(bodies.discretization.matrices(), bodies.coordinates, 2., 0.3);
-    Vector                  diagonal = bodies.discretization.make_vector(), unit = diagonal, product = diagonal;
+    Vector diagonal = bodies.discretization.make_vector(), unit = diagonal, product = diagonal;
     matrix.diagonal(diagonal);
     const double scale = diagonal.linfty_norm();
     for (unsigned int i = 0; i < unit.size(); ++i)
@@ -73,7 +76,8 @@ namespace
         matrix.vmult(product, unit);
         if (is_owned)
           {
-            EXPECT_NEAR(diagonal(i), product(i), 1e-13 * scale) << "entry " << i << " at angle " << angle;
+            EXPECT_NEAR(diagonal(i), product(i), 1e-13 * scale)
+              << "entry " << i << " at angle " << angle;
           }
       }
   }
@@ -97,7 +101,8 @@ namespace
     bodies.coordinates.rotate_to_frames(found);
     const double scale = expected.linfty_norm();
     for (unsigned int i = 0; i < expected.locally_owned_size(); ++i)
-      EXPECT_NEAR(found.local_element(i), expected.local_element(i), 1e-13 * scale) << "entry " << i;
+      EXPECT_NEAR(found.local_element(i), expected.local_element(i), 1e-13 * scale)
+        << "entry " << i;
   }
 
   // None, everywhere, on a part of the surface.

@@ -10,7 +10,8 @@
 
 namespace signorini::tests
 {
-  // Two stacked blocks of different materials under a uniform pressure; the exact solution is linear in each.
+  // Two stacked blocks of different materials under a uniform pressure; the exact solution is
+  // linear in each.
 
   constexpr double pressure = 5., lower_height = 0.7, height = 1.6;
 
@@ -41,7 +42,10 @@ namespace signorini::tests
       };
     }
 
-    /** Rollers at the bottom; at rest also rollers in the planes where all lateral displacements are zero. */
+    /**
+     * Rollers at the bottom; at rest also rollers in the planes where all lateral displacements
+     * are zero.
+     */
     Scene<dim> scene(const bool at_rest) const
     {
       BodyDescription<dim>         low = lower, high = upper;
@@ -80,12 +84,14 @@ namespace signorini::tests
           const Material           &material = (is_low[node] ? lower : upper).material;
           const double              nu       = material.poissons_ratio;
           const dealii::Point<dim> &p        = bodies.discretization.node_positions()[node];
-          const double              lateral  = (dim == 3 ? nu : nu * (1. + nu)) * pressure / material.youngs_modulus;
+          const double              lateral =
+            (dim == 3 ? nu : nu * (1. + nu)) * pressure / material.youngs_modulus;
           for (unsigned int d = 0; d < dim - 1; ++d)
             u.local_element(dim * node + d) = lateral * p[d];
           u.local_element(dim * node + dim - 1) =
-            is_low[node] ? -strain(lower) * p[dim - 1]
-                         : -strain(lower) * lower_height - strain(upper) * (p[dim - 1] - lower_height);
+            is_low[node]
+              ? -strain(lower) * p[dim - 1]
+              : -strain(lower) * lower_height - strain(upper) * (p[dim - 1] - lower_height);
         }
       return u;
     }
@@ -98,15 +104,17 @@ namespace signorini::tests
   };
 
   template <int dim>
-  Stack<dim>
-  stack(const std::array<unsigned int, dim> &lower, const std::array<unsigned int, dim> &upper, const double side)
+  Stack<dim> stack(const std::array<unsigned int, dim> &lower,
+                   const std::array<unsigned int, dim> &upper,
+                   const double                         side)
   {
     dealii::Point<dim> origin, middle_low, middle_high, top;
     for (unsigned int d = 0; d < dim - 1; ++d)
       middle_high[d] = top[d] = side;
     middle_low[dim - 1] = middle_high[dim - 1] = lower_height;
     top[dim - 1]                               = height;
-    Stack<dim> result{block<dim>("lower", origin, middle_high, lower), block<dim>("upper", middle_low, top, upper)};
+    Stack<dim> result{block<dim>("lower", origin, middle_high, lower),
+                      block<dim>("upper", middle_low, top, upper)};
     result.side           = side;
     result.lower.material = {800., 0.2, 3.};
     return result;
@@ -118,7 +126,8 @@ namespace signorini::tests
   {
     Vector force = bodies.discretization.make_vector();
     for (unsigned int k = 0; k < bodies.surface.nodes().size(); ++k)
-      force.local_element(bodies.coordinates.normal_entries()[k]) = -pressure * bodies.surface.nodes()[k].weight;
+      force.local_element(bodies.coordinates.normal_entries()[k]) =
+        -pressure * bodies.surface.nodes()[k].weight;
     bodies.coordinates.force_to_cartesian(force);
     return force;
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Where a support prescribes the displacement along the normal, contact has nothing to decide and the node leaves the contact
-// surface; a support in a tangential direction leaves the node in.
+// Where a support prescribes the displacement along the normal, contact has nothing to decide and
+// the node leaves the contact surface; a support in a tangential direction leaves the node in.
 
 #include "contact_scene.h"
 
@@ -44,7 +44,8 @@ TEST(SupportedSurface, ObliqueObstacle)
 {
   // The normal has components in x and z: a support in x or z takes the node, one in y does not.
   Scene<3> scene  = supported_box({{"-", "0", "-"}});
-  scene.obstacles = {plane<3>("slope", dealii::Point<3>(0., 0., -1.), dealii::Tensor<1, 3>({0.1, 0., 1.}))};
+  scene.obstacles = {
+    plane<3>("slope", dealii::Point<3>(0., 0., -1.), dealii::Tensor<1, 3>({0.1, 0., 1.}))};
   EXPECT_EQ(ContactProblem<3>(scene).surface.n_global_nodes(), 9u);
   scene.bodies[0].dirichlet[0].expressions = {{"0", "-", "-"}};
   EXPECT_EQ(ContactProblem<3>(scene).surface.n_global_nodes(), 6u);

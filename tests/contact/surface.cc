@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The contact surface: unconstrained nodes that face the obstacle, with their distance to it, and with weights that share out the
-// area of the surface completely, also where hanging nodes give their part away. Each node belongs to its closest obstacle.
+// The contact surface: unconstrained nodes that face the obstacle, with their distance to it, and
+// with weights that share out the area of the surface completely, also where hanging nodes give
+// their part away. Each node belongs to its closest obstacle.
 
 #include "contact_scene.h"
 
@@ -46,14 +47,16 @@ TEST(ContactSurface, WeightsSumUpToTheFace)
       EXPECT_DOUBLE_EQ(node.gap, 0.5);
       EXPECT_EQ(node.normal(), (Tensor<1, 3>({0., 0., -1.})));
       const bool edge_x = node.position[0] != 0.5, edge_y = node.position[1] != 1.;
-      EXPECT_NEAR(node.weight, 0.5 / (edge_x ? 2. : 1.) / (edge_y ? 2. : 1.), 1e-14) << node.position;
+      EXPECT_NEAR(node.weight, 0.5 / (edge_x ? 2. : 1.) / (edge_y ? 2. : 1.), 1e-14)
+        << node.position;
     }
 }
 
 TEST(ContactSurface, HangingNodesGiveTheirShareAway)
 {
-  const ContactProblem<3> problem(contact_scene<3>(box_with_hanging_nodes<3>(), {floor_at<3>(0.)}, {4}));
-  const auto             &discretization = problem.discretization;
+  const ContactProblem<3> problem(
+    contact_scene<3>(box_with_hanging_nodes<3>(), {floor_at<3>(0.)}, {4}));
+  const auto &discretization = problem.discretization;
   EXPECT_NEAR(problem.area(), 1., 1e-14);
   for (const ContactNode<3> &node : problem.surface.nodes())
     EXPECT_FALSE(discretization.hanging_node_constraints().is_constrained(
@@ -111,7 +114,8 @@ TEST(ContactSurface, ClosestObstacleWins)
 TEST(ContactSurface, GapFollowsTheDisplacement)
 {
   const ContactProblem<2> problem(contact_scene<2>(box<2>(), {floor_at<2>(-0.2)}, {2}));
-  const auto              gap = problem.surface.normal_gap(field<2>(problem.discretization, {{"7", "0.1*x - 0.2"}}));
+  const auto              gap =
+    problem.surface.normal_gap(field<2>(problem.discretization, {{"7", "0.1*x - 0.2"}}));
   ASSERT_EQ(gap.size(), problem.surface.nodes().size());
   for (unsigned int k = 0; k < gap.size(); ++k)
     EXPECT_NEAR(gap[k], 0.1 * problem.surface.nodes()[k].position[0], 1e-15);
@@ -121,9 +125,11 @@ TEST(ContactSurface, PenetrationAtTheStartIsRefused)
 {
   const ContactProblem<3> apart(contact_scene<3>(box<3>(), {floor_at<3>(-0.1)}, {4}));
   EXPECT_EQ(complaint(apart, apart.discretization.make_vector()), "");
-  EXPECT_EQ(complaint(apart, field<3>(apart.discretization, {{"0", "0", "-0.1"}})), "") << "touching is no penetration";
+  EXPECT_EQ(complaint(apart, field<3>(apart.discretization, {{"0", "0", "-0.1"}})), "")
+    << "touching is no penetration";
 
-  const std::string pushed = complaint(apart, field<3>(apart.discretization, {{"0", "0", "-0.3*x"}}));
+  const std::string pushed =
+    complaint(apart, field<3>(apart.discretization, {{"0", "0", "-0.3*x"}}));
   for (const char *word : {"Contact/Pairs", "'box'", "'floor'", "0.2", "Move"})
     EXPECT_NE(pushed.find(word), std::string::npos) << word << " is not in: " << pushed;
 

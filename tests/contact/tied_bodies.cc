@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Two blocks with matching meshes and friction, all relative entries of which are held, are one block: every preconditioner finds the
-// solution of the single block, and the incomplete factor, which holds these entries within its sweeps, does it in as many
-// iterations.
+// Two blocks with matching meshes and friction, all relative entries of which are held, are one
+// block: every preconditioner finds the solution of the single block, and the incomplete factor,
+// which holds these entries within its sweeps, does it in as many iterations.
 
 #include "two_bodies.h"
 
@@ -20,7 +20,8 @@ using namespace signorini::tests;
 
 namespace
 {
-  BodyDescription<3> part(const std::string &name, const double lower, const double upper, const unsigned int layers)
+  BodyDescription<3>
+  part(const std::string &name, const double lower, const double upper, const unsigned int layers)
   {
     return block<3>(name, {0., 0., lower}, {1., 1., upper}, {{4, 3, layers}});
   }
@@ -57,17 +58,24 @@ namespace
                               stiffness_factor);
     const std::vector<std::array<std::string, 3>> fields{
       {{"sin(3*x) + z", "y*z", "cos(2*z + x)"}}, {{"1", "z", "x"}}, {{"z*z", "y", "sin(4*z)"}}};
-    Vector force = mass_times(discretization, field<3>(discretization, fields[0])), u = discretization.make_vector(),
-           residual = u;
+    Vector force = mass_times(discretization, field<3>(discretization, fields[0])),
+           u = discretization.make_vector(), residual = u;
     coordinates.force_to_contact(force);
     ActiveSet           none;
     PrimalDualActiveSet solver({50, 10000});
     const auto         &tied_entries = coordinates.relative_entries();
-    const auto          report       = solver.solve(
-      {matrix, *preconditioner, force, {}, {}, tied_entries, std::vector<double>(tied_entries.size(), 0.), 1e-10, 0.},
-      none,
-      u,
-      residual);
+    const auto          report       = solver.solve({matrix,
+                                                     *preconditioner,
+                                                     force,
+                                                     {},
+                                                     {},
+                                                     tied_entries,
+                                                     std::vector<double>(tied_entries.size(), 0.),
+                                                     1e-10,
+                                                     0.},
+                                     none,
+                                     u,
+                                     residual);
     coordinates.displacement_to_cartesian(u);
     Solution   result{{}, report.linear_iterations};
     const auto weighted = mass_times(discretization, u);
@@ -76,7 +84,9 @@ namespace
     return result;
   }
 
-  void expect_one_block(const std::string &preconditioner, const double stiffness_factor, const double angle)
+  void expect_one_block(const std::string &preconditioner,
+                        const double       stiffness_factor,
+                        const double       angle)
   {
     SCOPED_TRACE(preconditioner + " at " + std::to_string(angle));
     const TwoBodies<3>          bodies(tied(), turn<3>(angle));
@@ -84,8 +94,13 @@ namespace
     const Supports<3>           supports(block.discretization);
     const ContactSurface<3>     surface(block.discretization, supports, {}, {});
     const ContactCoordinates<3> coordinates(block.discretization, surface, supports);
-    const Solution found    = solve(bodies.discretization, bodies.coordinates, preconditioner, 1., stiffness_factor),
-                   expected = solve(block.discretization, coordinates, preconditioner, 1., stiffness_factor);
+    const Solution              found = solve(bodies.discretization,
+                                 bodies.coordinates,
+                                 preconditioner,
+                                 1.,
+                                 stiffness_factor),
+                   expected =
+                     solve(block.discretization, coordinates, preconditioner, 1., stiffness_factor);
     for (unsigned int k = 0; k < expected.products.size(); ++k)
       EXPECT_NEAR(found.products[k], expected.products[k], 1e-9) << k;
     EXPECT_GT(std::abs(expected.products[0]), 0.01);

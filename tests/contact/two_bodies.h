@@ -35,7 +35,10 @@ namespace signorini::tests
     return body;
   }
 
-  /** The first body is the slave, with its face at the bottom, the second the master, with its face at the top. */
+  /**
+   * The first body is the slave, with its face at the bottom, the second the master, with its face
+   * at the top.
+   */
   template <int dim>
   Scene<dim> stacked(const BodyDescription<dim> &slave, const BodyDescription<dim> &master)
   {
@@ -156,7 +159,8 @@ namespace signorini::tests
     }
 
     /** Nodal values of a function of the reference position; zero at hanging nodes. */
-    Vector nodal(const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function) const
+    Vector
+    nodal(const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function) const
     {
       Vector result = this->discretization.make_vector();
       for (unsigned int node = 0; node < this->discretization.matrices().pattern.n_owned; ++node)

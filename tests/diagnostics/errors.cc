@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The error of the interpolated exact solution is zero, that of standing still is the norm of the exact solution, and the errors of all
-// steps sum up in the square with equal weights.
+// The error of the interpolated exact solution is zero, that of standing still is the norm of the
+// exact solution, and the errors of all steps sum up in the square with equal weights.
 
 #include "../discretization/bodies.h"
 
@@ -26,9 +26,11 @@ namespace
   State exact_state(const Assembled<2> &assembled, const double time)
   {
     State state;
-    state.time         = time;
-    state.displacement = assembled.discretization.interpolate({assembled.scene.exact_solution.displacement}, time);
-    state.velocity     = assembled.discretization.interpolate({assembled.scene.exact_solution.velocity}, time);
+    state.time = time;
+    state.displacement =
+      assembled.discretization.interpolate({assembled.scene.exact_solution.displacement}, time);
+    state.velocity =
+      assembled.discretization.interpolate({assembled.scene.exact_solution.velocity}, time);
     return state;
   }
 
@@ -81,8 +83,10 @@ TEST(ErrorEvaluation, StepsSumUpInTheSquare)
   const ErrorNorms second =
     evaluation.evaluate(assembled.discretization, exact_state(assembled, 2.), 0.1);
   EXPECT_EQ(second.displacement, 0.);
-  EXPECT_NEAR(second.relative_displacement, std::sqrt(1. / 5.), 1e-14) << "1^2 of 1^2 + 2^2, in the trapezoidal rule";
+  EXPECT_NEAR(second.relative_displacement, std::sqrt(1. / 5.), 1e-14)
+    << "1^2 of 1^2 + 2^2, in the trapezoidal rule";
   const ErrorNorms third =
     evaluation.evaluate(assembled.discretization, resting_state(assembled, 1.), 0.3);
-  EXPECT_NEAR(third.relative_displacement, std::sqrt((1. + 3.) / (5. + 15.)), 1e-14) << "three times as long a step";
+  EXPECT_NEAR(third.relative_displacement, std::sqrt((1. + 3.) / (5. + 15.)), 1e-14)
+    << "three times as long a step";
 }

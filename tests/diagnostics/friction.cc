@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What a state knows about friction is added up over the nodes that carry a force and shown by probes: tangential forces next to the
-// normal ones, never among them; slips as lengths, that is, over the transmission of a node; and nothing at all without friction.
+// What a state knows about friction is added up over the nodes that carry a force and shown by
+// probes: tangential forces next to the normal ones, never among them; slips as lengths, that is,
+// over the transmission of a node; and nothing at all without friction.
 
 #include "../contact/contact_scene.h"
 #include "../contact/two_bodies.h"
@@ -57,7 +58,10 @@ namespace
     State                   state;
   };
 
-  /** A support holds an edge of the slave, so that some nodes have no multiplier and others take their share. */
+  /**
+   * A support holds an edge of the slave, so that some nodes have no multiplier and others take
+   * their share.
+   */
   Scene<3> blocks_with_shares()
   {
     auto slave      = block<3>("slave", {0., 0., 0.}, {1., 1., 1.}, {{2, 3, 1}});
@@ -69,7 +73,8 @@ namespace
 TEST(FrictionSummary, CountsNodesThatCarryAForce)
 {
   const SlidingSquare  square;
-  const ContactSummary summary = contact_summary(square.problem.surface, square.problem.discretization, square.state);
+  const ContactSummary summary =
+    contact_summary(square.problem.surface, square.problem.discretization, square.state);
   EXPECT_DOUBLE_EQ(summary.normal_force, 4.);
   EXPECT_DOUBLE_EQ(summary.friction_force, 1.);
   EXPECT_DOUBLE_EQ(summary.resultant[0], -0.2);
@@ -83,8 +88,9 @@ TEST(FrictionSummary, CountsNodesThatCarryAForce)
 TEST(FrictionSummary, NothingWithoutFriction)
 {
   SlidingSquare square;
-  square.state.friction        = FrictionState();
-  const ContactSummary summary = contact_summary(square.problem.surface, square.problem.discretization, square.state);
+  square.state.friction = FrictionState();
+  const ContactSummary summary =
+    contact_summary(square.problem.surface, square.problem.discretization, square.state);
   EXPECT_EQ(summary.n_active, 2u);
   EXPECT_EQ(summary.n_stick + summary.n_slip, 0u);
   EXPECT_EQ(summary.friction_force, 0.);
@@ -106,11 +112,14 @@ TEST(FrictionProbe, ShowsForceAndSlip)
   EXPECT_DOUBLE_EQ(reading.slip[0], -0.03);
   EXPECT_DOUBLE_EQ(reading.slip_path, 0.07);
   EXPECT_EQ(reading.status, contact_status::slip);
-  EXPECT_EQ(Probe<2>({"middle", {0.5, 0.}}, square.problem.surface, MPI_COMM_WORLD).read(square.state).status,
+  EXPECT_EQ(Probe<2>({"middle", {0.5, 0.}}, square.problem.surface, MPI_COMM_WORLD)
+              .read(square.state)
+              .status,
             contact_status::stick);
 }
 
-// A slave that is pushed by s as a whole has relative entries of transmission times s, and a force that a node passes on counts as often.
+// A slave that is pushed by s as a whole has relative entries of transmission times s, and a force
+// that a node passes on counts as often.
 TEST(FrictionSummary, TransmissionOfNodes)
 {
   const TwoBodies<3> bodies(blocks_with_shares());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Momentum and angular momentum of rigid motions are those of rigid bodies: position and velocity are linear and thus in the space of
-// the finite elements, so that the integrals are exact, with hanging nodes, too.
+// Momentum and angular momentum of rigid motions are those of rigid bodies: position and velocity
+// are linear and thus in the space of the finite elements, so that the integrals are exact, with
+// hanging nodes, too.
 
 #include "../discretization/bodies.h"
 
@@ -57,8 +58,9 @@ TEST(Momentum, OfAFlyingSquare)
 TEST(Momentum, ResultantSumsUpForces)
 {
   const Assembled<2> assembled(box_with_hanging_nodes<2>());
-  const Vector       weight = mass_times(assembled.discretization, field<2>(assembled.discretization, {{"1", "-10"}}));
-  const auto         sum    = resultant(assembled.discretization, weight);
+  const Vector       weight =
+    mass_times(assembled.discretization, field<2>(assembled.discretization, {{"1", "-10"}}));
+  const auto sum = resultant(assembled.discretization, weight);
   EXPECT_NEAR(sum[0], 2., 1e-13);
   EXPECT_NEAR(sum[1], -20., 1e-12);
   EXPECT_EQ(sum[2], 0.);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The measures of oscillation have the values that their definitions give for simple sequences: one hump counts 1, a zigzag of
-// amplitude a counts a, and smooth motion counts nothing.
+// The measures of oscillation have the values that their definitions give for simple sequences: one
+// hump counts 1, a zigzag of amplitude a counts a, and smooth motion counts nothing.
 
 #include <signorini/diagnostics/oscillation.h>
 

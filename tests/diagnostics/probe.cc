@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A probe watches the contact node that is closest to its point, and all processes get the reading of the owner: gap, motion along the
-// normal out of the body, and pressure = force / weight, positive in compression. The summary of contact adds up the same forces.
+// A probe watches the contact node that is closest to its point, and all processes get the reading
+// of the owner: gap, motion along the normal out of the body, and pressure = force / weight,
+// positive in compression. The summary of contact adds up the same forces.
 
 #include "../contact/contact_scene.h"
 
@@ -23,7 +24,8 @@ namespace
     return contact_scene<2>(box<2>(), {floor_at<2>(-0.2)}, {2});
   }
 
-  /** Contact presses on the node (1/2, 0) with 3 and on (1, 0) with 1; (0, 0) is pulled with 0.5. */
+  /** Contact presses on the node (1/2, 0) with 3 and on (1, 0) with 1; (0, 0) is pulled with 0.5.
+   */
   State pressed_state(const ContactProblem<2> &problem)
   {
     State state;
@@ -62,7 +64,8 @@ TEST(Probe, NeedsAContactNode)
 TEST(ContactSummary, AddsUpTheNodes)
 {
   const ContactProblem<2> problem(square_above_floor());
-  const ContactSummary    summary = contact_summary(problem.surface, problem.discretization, pressed_state(problem));
+  const ContactSummary    summary =
+    contact_summary(problem.surface, problem.discretization, pressed_state(problem));
   EXPECT_DOUBLE_EQ(summary.normal_force, 4.5);
   EXPECT_DOUBLE_EQ(summary.resultant[0], 0.);
   EXPECT_DOUBLE_EQ(summary.resultant[1], 3.5);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Products with the assembled matrices are the sums over all cells of mass and stiffness with hanging nodes interpolated, on any
-// number of processes. Rows of ghosts are those of the owner. Assembling again gives the same, and counts of products go on.
+// Products with the assembled matrices are the sums over all cells of mass and stiffness with
+// hanging nodes interpolated, on any number of processes. Rows of ghosts are those of the owner.
+// Assembling again gives the same, and counts of products go on.
 
 #include "bodies.h"
 
@@ -17,7 +18,8 @@ namespace
 {
   /** x'My and x'Ay, cell by cell. */
   template <int dim>
-  std::pair<double, double> sums_over_cells(const Discretization<dim> &discretization, const Vector &x, const Vector &y)
+  std::pair<double, double>
+  sums_over_cells(const Discretization<dim> &discretization, const Vector &x, const Vector &y)
   {
     const Vector full_x         = discretization.interpolate_hanging_nodes(x),
                  full_y         = discretization.interpolate_hanging_nodes(y);
@@ -34,10 +36,12 @@ namespace
                   const double x_ac = full_x(cell->vertex_dof_index(a, c));
                   mass += x_ac * matrix.mass(a, b) * full_y(cell->vertex_dof_index(b, c));
                   for (unsigned int d = 0; d < dim; ++d)
-                    stiffness += x_ac * matrix.stiffness(a, b)[dim * d + c] * full_y(cell->vertex_dof_index(b, d));
+                    stiffness += x_ac * matrix.stiffness(a, b)[dim * d + c]
+                                 * full_y(cell->vertex_dof_index(b, d));
                 }
         }
-    return {dealii::Utilities::MPI::sum(mass, MPI_COMM_WORLD), dealii::Utilities::MPI::sum(stiffness, MPI_COMM_WORLD)};
+    return {dealii::Utilities::MPI::sum(mass, MPI_COMM_WORLD),
+            dealii::Utilities::MPI::sum(stiffness, MPI_COMM_WORLD)};
   }
 
   template <int dim>
@@ -45,7 +49,7 @@ namespace
   {
     const Assembled<dim> assembled(body);
     const auto          &discretization = assembled.discretization;
-    const Vector         x = irregular_field(discretization, 3.), y = irregular_field(discretization, 7.);
+    const Vector x = irregular_field(discretization, 3.), y = irregular_field(discretization, 7.);
     const auto [mass, stiffness] = sums_over_cells(discretization, x, y);
     const double mass_scale      = std::abs(x * mass_times(discretization, x)),
                  stiffness_scale = std::abs(x * stiffness_times(discretization, x));
@@ -59,9 +63,13 @@ namespace
     return pattern.partitioner->local_to_global(dim * node) / dim;
   }
 
-  /** All entries of the upper triangles of the owned rows of all processes, by global nodes, the smaller one first. */
+  /**
+   * All entries of the upper triangles of the owned rows of all processes, by global nodes, the
+   * smaller one first.
+   */
   template <int dim>
-  std::map<std::pair<unsigned int, unsigned int>, double> all_masses(const ElasticMatrices<dim> &matrices)
+  std::map<std::pair<unsigned int, unsigned int>, double>
+  all_masses(const ElasticMatrices<dim> &matrices)
   {
     std::vector<unsigned int> rows, columns;
     std::vector<double>       values;
@@ -69,8 +77,8 @@ namespace
     for (unsigned int row = 0; row < pattern.n_owned; ++row)
       for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
         {
-          const auto nodes =
-            std::minmax({global_node<dim>(pattern, row), global_node<dim>(pattern, pattern.columns[k])});
+          const auto nodes = std::minmax(
+            {global_node<dim>(pattern, row), global_node<dim>(pattern, pattern.columns[k])});
           rows.push_back(nodes.first);
           columns.push_back(nodes.second);
           values.push_back(matrices.mass[k]);
@@ -127,12 +135,14 @@ TEST(Assembly, RowsOfGhostsAreThoseOfTheOwner)
       {
         EXPECT_TRUE(k > pattern.row_start[row] ? pattern.columns[k] > pattern.columns[k - 1]
                                                : pattern.columns[k] == row);
-        const auto entry = all.find({global_node<3>(pattern, row), global_node<3>(pattern, pattern.columns[k])});
+        const auto entry =
+          all.find({global_node<3>(pattern, row), global_node<3>(pattern, pattern.columns[k])});
         ASSERT_TRUE(entry != all.end());
         EXPECT_NEAR(matrices.mass[k], entry->second, 1e-14 * entry->second);
       }
   for (const auto &[nodes, value] : all)
-    if (pattern.partitioner->is_ghost_entry(3 * nodes.first) && pattern.partitioner->is_ghost_entry(3 * nodes.second))
+    if (pattern.partitioner->is_ghost_entry(3 * nodes.first)
+        && pattern.partitioner->is_ghost_entry(3 * nodes.second))
       ++n_expected;
   EXPECT_EQ(n_found, n_expected);
 }

@@ -30,7 +30,10 @@ namespace signorini::tests
     return body;
   }
 
-  /** A box some cells of which are finer by one or two levels, so that it has hanging nodes inside and on faces. */
+  /**
+   * A box some cells of which are finer by one or two levels, so that it has hanging nodes inside
+   * and on faces.
+   */
   template <int dim>
   BodyDescription<dim> box_with_hanging_nodes()
   {
@@ -88,7 +91,8 @@ namespace signorini::tests
 
   /** The same expressions for each body. */
   template <int dim>
-  Vector field(const Discretization<dim> &discretization, const std::array<std::string, dim> &expressions)
+  Vector field(const Discretization<dim>          &discretization,
+               const std::array<std::string, dim> &expressions)
   {
     return discretization.interpolate(std::vector<std::array<std::string, dim>>(
       discretization.mesh().bodies().size(), expressions));
@@ -109,7 +113,8 @@ namespace signorini::tests
     const std::string            f = std::to_string(frequency);
     std::array<std::string, dim> expressions;
     for (unsigned int c = 0; c < dim; ++c)
-      expressions[c] = "sin(" + f + "*x + " + std::to_string(c) + ") + cos(" + f + "*(y + 0.3*x*y)) + x*x";
+      expressions[c] =
+        "sin(" + f + "*x + " + std::to_string(c) + ") + cos(" + f + "*(y + 0.3*x*y)) + x*x";
     return field<dim>(discretization, expressions);
   }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// All vertices of a refined box with a cap are images of the lattice of the flat box, so those of the capped face are on the
-// sphere. Its volume is the integral of the thickness over the face, up to the second order error of straight edges.
+// All vertices of a refined box with a cap are images of the lattice of the flat box, so those of
+// the capped face are on the sphere. Its volume is the integral of the thickness over the face, up
+// to the second order error of straight edges.
 
 #include "shapes.h"
 
@@ -21,7 +22,8 @@ namespace
 {
   /** Edges 1, 2 (, 1.5). */
   template <int dim>
-  BodyDescription<dim> capped_box(const unsigned int face, const double radius, const unsigned int refinements)
+  BodyDescription<dim>
+  capped_box(const unsigned int face, const double radius, const unsigned int refinements)
   {
     BodyDescription<dim> body = box<dim>();
     body.upper_corner[1]      = 2.;
@@ -55,18 +57,20 @@ namespace
         const Meshed<dim>  meshed(body);
         const Cap<dim>     cap(body);
         const unsigned int direction = face / 2;
-        Point<dim>         sphere    = body.lower_corner + 0.5 * (body.upper_corner - body.lower_corner);
-        sphere[direction] = face % 2 == 0 ? body.lower_corner[direction] + 1.6 : body.upper_corner[direction] - 1.6;
-        sphere            = body.placement.place(sphere);
+        Point<dim> sphere = body.lower_corner + 0.5 * (body.upper_corner - body.lower_corner);
+        sphere[direction] =
+          face % 2 == 0 ? body.lower_corner[direction] + 1.6 : body.upper_corner[direction] - 1.6;
+        sphere = body.placement.place(sphere);
 
         unsigned int n_on_cap = 0;
-        for_boundary_vertices(meshed.triangulation, [&](const Point<dim> &vertex, const unsigned int id) {
-          if (id == face)
-            {
-              EXPECT_NEAR(vertex.distance(sphere), 1.6, 1e-13);
-              ++n_on_cap;
-            }
-        });
+        for_boundary_vertices(meshed.triangulation,
+                              [&](const Point<dim> &vertex, const unsigned int id) {
+                                if (id == face)
+                                  {
+                                    EXPECT_NEAR(vertex.distance(sphere), 1.6, 1e-13);
+                                    ++n_on_cap;
+                                  }
+                              });
         EXPECT_GT(dealii::Utilities::MPI::sum(n_on_cap, MPI_COMM_WORLD), 0u);
         for (const auto &cell : meshed.triangulation.active_cell_iterators())
           if (cell->is_locally_owned())
@@ -98,8 +102,9 @@ TEST(Caps, AlsoWithLocalRefinement)
 TEST(Caps, AreaIsTheIntegralOfTheThickness)
 {
   // The face is the edge of length 1 at y = 2: recession integrated over |x| < a = 1/2.
-  const double        R = 0.8, a = 0.5;
-  const double        expected = 2. - (2. * a * R - a * std::sqrt(R * R - a * a) - R * R * std::asin(a / R));
+  const double R = 0.8, a = 0.5;
+  const double expected =
+    2. - (2. * a * R - a * std::sqrt(R * R - a * a) - R * R * std::asin(a / R));
   std::vector<double> error;
   for (const unsigned int refinements : {1, 2, 3, 4})
     error.push_back(volume(Meshed<2>(capped_box<2>(3, R, refinements)).triangulation) - expected);
@@ -117,7 +122,8 @@ TEST(Caps, VolumeIsTheIntegralOfTheThickness)
   double                  expected = 3.;
   for (unsigned int q = 0; q < quadrature.size(); ++q)
     {
-      const double y = 2. * (quadrature.point(q)[0] - 0.5), z = 1.5 * (quadrature.point(q)[1] - 0.5);
+      const double y = 2. * (quadrature.point(q)[0] - 0.5),
+                   z = 1.5 * (quadrature.point(q)[1] - 0.5);
       expected -= 3. * quadrature.weight(q) * (R - std::sqrt(R * R - y * y - z * z));
     }
   std::vector<double> error;
@@ -135,7 +141,8 @@ TEST(Caps, VolumeIsTheIntegralOfTheThickness)
 TEST(Caps, CurvedCellsFollowTheCap)
 {
   const double R = 0.8, a = 0.5;
-  const double expected = 2. - (2. * a * R - a * std::sqrt(R * R - a * a) - R * R * std::asin(a / R));
+  const double expected =
+    2. - (2. * a * R - a * std::sqrt(R * R - a * a) - R * R * std::asin(a / R));
   Scene<2>     scene    = scene_of<2>({capped_box<2>(3, R, 2)});
   const double straight = total_mass(Assembled<2>(scene).discretization) / 2.;
   scene.mapping         = CellGeometry::curved;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The matrices of single cells are those of quadrature, to round-off, whether they were computed, kept, or scaled from a congruent
-// cell; and cells of a box share one matrix per material, whatever their sizes.
+// The matrices of single cells are those of quadrature, to round-off, whether they were computed,
+// kept, or scaled from a congruent cell; and cells of a box share one matrix per material, whatever
+// their sizes.
 
 #include "bodies.h"
 
@@ -13,9 +14,13 @@ using namespace signorini::tests;
 
 namespace
 {
-  /** Largest relative errors of the mass and of the stiffness of all cells of this process, against the weak form. */
+  /**
+   * Largest relative errors of the mass and of the stiffness of all cells of this process, against
+   * the weak form.
+   */
   template <int dim>
-  std::pair<double, double> errors(const Discretization<dim> &discretization, const CellMatrices<dim> &cell_matrices)
+  std::pair<double, double> errors(const Discretization<dim> &discretization,
+                                   const CellMatrices<dim>   &cell_matrices)
   {
     using namespace dealii;
     FEValues<dim>                    fe_values(discretization.mesh().mapping(),
@@ -28,9 +33,9 @@ namespace
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);
-          const Material &material   = discretization.mesh().bodies()[cell->material_id()].material;
-          const auto      matrix     = cell_matrices.of(cell);
-          double          mass_error = 0., mass_size = 0., stiffness_error = 0., stiffness_size = 0.;
+          const Material &material = discretization.mesh().bodies()[cell->material_id()].material;
+          const auto      matrix   = cell_matrices.of(cell);
+          double mass_error = 0., mass_size = 0., stiffness_error = 0., stiffness_size = 0.;
           for (unsigned int i = 0; i < fe_values.dofs_per_cell; ++i)
             for (unsigned int j = 0; j < fe_values.dofs_per_cell; ++j)
               {
@@ -40,17 +45,20 @@ namespace
                     const auto   strain_i = fe_values[u].symmetric_gradient(i, q);
                     const auto   strain_j = fe_values[u].symmetric_gradient(j, q);
                     const double JxW      = fe_values.JxW(q);
-                    mass += material.density * (fe_values[u].value(i, q) * fe_values[u].value(j, q)) * JxW;
+                    mass += material.density * (fe_values[u].value(i, q) * fe_values[u].value(j, q))
+                            * JxW;
                     stiffness += (2. * material.mu() * (strain_i * strain_j)
                                   + material.lambda() * trace(strain_i) * trace(strain_j))
                                  * JxW;
                   }
                 const unsigned int c = i % dim, d = j % dim;
                 const auto         block = matrix.stiffness(i / dim, j / dim);
-                mass_error      = std::max(mass_error, std::abs(mass - (c == d ? matrix.mass(i / dim, j / dim) : 0.)));
-                mass_size       = std::max(mass_size, std::abs(mass));
-                stiffness_error = std::max(stiffness_error, std::abs(stiffness - block[dim * d + c]));
-                stiffness_size  = std::max(stiffness_size, std::abs(stiffness));
+                mass_error               = std::max(
+                  mass_error, std::abs(mass - (c == d ? matrix.mass(i / dim, j / dim) : 0.)));
+                mass_size = std::max(mass_size, std::abs(mass));
+                stiffness_error =
+                  std::max(stiffness_error, std::abs(stiffness - block[dim * d + c]));
+                stiffness_size = std::max(stiffness_size, std::abs(stiffness));
               }
           result.first  = std::max(result.first, mass_error / mass_size);
           result.second = std::max(result.second, stiffness_error / stiffness_size);
@@ -60,7 +68,8 @@ namespace
 
   /** Twice: when they are computed, and when they are found again. */
   template <int dim>
-  void expect_matrices_of_quadrature(const Discretization<dim> &discretization, const CellMatrices<dim> &cell_matrices)
+  void expect_matrices_of_quadrature(const Discretization<dim> &discretization,
+                                     const CellMatrices<dim>   &cell_matrices)
   {
     for (unsigned int k = 0; k < 2; ++k)
       {
@@ -105,7 +114,7 @@ TEST(CellMatrices, DependOnMaterialAndShape)
   hard.material          = {7000., 0.1, 9.};
   turned.lower_corner[0] = 3.;
   turned.upper_corner[0] = 4.;
-  turned.placement       = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
+  turned.placement = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
   const Assembled<3>    assembled(scene_of<3>({soft, hard, turned}));
   const CellMatrices<3> fresh(assembled.scene.bodies, assembled.discretization.mesh().mapping(), 2);
   expect_matrices_of_quadrature(assembled.discretization, fresh);
@@ -134,7 +143,8 @@ TEST(CellMatrices, OfDistortedAndOfCurvedCells)
   expect_matrices_of_quadrature(disc.discretization, disc.discretization.mesh().cell_matrices());
 }
 
-// Parents are what a coarser mesh is made of: in the plane four times the mass of a child, and the same stiffness.
+// Parents are what a coarser mesh is made of: in the plane four times the mass of a child, and the
+// same stiffness.
 TEST(CellMatrices, OfParents)
 {
   const Assembled<2> assembled(box_with_hanging_nodes<2>());
@@ -144,9 +154,11 @@ TEST(CellMatrices, OfParents)
     if (cell->is_locally_owned() && cell->level() > 0)
       {
         ++n_parents;
-        const double mass = provider.of(cell).mass(1, 2), stiffness = provider.of(cell).stiffness(1, 2)[1];
+        const double mass      = provider.of(cell).mass(1, 2),
+                     stiffness = provider.of(cell).stiffness(1, 2)[1];
         EXPECT_NEAR(provider.of(cell->parent()).mass(1, 2), 4. * mass, 1e-14 * mass);
-        EXPECT_NEAR(provider.of(cell->parent()).stiffness(1, 2)[1], stiffness, 1e-13 * std::abs(stiffness));
+        EXPECT_NEAR(
+          provider.of(cell->parent()).stiffness(1, 2)[1], stiffness, 1e-13 * std::abs(stiffness));
       }
   EXPECT_GT(dealii::Utilities::MPI::sum(n_parents, MPI_COMM_WORLD), 0u);
 }

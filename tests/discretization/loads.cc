@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The nodal forces of a load have its resultant, mass times a constant body force and area times a constant traction, because
-// the shape functions sum up to one; so they do work like the load on every rigid motion. They follow the time.
+// The nodal forces of a load have its resultant, mass times a constant body force and area times a
+// constant traction, because the shape functions sum up to one; so they do work like the load on
+// every rigid motion. They follow the time.
 
 #include "bodies.h"
 
@@ -21,10 +22,11 @@ namespace
                         const dealii::Tensor<1, dim> &expected)
   {
     for (unsigned int c = 0; c < dim; ++c)
-      EXPECT_NEAR(
-        sum_over_nodes(discretization, [&](const unsigned int node) { return forces.local_element(dim * node + c); }),
-        expected[c],
-        1e-12)
+      EXPECT_NEAR(sum_over_nodes(
+                    discretization,
+                    [&](const unsigned int node) { return forces.local_element(dim * node + c); }),
+                  expected[c],
+                  1e-12)
         << "component " << c;
   }
 } // namespace
@@ -45,7 +47,8 @@ TEST(Loads, GravityWeighs)
   Loads<3>           loads(assembled.discretization);
   const double       mass = total_mass(assembled.discretization);
   EXPECT_TRUE(loads.any());
-  expect_resultant<3>(assembled.discretization, loads.at(0.), dealii::Tensor<1, 3>({0., mass, -9.81 * mass}));
+  expect_resultant<3>(
+    assembled.discretization, loads.at(0.), dealii::Tensor<1, 3>({0., mass, -9.81 * mass}));
 }
 
 TEST(Loads, TractionPullsOnItsFaceOnly)
@@ -85,7 +88,9 @@ TEST(Loads, FollowTheTimeInAnyOrder)
   const Assembled<2> assembled(body);
   Loads<2>           loads(assembled.discretization);
   for (const double time : {0., 1., 2., 1., 3., 3., 0.})
-    expect_resultant<2>(assembled.discretization, loads.at(time), dealii::Tensor<1, 2>({2. * 2. * time, time * time}));
+    expect_resultant<2>(assembled.discretization,
+                        loads.at(time),
+                        dealii::Tensor<1, 2>({2. * 2. * time, time * time}));
 }
 
 // Whoever holds the load of the start of a step may still use it after asking for that of its end.

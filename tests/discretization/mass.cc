@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The mass matrix is symmetric and weighs each body: density times the volume of its mesh, which is exact for a box, that of
-// the inscribed prism for a cylinder, and second order for a ball. Lumping keeps the row sums, hence the mass.
+// The mass matrix is symmetric and weighs each body: density times the volume of its mesh, which is
+// exact for a box, that of the inscribed prism for a cylinder, and second order for a ball. Lumping
+// keeps the row sums, hence the mass.
 
 #include "bodies.h"
 
@@ -92,11 +93,13 @@ TEST(Mass, OfACylinderIsThatOfThePrismAroundItsAxis)
     {
       const Assembled<3> body(cylinder(axis));
       const auto        &discretization = body.discretization;
-      EXPECT_NEAR(total_mass(discretization), 2. * 3. * 0.25 * polygon_area(8), 1e-12) << "axis " << axis;
+      EXPECT_NEAR(total_mass(discretization), 2. * 3. * 0.25 * polygon_area(8), 1e-12)
+        << "axis " << axis;
       double extent = 0.;
       for (const auto &position : discretization.node_positions())
         extent = std::max(extent, std::abs(position[axis] - body.scene.bodies[0].centre[axis]));
-      EXPECT_NEAR(dealii::Utilities::MPI::max(extent, MPI_COMM_WORLD), 1.5, 1e-12) << "axis " << axis;
+      EXPECT_NEAR(dealii::Utilities::MPI::max(extent, MPI_COMM_WORLD), 1.5, 1e-12)
+        << "axis " << axis;
     }
 }
 
@@ -120,11 +123,13 @@ TEST(Mass, LumpingGivesTheRowSums)
       scene.time.mass.kind = MassKind::lumped;
       const Assembled<3> lumped(scene);
 
-      const Vector row_sums = mass_times(consistent.discretization, ones(consistent.discretization));
-      const Vector factors  = irregular_field(lumped.discretization, 3.);
-      const Vector product  = mass_times(lumped.discretization, factors);
+      const Vector row_sums =
+        mass_times(consistent.discretization, ones(consistent.discretization));
+      const Vector factors = irregular_field(lumped.discretization, 3.);
+      const Vector product = mass_times(lumped.discretization, factors);
       for (unsigned int i = 0; i < product.locally_owned_size(); ++i)
-        EXPECT_NEAR(product.local_element(i), row_sums.local_element(i) * factors.local_element(i), 1e-14);
+        EXPECT_NEAR(
+          product.local_element(i), row_sums.local_element(i) * factors.local_element(i), 1e-14);
       EXPECT_NEAR(total_mass(lumped.discretization), total_mass(consistent.discretization), 1e-13);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The shipped meshes have the volume and the areas that tools/make_meshes.py intends, before and after refinement and in
-// any place.
+// The shipped meshes have the volume and the areas that tools/make_meshes.py intends, before and
+// after refinement and in any place.
 
 #include "shapes.h"
 
@@ -28,7 +28,8 @@ namespace
     return body;
   }
 
-  void expect_areas(const std::map<unsigned int, double> &areas, const std::map<unsigned int, double> &expected)
+  void expect_areas(const std::map<unsigned int, double> &areas,
+                    const std::map<unsigned int, double> &expected)
   {
     ASSERT_EQ(areas.size(), expected.size());
     for (const auto &[id, area] : expected)
@@ -57,7 +58,8 @@ TEST(MeshFiles, AnvilIsAFrustum)
     {
       BodyDescription<3> body = body_of("anvil.msh");
       body.refinements        = refinements;
-      body.placement          = Placement<3>({{20., 0., 50.}}, body.mesh_file.centre, Tensor<1, 3>({1., 2., 3.}));
+      body.placement =
+        Placement<3>({{20., 0., 50.}}, body.mesh_file.centre, Tensor<1, 3>({1., 2., 3.}));
       const Meshed<3> meshed(body);
       EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 150u << (3 * refinements));
       EXPECT_NEAR(volume(meshed.triangulation), 0.48 * 19. / 3., 1e-7);
@@ -84,9 +86,13 @@ TEST(MeshFiles, HammerIsABarWithANose)
       EXPECT_NEAR(areas.at(4), disc * R * R, 1e-7);
       // The rim of the domed face lies back by this.
       const double back = 1. - std::sqrt(1. - r * r), middle = 0.45;
-      EXPECT_NEAR(areas.at(2), frustum_area(16, r, middle, 0.25 - back) + frustum_area(16, middle, R, 0.25), 1e-7);
-      EXPECT_NEAR(areas.at(1), disc * r * r * (1. + r * r / 4.), 1e-3) << "the dome is larger than its shadow";
-      const double nose = frustum_volume(16, r, middle, 0.25 - back) + frustum_volume(16, middle, R, 0.25);
+      EXPECT_NEAR(areas.at(2),
+                  frustum_area(16, r, middle, 0.25 - back) + frustum_area(16, middle, R, 0.25),
+                  1e-7);
+      EXPECT_NEAR(areas.at(1), disc * r * r * (1. + r * r / 4.), 1e-3)
+        << "the dome is larger than its shadow";
+      const double nose =
+        frustum_volume(16, r, middle, 0.25 - back) + frustum_volume(16, middle, R, 0.25);
       const double dome = disc * r * r * back / 2.;
       EXPECT_NEAR(volume(meshed.triangulation), disc * R * R + nose + dome, 5e-4);
     }

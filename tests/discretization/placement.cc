@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A rotated and translated body is the body somewhere else: same volume, same boundary ids, and refinement puts new vertices
-// on its round surfaces where they are now.
+// A rotated and translated body is the body somewhere else: same volume, same boundary ids, and
+// refinement puts new vertices on its round surfaces where they are now.
 
 #include "shapes.h"
 
@@ -59,7 +59,7 @@ TEST(Placement, ZeroRotationLeavesEveryDigit)
     {
       body.refinements                    = 2;
       const std::vector<Point<3>> without = vertices_of(body);
-      body.placement                      = Placement<3>({{0., 360., 0.}}, Point<3>(0.3, 0.9, -1.1), Tensor<1, 3>());
+      body.placement = Placement<3>({{0., 360., 0.}}, Point<3>(0.3, 0.9, -1.1), Tensor<1, 3>());
       const std::vector<Point<3>> with_placing = vertices_of(body);
       EXPECT_EQ(without, with_placing) << body.name;
       EXPECT_GT(without.size(), 0u);
@@ -76,7 +76,8 @@ TEST(Placement, AQuarterTurnOfABoxIsExact)
   unsigned int    n_faces = 0;
   for_boundary_vertices(meshed.triangulation, [&](const Point<3> &vertex, const unsigned int id) {
     const double expected[6][2] = {{2, 4.}, {2, 4. - 0.7}, {1, 0.}, {1, 0.7}, {0, 0.}, {0, 0.7}};
-    EXPECT_EQ(vertex[static_cast<unsigned int>(expected[id][0])], expected[id][1]) << "boundary id " << id;
+    EXPECT_EQ(vertex[static_cast<unsigned int>(expected[id][0])], expected[id][1])
+      << "boundary id " << id;
     ++n_faces;
   });
   EXPECT_EQ(dealii::Utilities::MPI::sum(n_faces, MPI_COMM_WORLD), 4u * 6u * 64u);
@@ -118,17 +119,18 @@ TEST(Placement, ARefinedCylinderIsRoundAboutItsNewAxis)
       EXPECT_LT(std::abs(direction[axis]), 0.95) << "it is turned";
       const Meshed<3> meshed(body);
       EXPECT_NEAR(volume(meshed.triangulation), expected, 1e-12);
-      for_boundary_vertices(meshed.triangulation, [&](const Point<3> &vertex, const unsigned int id) {
-        const double along = (vertex - centre) * direction;
-        if (id == 0)
-          {
-            EXPECT_NEAR((vertex - centre - along * direction).norm(), 0.5, 1e-13);
-          }
-        else
-          {
-            EXPECT_NEAR(along, id == 1 ? -1.5 : 1.5, 1e-13);
-          }
-      });
+      for_boundary_vertices(
+        meshed.triangulation, [&](const Point<3> &vertex, const unsigned int id) {
+          const double along = (vertex - centre) * direction;
+          if (id == 0)
+            {
+              EXPECT_NEAR((vertex - centre - along * direction).norm(), 0.5, 1e-13);
+            }
+          else
+            {
+              EXPECT_NEAR(along, id == 1 ? -1.5 : 1.5, 1e-13);
+            }
+        });
     }
 }
 
@@ -143,8 +145,9 @@ TEST(Placement, LocalRefinementLooksWhereTheBodyIs)
   EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 4u);
 }
 
-// A selection that shrinks with the cells makes layers that become thinner: of 2 x 2 cells the left column is refined, then the left half
-// of that, then the left quarter. 2 + 4 + 8 + 32 cells are left.
+// A selection that shrinks with the cells makes layers that become thinner: of 2 x 2 cells the left
+// column is refined, then the left half of that, then the left quarter. 2 + 4 + 8 + 32 cells are
+// left.
 TEST(Placement, LocalRefinementCanDependOnTheSizeOfCells)
 {
   BodyDescription<2> body = box<2>();

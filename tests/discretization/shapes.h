@@ -40,9 +40,13 @@ namespace signorini::tests
     return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
   }
 
-  /** Call a function with each vertex (on this process) of each boundary face, and the boundary id of the face. */
+  /**
+   * Call a function with each vertex (on this process) of each boundary face, and the boundary id
+   * of the face.
+   */
   template <int dim, typename Function>
-  void for_boundary_vertices(const dealii::parallel::distributed::Triangulation<dim> &mesh, const Function &function)
+  void for_boundary_vertices(const dealii::parallel::distributed::Triangulation<dim> &mesh,
+                             const Function                                          &function)
   {
     for (const auto &cell : mesh.active_cell_iterators())
       if (cell->is_locally_owned())
@@ -54,11 +58,12 @@ namespace signorini::tests
 
   /** Area of the part of the boundary with each boundary id that is less than 10. */
   template <int dim>
-  std::map<unsigned int, double> boundary_areas(const dealii::parallel::distributed::Triangulation<dim> &mesh)
+  std::map<unsigned int, double>
+  boundary_areas(const dealii::parallel::distributed::Triangulation<dim> &mesh)
   {
-    const dealii::FE_Nothing<dim>  none;
-    dealii::FEFaceValues<dim>      values(none, dealii::QGauss<dim - 1>(3), dealii::update_JxW_values);
-    std::vector<double>            areas(10);
+    const dealii::FE_Nothing<dim> none;
+    dealii::FEFaceValues<dim> values(none, dealii::QGauss<dim - 1>(3), dealii::update_JxW_values);
+    std::vector<double>       areas(10);
     std::map<unsigned int, double> result;
     for (const auto &cell : mesh.active_cell_iterators())
       if (cell->is_locally_owned())

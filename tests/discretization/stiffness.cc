@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The patch test: rigid motions cause no forces, a linear displacement causes none inside, and its energy is the volume times the
-// density of energy, on distorted meshes and with hanging nodes. These are what convergence needs, and linear displacements are
-// in the space of the finite elements, so that all holds to round-off.
+// The patch test: rigid motions cause no forces, a linear displacement causes none inside, and its
+// energy is the volume times the density of energy, on distorted meshes and with hanging nodes.
+// These are what convergence needs, and linear displacements are in the space of the finite
+// elements, so that all holds to round-off.
 
 #include "bodies.h"
 
@@ -38,10 +39,12 @@ namespace
   void expect_symmetric_stiffness(const Discretization<dim> &discretization)
   {
     const Vector x = irregular_field(discretization, 3.), y = irregular_field(discretization, 7.);
-    const double xAx = x * stiffness_times(discretization, x), yAy = y * stiffness_times(discretization, y);
+    const double xAx = x * stiffness_times(discretization, x),
+                 yAy = y * stiffness_times(discretization, y);
     EXPECT_GT(xAx, 0.);
-    EXPECT_NEAR(
-      x * stiffness_times(discretization, y), y * stiffness_times(discretization, x), 1e-13 * std::sqrt(xAx * yAy));
+    EXPECT_NEAR(x * stiffness_times(discretization, y),
+                y * stiffness_times(discretization, x),
+                1e-13 * std::sqrt(xAx * yAy));
   }
 
   /** A scale of nodal forces: those of an irregular displacement. */
@@ -52,7 +55,8 @@ namespace
   }
 
   template <int dim>
-  void expect_no_force(const Discretization<dim> &discretization, const std::array<std::string, dim> &motion)
+  void expect_no_force(const Discretization<dim>          &discretization,
+                       const std::array<std::string, dim> &motion)
   {
     EXPECT_LT(stiffness_times(discretization, field<dim>(discretization, motion)).linfty_norm(),
               1e-12 * force_scale(discretization))
@@ -104,7 +108,8 @@ namespace
   }
 
   template <int dim>
-  void expect_all(const BodyDescription<dim> &body, const std::function<bool(const dealii::Point<dim> &)> &inside)
+  void expect_all(const BodyDescription<dim>                            &body,
+                  const std::function<bool(const dealii::Point<dim> &)> &inside)
   {
     const Assembled<dim> assembled(body);
     expect_symmetric_stiffness(assembled.discretization);
@@ -157,8 +162,8 @@ TEST(Stiffness, OnDistortedCells)
   expect_all<3>(ball<3>(1), inside_unit_ball<3>);
 }
 
-// Hanging nodes of a round body have to lie on the straight edges and faces of the coarser neighbours: only then is the mesh
-// without gaps, and a linear function the same from both sides.
+// Hanging nodes of a round body have to lie on the straight edges and faces of the coarser
+// neighbours: only then is the mesh without gaps, and a linear function the same from both sides.
 TEST(Stiffness, OnDistortedCellsWithHangingNodes)
 {
   expect_all<2>(ball_with_hanging_nodes<2>("0.7 - y"), inside_unit_ball<2>);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A support prescribes exactly the given components of the nodes of its boundary, hanging nodes excepted (they follow their
-// neighbours), with the values of its expression in space and time. The first condition in the scene wins.
+// A support prescribes exactly the given components of the nodes of its boundary, hanging nodes
+// excepted (they follow their neighbours), with the values of its expression in space and time. The
+// first condition in the scene wins.
 
 #include "bodies.h"
 
@@ -20,7 +21,8 @@ namespace
   template <int dim>
   unsigned int n_global(const Supports<dim> &supports)
   {
-    return dealii::Utilities::MPI::sum(static_cast<unsigned int>(supports.nodes().size()), MPI_COMM_WORLD);
+    return dealii::Utilities::MPI::sum(static_cast<unsigned int>(supports.nodes().size()),
+                                       MPI_COMM_WORLD);
   }
 } // namespace
 

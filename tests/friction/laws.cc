@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The bound of each law and its slope: proportional to the compression (Coulomb), cut off (cap), constant (Tresca); without compression
-// only Tresca's is left. Scaled laws are those of scaled forces.
+// The bound of each law and its slope: proportional to the compression (Coulomb), cut off (cap),
+// constant (Tresca); without compression only Tresca's is left. Scaled laws are those of scaled
+// forces.
 
 #include <signorini/friction/friction_law.h>
 

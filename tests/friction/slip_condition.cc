@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The linearised law of a slipping node. At a point of the law (force of the size of the bound, along the slip) it gives this force, and its
-// derivatives are those of b(n) s/|s|, by differences. Away from the law a few Newton iterations with given slip and normal force lead there.
+// The linearised law of a slipping node. At a point of the law (force of the size of the bound,
+// along the slip) it gives this force, and its derivatives are those of b(n) s/|s|, by differences.
+// Away from the law a few Newton iterations with given slip and normal force lead there.
 
 #include <signorini/friction/slip_condition.h>
 
@@ -28,8 +29,9 @@ TEST(SlipCondition, IsTheDerivativeOfTheLaw)
     for (const double stiffness : {0.1, 3.})
       {
         const TangentVector slip(0.2, -0.3);
-        const double        normal    = 2.;
-        const auto          condition = linearise_slip(law, {normal, law_of(law, slip, normal), slip}, stiffness, 2);
+        const double        normal = 2.;
+        const auto          condition =
+          linearise_slip(law, {normal, law_of(law, slip, normal), slip}, stiffness, 2);
         EXPECT_LT((condition.force - law_of(law, slip, normal)).norm(), 1e-14);
         for (unsigned int j = 0; j < 2; ++j)
           {
@@ -38,7 +40,8 @@ TEST(SlipCondition, IsTheDerivativeOfTheLaw)
               (law_of(law, slip + step, normal) - law_of(law, slip - step, normal)) / (2. * h);
             EXPECT_LT((condition.stiffness.col(j) - difference).norm(), 1e-8);
           }
-        const TangentVector difference = (law_of(law, slip, normal + h) - law_of(law, slip, normal - h)) / (2. * h);
+        const TangentVector difference =
+          (law_of(law, slip, normal + h) - law_of(law, slip, normal - h)) / (2. * h);
         EXPECT_LT((condition.coupling - difference).norm(), 1e-8);
       }
 }
@@ -47,7 +50,8 @@ TEST(SlipCondition, LeadsToTheLaw)
 {
   const FrictionLaw   law{0.3};
   const TangentVector slip(0.2, -0.3), expected = law_of(law, slip, 2.);
-  for (unsigned int k = 0; k < 16; ++k) // forces of all directions and several sizes, opposite to the slip, too
+  for (unsigned int k = 0; k < 16;
+       ++k) // forces of all directions and several sizes, opposite to the slip, too
     {
       TangentVector force = (0.2 + 0.1 * k) * TangentVector(std::cos(0.4 * k), std::sin(0.4 * k));
       for (unsigned int iteration = 0; iteration < 30; ++iteration)
@@ -70,7 +74,7 @@ TEST(SlipCondition, DoesNotDependOnTheAxes)
   const TangentMatrix R{{std::cos(angle), -std::sin(angle)}, {std::sin(angle), std::cos(angle)}};
   const NodeForces    node{2., {0.1, 0.5}, {-0.4, 0.7}};
   const auto          condition = linearise_slip({0.3}, node, 1., 2),
-             turned             = linearise_slip({0.3}, {2., R * node.tangential, R * node.slip}, 1., 2);
+             turned = linearise_slip({0.3}, {2., R * node.tangential, R * node.slip}, 1., 2);
   EXPECT_LT((turned.force - R * condition.force).norm(), 1e-14);
   EXPECT_LT((turned.coupling - R * condition.coupling).norm(), 1e-14);
   EXPECT_LT((turned.stiffness - R * condition.stiffness * R.transpose()).norm(), 1e-14);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Conjugate gradients find the dense solution with some entries held, carry b - Kx of all entries along, know how far they
-// are, and find the same solution on any number of processes.
+// Conjugate gradients find the dense solution with some entries held, carry b - Kx of all entries
+// along, know how far they are, and find the same solution on any number of processes.
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
 
@@ -24,7 +24,10 @@ namespace
       : matrices(matrices)
     {
     }
-    void vmult(Vector &destination, const Vector &source) const override { matrices.apply(destination, source, a, b); }
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      matrices.apply(destination, source, a, b);
+    }
     void diagonal(Vector &) const override { FAIL() << "conjugate gradients need no diagonal"; }
 
   private:
@@ -44,7 +47,10 @@ namespace
       factor.set_held_nodes(held);
     }
     void set_mask(const Mask &) override { FAIL() << "conjugate gradients do not choose the mask"; }
-    void vmult(Vector &destination, const Vector &source) const override { factor.vmult(destination, source); }
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      factor.vmult(destination, source);
+    }
 
     HeldNodes<dim> held;
 
@@ -75,8 +81,9 @@ namespace
       return result;
     }
 
-    ConjugateGradients::Report
-    solve(const double tolerance, const double reduction = 0., const unsigned int maximum_iterations = 200)
+    ConjugateGradients::Report solve(const double       tolerance,
+                                     const double       reduction          = 0.,
+                                     const unsigned int maximum_iterations = 200)
     {
       return ConjugateGradients().solve(
         matrix, preconditioner, solution, residual, tolerance, reduction, maximum_iterations);
@@ -103,7 +110,8 @@ namespace
       for (int i = 0; i < K.rows(); ++i)
         regular(i, i) += K(i, i) == 0.;
       x = to_eigen(system.guess)
-          + inverse_on_free_directions<dim>(regular, system.preconditioner.held) * to_eigen(system.true_residual());
+          + inverse_on_free_directions<dim>(regular, system.preconditioner.held)
+              * to_eigen(system.true_residual());
     }
 
     double error_norm(const Vector &solution) const
@@ -175,7 +183,8 @@ TEST(ConjugateGradients, NeedOneIterationPerEigenvalue)
   Vector solution(12), residual(12);
   for (unsigned int i = 0; i < 12; ++i)
     residual(i) = std::cos(i);
-  const auto report = ConjugateGradients().solve(ThreeEigenvalues(), Identity(), solution, residual, 1e-12, 0., 100);
+  const auto report =
+    ConjugateGradients().solve(ThreeEigenvalues(), Identity(), solution, residual, 1e-12, 0., 100);
   EXPECT_TRUE(report.converged);
   EXPECT_EQ(report.iterations, 3u);
 }
@@ -206,8 +215,9 @@ TEST(ConjugateGradients, ANegativePreconditionerIsNoConvergence)
   };
   const auto converges = [](const double factor, const double size) {
     Vector solution(12), residual(12);
-    residual          = size;
-    const auto report = ConjugateGradients().solve(Identity(), Scaling(factor), solution, residual, 1e-12, 0., 100);
+    residual = size;
+    const auto report =
+      ConjugateGradients().solve(Identity(), Scaling(factor), solution, residual, 1e-12, 0., 100);
     EXPECT_EQ(solution.linfty_norm() > 0., report.iterations > 0);
     return report.converged;
   };
@@ -230,13 +240,20 @@ TEST(ConjugateGradients, StopWhereTheyAreTold)
   EXPECT_EQ(limited_report.iterations, 2u);
 }
 
-// Errors of guesses add up from step to step: one that is just within the tolerance is improved tenfold, one of a thousandth is not touched.
+// Errors of guesses add up from step to step: one that is just within the tolerance is improved
+// tenfold, one of a thousandth is not touched.
 TEST(ConjugateGradients, AGuessHasToBeBetterThanASolution)
 {
-  constexpr double found      = 1e-8;
-  const auto       iterations = [](LinearSystem &system, const double tolerance, const bool is_guess) {
-    const auto report = ConjugateGradients().solve(
-      system.matrix, system.preconditioner, system.solution, system.residual, tolerance, 0.5, 200, is_guess);
+  constexpr double found = 1e-8;
+  const auto iterations  = [](LinearSystem &system, const double tolerance, const bool is_guess) {
+    const auto report = ConjugateGradients().solve(system.matrix,
+                                                   system.preconditioner,
+                                                   system.solution,
+                                                   system.residual,
+                                                   tolerance,
+                                                   0.5,
+                                                   200,
+                                                   is_guess);
     EXPECT_TRUE(report.converged);
     return report.iterations;
   };
@@ -259,6 +276,7 @@ TEST(ConjugateGradients, AnyNumberOfProcessesFindsTheSameSolution)
   for (unsigned int p = 0; p < distributed.body.matrices.pattern.n_owned; ++p)
     for (unsigned int q = 0; q < all.size(); ++q)
       for (unsigned int c = 0; c < dim && here[p].distance(all[q]) < 1e-10; ++c, ++n_compared)
-        EXPECT_NEAR(distributed.solution.local_element(dim * p + c), serial.solution(dim * q + c), 1e-10);
+        EXPECT_NEAR(
+          distributed.solution.local_element(dim * p + c), serial.solution(dim * q + c), 1e-10);
   EXPECT_EQ(dealii::Utilities::MPI::sum(n_compared, MPI_COMM_WORLD), serial.solution.size());
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Mass and stiffness give linear displacements their exact energies, on any mesh and any number of processes, because
-// Q1 contains them; rigid motions have no stress; hanging nodes have no influence.
+// Mass and stiffness give linear displacements their exact energies, on any mesh and any number of
+// processes, because Q1 contains them; rigid motions have no stress; hanging nodes have no
+// influence.
 
 #include <gtest/gtest.h>
 
@@ -42,12 +43,14 @@ TYPED_TEST_SUITE(ElasticMatricesOf, Dimensions);
 
 TYPED_TEST(ElasticMatricesOf, LinearDisplacementsHaveTheirExactEnergies)
 {
-  constexpr int dim      = TypeParam::value;
-  const auto   &material = this->body.scene.bodies[0].material;
-  const Vector  u        = this->linear_field();
-  const double  trace = dim == 2 ? 5. : 6., strain_square = 4. + 9. + (dim == 3 ? 1. : 0.) + 2. * 0.25;
-  const double  volume  = 2.;
-  const double  elastic = volume * (material.lambda() * trace * trace + 2. * material.mu() * strain_square);
+  constexpr int dim          = TypeParam::value;
+  const auto   &material     = this->body.scene.bodies[0].material;
+  const Vector  u            = this->linear_field();
+  const double  trace        = dim == 2 ? 5. : 6.,
+               strain_square = 4. + 9. + (dim == 3 ? 1. : 0.) + 2. * 0.25;
+  const double volume        = 2.;
+  const double elastic =
+    volume * (material.lambda() * trace * trace + 2. * material.mu() * strain_square);
   EXPECT_NEAR(u * this->product(u, 0., 1.), elastic, 1e-12 * elastic);
   // Integrals over [0,2] x [0,1] of (2x+y)^2 = 4x^2 + 4xy + y^2, of 9y^2 and z^2
   const double square = 4. * 8. / 3. + 4. * 1. + 2. / 3. + 9. * 2. / 3. + (dim == 3 ? 2. / 3. : 0.);
@@ -117,8 +120,8 @@ TYPED_TEST(ElasticMatricesOf, HangingNodesHaveNoInfluence)
 
 TYPED_TEST(ElasticMatricesOf, LumpedMassIsDiagonalAndKeepsTheMass)
 {
-  constexpr int dim   = TypeParam::value;
-  auto          scene = make_boxes<dim>(1, 1, true);
+  constexpr int dim    = TypeParam::value;
+  auto          scene  = make_boxes<dim>(1, 1, true);
   scene.time.mass.kind = MassKind::lumped;
   const SmallBody<dim>         lumped(scene, MPI_COMM_WORLD);
   std::array<std::string, dim> shift;
@@ -137,17 +140,19 @@ TYPED_TEST(ElasticMatricesOf, BlocksAreThoseOfTheProduct)
 {
   constexpr int         dim = TypeParam::value;
   const SmallBody<dim>  serial(make_boxes<dim>(1, 1, true), MPI_COMM_SELF);
-  const auto           &pattern     = serial.matrices.pattern;
-  const Eigen::MatrixXd K           = dense([&](Vector &y, const Vector &x) { serial.matrices.apply(y, x, 2., 0.3); },
-                                  serial.discretization.make_vector());
-  Eigen::MatrixXd       from_blocks = Eigen::MatrixXd::Zero(K.rows(), K.cols());
+  const auto           &pattern = serial.matrices.pattern;
+  const Eigen::MatrixXd K =
+    dense([&](Vector &y, const Vector &x) { serial.matrices.apply(y, x, 2., 0.3); },
+          serial.discretization.make_vector());
+  Eigen::MatrixXd from_blocks = Eigen::MatrixXd::Zero(K.rows(), K.cols());
   for (unsigned int node = 0; node < pattern.n_owned; ++node)
     for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
       {
-        const auto                                              entries = serial.matrices.combined_block(k, 2., 0.3);
+        const auto entries = serial.matrices.combined_block(k, 2., 0.3);
         const Eigen::Map<const Eigen::Matrix<double, dim, dim>> block(entries.data());
-        const unsigned int                                      row = dim * node, column = dim * pattern.columns[k];
-        from_blocks.template block<dim, dim>(row, column) = block; // half of the pairs of nodes suffices
+        const unsigned int row = dim * node, column = dim * pattern.columns[k];
+        from_blocks.template block<dim, dim>(row, column) =
+          block; // half of the pairs of nodes suffices
         from_blocks.template block<dim, dim>(column, row) = block.transpose();
       }
   EXPECT_LT((from_blocks - K).norm(), 1e-13 * K.norm());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// GMRES on dense unsymmetric matrices with a masked preconditioner: the solution of the free entries, exact residuals in all entries
-// (held ones included), also when the space is exhausted, after restarts and from a right-hand side of any size.
+// GMRES on dense unsymmetric matrices with a masked preconditioner: the solution of the free
+// entries, exact residuals in all entries (held ones included), also when the space is exhausted,
+// after restarts and from a right-hand side of any size.
 
 #include <signorini/linear_algebra/gmres.h>
 
@@ -26,13 +27,17 @@ namespace
     return Eigen::Map<const Eigen::VectorXd>(x.begin(), x.size());
   }
 
-  /** Solve J x = b in the entries that are not held, with the diagonal of J as preconditioner. @return iterations */
-  unsigned int expect_solution(const Eigen::MatrixXd &J, const std::vector<char> &held, const double scale)
+  /**
+   * Solve J x = b in the entries that are not held, with the diagonal of J as preconditioner.
+   * @return iterations
+   */
+  unsigned int
+  expect_solution(const Eigen::MatrixXd &J, const std::vector<char> &held, const double scale)
   {
-    const Eigen::Index    n            = J.rows();
-    const Eigen::VectorXd b            = scale * Eigen::VectorXd::LinSpaced(n, -1., 2.);
-    const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
-    const auto            precondition = [&](Vector &y, const Vector &x) {
+    const Eigen::Index    n = J.rows();
+    const Eigen::VectorXd b = scale * Eigen::VectorXd::LinSpaced(n, -1., 2.);
+    const auto apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
+    const auto precondition = [&](Vector &y, const Vector &x) {
       for (Eigen::Index i = 0; i < n; ++i)
         y(i) = held[i] ? 0. : x(i) / J(i, i);
     };
@@ -53,7 +58,8 @@ namespace
       apply, precondition, x, residual, [&](double) { return 1e-13 * scale; }, 1000);
     EXPECT_TRUE(report.converged);
     EXPECT_LT((eigen_of(x) - expected).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
-    EXPECT_LT((eigen_of(residual) - (b - J * eigen_of(x))).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
+    EXPECT_LT((eigen_of(residual) - (b - J * eigen_of(x))).lpNorm<Eigen::Infinity>(),
+              1e-11 * scale);
     return report.iterations;
   }
 
@@ -97,8 +103,8 @@ TEST(Gmres, Restarts)
 
 TEST(Gmres, StopsAtItsGoal)
 {
-  const Eigen::MatrixXd J            = matrix(40);
-  const auto            apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
+  const Eigen::MatrixXd J     = matrix(40);
+  const auto            apply = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
   const auto            precondition = [&](Vector &y, const Vector &x) { y = x; };
   Gmres                 gmres;
   Vector                x(40), residual = to_vector(Eigen::VectorXd::Ones(40));

@@ -16,13 +16,16 @@ namespace signorini
 {
   /** A node held in some entries of a frame that is turned by an angle. */
   template <int dim>
-  HeldNode<dim> held_in_turned_frame(const unsigned int node, const double angle, const std::array<bool, dim> &held)
+  HeldNode<dim> held_in_turned_frame(const unsigned int           node,
+                                     const double                 angle,
+                                     const std::array<bool, dim> &held)
   {
     Eigen::Matrix<double, dim, dim, Eigen::RowMajor> frame;
     if constexpr (dim == 2)
       frame = Eigen::Rotation2Dd(angle).toRotationMatrix();
     else
-      frame = Eigen::AngleAxisd(angle, Eigen::Vector3d(1., 2., -1.).normalized()).toRotationMatrix();
+      frame =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d(1., 2., -1.).normalized()).toRotationMatrix();
     HeldNode<dim> result{node, {}, held};
     std::copy(frame.data(), frame.data() + dim * dim, result.frame.begin());
     return result;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Where no fill is dropped (one cell, or several that are not connected) the incomplete factor is the exact one to single
-// precision, also with held directions at the node that is eliminated last. On any mesh and any number of processes it is
-// symmetric, positive definite on the free directions and zero in the held ones.
+// Where no fill is dropped (one cell, or several that are not connected) the incomplete factor is
+// the exact one to single precision, also with held directions at the node that is eliminated last.
+// On any mesh and any number of processes it is symmetric, positive definite on the free directions
+// and zero in the held ones.
 
 #include <gtest/gtest.h>
 
@@ -26,12 +27,13 @@ public:
   {
     const double          stiffness_factor = block_size == 1 ? 0. : b;
     const Vector          like             = body.discretization.make_vector();
-    const Eigen::MatrixXd K =
-      dense([&](Vector &y, const Vector &x) { body.matrices.apply(y, x, a, stiffness_factor); }, like);
+    const Eigen::MatrixXd K                = dense(
+      [&](Vector &y, const Vector &x) { body.matrices.apply(y, x, a, stiffness_factor); }, like);
     IncompleteCholesky<dim, block_size> factor(body.matrices, a, stiffness_factor, eliminate_last);
     factor.set_held_nodes(held);
-    const Eigen::MatrixXd approximate = dense([&](Vector &y, const Vector &x) { factor.vmult(y, x); }, like);
-    const Eigen::MatrixXd exact       = inverse_on_free_directions<dim>(K, held);
+    const Eigen::MatrixXd approximate =
+      dense([&](Vector &y, const Vector &x) { factor.vmult(y, x); }, like);
+    const Eigen::MatrixXd exact = inverse_on_free_directions<dim>(K, held);
     EXPECT_LT((approximate - exact).norm(), 2e-6 * exact.norm());
   }
 
@@ -53,8 +55,8 @@ public:
         {
           nodes.push_back(node);
           const bool all = position[1] > 0.9;
-          held.push_back(
-            held_in_turned_frame<dim>(node, 0.4 + position[1], all ? all_directions<dim>() : first_direction<dim>()));
+          held.push_back(held_in_turned_frame<dim>(
+            node, 0.4 + position[1], all ? all_directions<dim>() : first_direction<dim>()));
         }
     return held;
   }
@@ -75,7 +77,8 @@ TYPED_TEST(IncompleteCholeskyOf, HeldDirectionsOfTheLastNodeAreExact)
 {
   constexpr int        dim = TypeParam::value;
   const SmallBody<dim> cell(make_boxes<dim>(1, 0), MPI_COMM_SELF);
-  this->expect_exact_factors(cell, {held_in_turned_frame<dim>(1, 0.7, first_direction<dim>())}, {1});
+  this->expect_exact_factors(
+    cell, {held_in_turned_frame<dim>(1, 0.7, first_direction<dim>())}, {1});
   auto all_but_one     = all_directions<dim>();
   all_but_one[dim - 1] = false;
   this->expect_exact_factors(cell, {held_in_turned_frame<dim>(2, -0.3, all_but_one)}, {2});

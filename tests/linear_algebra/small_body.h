@@ -15,9 +15,14 @@
 
 namespace signorini
 {
-  /** Boxes [0,2] x [0,1]^(dim-1), side by side; where x < 1 perhaps refined once more, so that there are hanging nodes. */
+  /**
+   * Boxes [0,2] x [0,1]^(dim-1), side by side; where x < 1 perhaps refined once more, so that
+   * there are hanging nodes.
+   */
   template <int dim>
-  Scene<dim> make_boxes(const unsigned int n_bodies, const unsigned int refinements, const bool hanging_nodes = false)
+  Scene<dim> make_boxes(const unsigned int n_bodies,
+                        const unsigned int refinements,
+                        const bool         hanging_nodes = false)
   {
     Scene<dim> scene;
     for (unsigned int b = 0; b < n_bodies; ++b)
@@ -63,7 +68,8 @@ namespace signorini
     /** Nodal values of a field, zero in hanging nodes. */
     Vector field(const std::array<std::string, dim> &expressions) const
     {
-      return discretization.interpolate(std::vector<std::array<std::string, dim>>(scene.bodies.size(), expressions));
+      return discretization.interpolate(
+        std::vector<std::array<std::string, dim>>(scene.bodies.size(), expressions));
     }
 
     /** Some vector without symmetry, zero in hanging nodes; the same on any number of processes. */
@@ -71,8 +77,8 @@ namespace signorini
     {
       std::array<std::string, dim> expressions;
       for (unsigned int c = 0; c < dim; ++c)
-        expressions[c] = "sin(" + std::to_string(3 + c) + "*x + 5*y + " + std::to_string(phase) + ")"
-                         + (dim == 3 ? " + cos(4*z)" : "");
+        expressions[c] = "sin(" + std::to_string(3 + c) + "*x + 5*y + " + std::to_string(phase)
+                         + ")" + (dim == 3 ? " + cos(4*z)" : "");
       return field(expressions);
     }
 
@@ -83,7 +89,8 @@ namespace signorini
   };
 
   /** The matrix of a linear map (one process). */
-  inline Eigen::MatrixXd dense(const std::function<void(Vector &, const Vector &)> &map, const Vector &like)
+  inline Eigen::MatrixXd dense(const std::function<void(Vector &, const Vector &)> &map,
+                               const Vector                                        &like)
   {
     const unsigned int n = like.size();
     Eigen::MatrixXd    matrix(n, n);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The fused loops compute what their formulas say, for owned entries only: ghosts must not be counted twice.
+// The fused loops compute what their formulas say, for owned entries only: ghosts must not be
+// counted twice.
 
 #include <signorini/linear_algebra/vector_kernels.h>
 
@@ -15,7 +16,10 @@ namespace
 {
   constexpr unsigned int n = 37; // not a multiple of the lanes
 
-  /** Entries of this process are offset ... offset + n; the first entry of the next process is a ghost. */
+  /**
+   * Entries of this process are offset ... offset + n; the first entry of the next process is a
+   * ghost.
+   */
   Vector make_vector(const double a, const double b)
   {
     const auto       rank = dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Each redistribution keeps total mass, centre of gravity and tensor of inertia of a body to round-off, on bricks and on curved meshes, with
-// one and with two bodies, and takes all mass away from contact nodes. What it gives is positive definite elsewhere.
+// Each redistribution keeps total mass, centre of gravity and tensor of inertia of a body to
+// round-off, on bricks and on curved meshes, with one and with two bodies, and takes all mass away
+// from contact nodes. What it gives is positive definite elsewhere.
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,8 @@ namespace
           x.fill(left);
           y.fill(right);
           const auto [redistributed, consistent] = problem.both_products(x, y);
-          EXPECT_NEAR(redistributed, consistent, 1e-12 * total_mass(problem.discretization) * dim * 4.)
+          EXPECT_NEAR(
+            redistributed, consistent, 1e-12 * total_mass(problem.discretization) * dim * 4.)
             << left << " " << right;
         }
   }
@@ -40,7 +42,8 @@ namespace
     const auto &matrices = problem.discretization.matrices();
     ASSERT_EQ(matrices.massless_nodes.size(), problem.surface.nodes().size());
     ASSERT_GT(problem.surface.n_global_nodes(), 0u);
-    const Vector product = mass_times(problem.discretization, irregular_field(problem.discretization, 3.));
+    const Vector product =
+      mass_times(problem.discretization, irregular_field(problem.discretization, 3.));
     for (const ContactNode<dim> &node : problem.surface.nodes())
       for (unsigned int c = 0; c < dim; ++c)
         EXPECT_EQ(product.local_element(dim * node.node + c), 0.);
@@ -103,7 +106,8 @@ TEST(Extrapolation, KeepsTheMomentsWhereAllSidesMayTouch)
 {
   BodyDescription<3> body = box<3>();
   body.repetitions        = {{4, 5, 4}};
-  expect_all(contact_scene<3>(body, {sphere<3>(dealii::Point<3>(0.5, 0.5, 0.5), 3., true)}), "extrapolation");
+  expect_all(contact_scene<3>(body, {sphere<3>(dealii::Point<3>(0.5, 0.5, 0.5), 3., true)}),
+             "extrapolation");
 }
 
 TEST(MassAtHangingNodes, ExtrapolationAndMinimisationKeepTheMoments)
@@ -114,5 +118,6 @@ TEST(MassAtHangingNodes, ExtrapolationAndMinimisationKeepTheMoments)
       body.refinements        = 2;
       expect_all(contact_scene<2>(body, {floor_at<2>(0.)}, {2}), construction);
     }
-  expect_all(contact_scene<3>(box_with_hanging_nodes<3>(), {floor_at<3>(0.)}, {4}), "extrapolation");
+  expect_all(contact_scene<3>(box_with_hanging_nodes<3>(), {floor_at<3>(0.)}, {4}),
+             "extrapolation");
 }

@@ -40,14 +40,18 @@ namespace signorini::tests
     std::pair<double, double> both_products(const std::array<std::string, dim> &left,
                                             const std::array<std::string, dim> &right) const
     {
-      const Vector x = field<dim>(this->discretization, left), y = field<dim>(this->discretization, right);
-      Vector       standard = this->discretization.make_vector();
+      const Vector x  = field<dim>(this->discretization, left),
+                   y  = field<dim>(this->discretization, right);
+      Vector standard = this->discretization.make_vector();
       this->discretization.matrices().apply_standard_mass(standard, y);
       return {x * mass_times(this->discretization, y), x * standard};
     }
   };
 
-  /** A box of bricks of different thickness in each direction above a floor; only its lower side may touch. */
+  /**
+   * A box of bricks of different thickness in each direction above a floor; only its lower side
+   * may touch.
+   */
   template <int dim>
   Scene<dim> box_on_floor(const unsigned int layers)
   {

@@ -8,8 +8,8 @@
 #include <signorini/scene/scene.h>
 
 /**
- * The unit box (square) with hanging nodes, 0.1 above a floor, and its bottom as contact surface. Small enough that in 3d some
- * process may own no face of the bottom.
+ * The unit box (square) with hanging nodes, 0.1 above a floor, and its bottom as contact surface.
+ * Small enough that in 3d some process may own no face of the bottom.
  */
 template <int dim>
 signorini::Scene<dim> box_above_floor()

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Numbers come back from a table without loss; a table that cannot be written is an error on every process.
+// Numbers come back from a table without loss; a table that cannot be written is an error on every
+// process.
 
 #include "scratch.h"
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// After every write the two .pvd name complete moments: each file they name is there, and so is each piece.
+// After every write the two .pvd name complete moments: each file they name is there, and so is
+// each piece.
 
 #include "box_above_floor.h"
 #include "scratch.h"
@@ -23,7 +24,9 @@ namespace
     const std::string        text = contents(path);
     const std::regex         pattern("[ ]" + name + "=\"([^\"]*)\"");
     std::vector<std::string> values;
-    for (auto i = std::sregex_iterator(text.begin(), text.end(), pattern); i != std::sregex_iterator(); ++i)
+    for (auto i = std::sregex_iterator(text.begin(), text.end(), pattern);
+         i != std::sregex_iterator();
+         ++i)
       values.push_back((*i)[1]);
     return values;
   }
@@ -34,7 +37,9 @@ namespace
     return std::find(fields.begin(), fields.end(), field) != fields.end();
   }
 
-  void expect_complete(const std::string &folder, const std::string &series, const std::vector<std::string> &times)
+  void expect_complete(const std::string              &folder,
+                       const std::string              &series,
+                       const std::vector<std::string> &times)
   {
     const std::string pvd = folder + "/" + series + ".pvd";
     EXPECT_EQ(attributes(pvd, "timestep"), times);
@@ -45,7 +50,8 @@ namespace
         const auto pieces = attributes(folder + "/" + file, "Source");
         EXPECT_EQ(pieces.size(), dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD));
         for (const std::string &piece : pieces)
-          EXPECT_NE(contents(folder + "/fields/" + piece).find("</VTKFile>"), std::string::npos) << piece;
+          EXPECT_NE(contents(folder + "/fields/" + piece).find("</VTKFile>"), std::string::npos)
+            << piece;
       }
     for (const auto &entry : std::filesystem::directory_iterator(folder + "/fields"))
       EXPECT_NE(entry.path().extension(), ".part");
@@ -117,7 +123,8 @@ TEST(FieldOutput, VectorsOfFriction)
   for (const char *field : {"CSTATUS", "CSHEAR", "CSLIP", "CSLIP_INCREMENT"})
     EXPECT_TRUE(names(surface, field)) << field;
   const auto components = attributes(surface, "NumberOfComponents");
-  EXPECT_EQ(std::count(components.begin(), components.end(), "3"), 6) << "points, motion and the three vectors";
+  EXPECT_EQ(std::count(components.begin(), components.end(), "3"), 6)
+    << "points, motion and the three vectors";
 }
 
 // Pictures of an earlier run must not pass for those of this one.
@@ -139,7 +146,8 @@ TEST(FieldOutput, NoPairsNoSurface)
   EXPECT_FALSE(std::filesystem::exists(folder.name + "/surface.pvd"));
 }
 
-// A folder that vanishes during the run ends it with an error on all processes, and not with an abort inside of deal.II.
+// A folder that vanishes during the run ends it with an error on all processes, and not with an
+// abort inside of deal.II.
 TEST(FieldOutput, FolderVanishes)
 {
   const ScratchFolder    folder;

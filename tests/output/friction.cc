@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// With friction the contact surface shows what the nodes carry and how far they slid, at hanging nodes too, where fields that are linear
-// come back as they are; before the first step, when the state knows no friction, the fields are there and zero.
+// With friction the contact surface shows what the nodes carry and how far they slid, at hanging
+// nodes too, where fields that are linear come back as they are; before the first step, when the
+// state knows no friction, the fields are there and zero.
 
 #include "box_above_floor.h"
 
@@ -16,7 +17,10 @@ namespace
 {
   constexpr double pressure = 3., end_of_sticking = 0.6;
 
-  /** Nodes on one side stick. Hanging nodes lie between those that do and between those of which one does not. */
+  /**
+   * Nodes on one side stick. Hanging nodes lie between those that do and between those of which
+   * one does not.
+   */
   template <int dim>
   bool sticks(const dealii::Point<dim> &position)
   {
@@ -36,18 +40,21 @@ namespace
         state.contact_force.local_element(dim * node.node + dim - 1) = pressure * node.weight;
         friction.force.local_element(dim * node.node)                = 0.5 * pressure * node.weight;
         friction.accumulated_slip.local_element(dim * node.node)     = 0.2 + 0.1 * node.position[0];
-        friction.slip.local_element(dim * node.node + dim - 2)       = -0.01 * node.position[dim - 2];
+        friction.slip.local_element(dim * node.node + dim - 2) = -0.01 * node.position[dim - 2];
         friction.slip_path.push_back(1.);
-        friction.status.push_back(sticks<dim>(node.position) ? contact_status::stick : contact_status::slip);
+        friction.status.push_back(sticks<dim>(node.position) ? contact_status::stick
+                                                             : contact_status::slip);
       }
     return state;
   }
 
   template <int dim>
-  std::vector<typename SurfacePatches<dim>::Patch> patches_of(const BoxAboveFloor<dim> &box, const State &state)
+  std::vector<typename SurfacePatches<dim>::Patch> patches_of(const BoxAboveFloor<dim> &box,
+                                                              const State              &state)
   {
     SurfacePatches<dim> patches(box.discretization, *box.surface);
-    const Vector        zero = box.discretization.interpolate_hanging_nodes(box.discretization.make_vector());
+    const Vector        zero =
+      box.discretization.interpolate_hanging_nodes(box.discretization.make_vector());
     patches.build(state, zero, zero);
     EXPECT_EQ(patches.get_dataset_names().size(), 5 * dim + 3);
     return patches.get_patches();

@@ -18,9 +18,10 @@ namespace
   /** The last row of a table by names of columns. */
   std::map<std::string, double> last_row(const std::string &path)
   {
-    const std::vector<std::string> lines = split(contents(path), '\n');
-    const std::vector<std::string> names = split(lines.at(0), ','), values = split(lines.at(1), ',');
-    std::map<std::string, double>  row;
+    const std::vector<std::string> lines  = split(contents(path), '\n');
+    const std::vector<std::string> names  = split(lines.at(0), ','),
+                                   values = split(lines.at(1), ',');
+    std::map<std::string, double> row;
     EXPECT_EQ(names.size(), values.size());
     for (unsigned int i = 0; i < names.size(); ++i)
       row[names[i]] = std::stod(values.at(i));

@@ -76,7 +76,8 @@ TEST(RunLog, CopiesOfTheScene)
   log.copy_scene("set Dimension = 2", "set Dimension = 2\nset Output directory = x\n");
   log.finish();
   EXPECT_EQ(contents(folder.name + "/scene.prm"), "set Dimension = 2");
-  EXPECT_EQ(contents(folder.name + "/parameters.prm"), "set Dimension = 2\nset Output directory = x\n");
+  EXPECT_EQ(contents(folder.name + "/parameters.prm"),
+            "set Dimension = 2\nset Output directory = x\n");
 }
 
 TEST(RunLog, FullDisk)

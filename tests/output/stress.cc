@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The stress of a linear displacement is constant and known by Hooke's law in terms of E and nu; a rigid translation has none.
+// The stress of a linear displacement is constant and known by Hooke's law in terms of E and nu; a
+// rigid translation has none.
 
 #include "box_above_floor.h"
 
@@ -30,8 +31,9 @@ namespace
     ASSERT_GT(dealii::Utilities::MPI::max(discretization.hanging_node_constraints().n_constraints(),
                                           MPI_COMM_WORLD),
               0u);
-    const auto stresses =
-      cell_stress(discretization, discretization.interpolate_hanging_nodes(discretization.interpolate({displacement})));
+    const auto stresses = cell_stress(
+      discretization,
+      discretization.interpolate_hanging_nodes(discretization.interpolate({displacement})));
     ASSERT_EQ(stresses.size(), discretization.mesh().triangulation().n_active_cells());
     for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
       if (cell->is_locally_owned())

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What the contact surface shows is what the nodes carry, at hanging nodes too: a uniform pressure p enters as nodal forces
-// -p D nu and comes back as p; the gap of a tilted bottom is the linear function that it is.
+// What the contact surface shows is what the nodes carry, at hanging nodes too: a uniform pressure
+// p enters as nodal forces -p D nu and comes back as p; the gap of a tilted bottom is the linear
+// function that it is.
 
 #include "box_above_floor.h"
 
@@ -34,7 +35,8 @@ namespace
     state.contact_force = discretization.make_vector();
     for (const auto &node : box.surface->nodes())
       for (unsigned int c = 0; c < dim; ++c)
-        state.contact_force.local_element(dim * node.node + c) = -pressure * node.weight * node.normal()[c];
+        state.contact_force.local_element(dim * node.node + c) =
+          -pressure * node.weight * node.normal()[c];
 
     SurfacePatches<dim> patches(discretization, *box.surface);
     patches.build(state,
@@ -73,7 +75,8 @@ TEST(SurfacePatches, NoContact)
   check<3>(0.);
 }
 
-// Faces of the slave surface that can never touch are shown as open as the most open contact node, and without pressure.
+// Faces of the slave surface that can never touch are shown as open as the most open contact node,
+// and without pressure.
 TEST(SurfacePatches, FarSideLooksOpen)
 {
   Scene<2> scene = box_above_floor<2>();

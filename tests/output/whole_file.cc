@@ -18,7 +18,8 @@ namespace
 {
   std::string own_file(const ScratchFolder &folder)
   {
-    return folder.name + "/file" + std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
+    return folder.name + "/file"
+           + std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD));
   }
 } // namespace
 

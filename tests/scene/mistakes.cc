@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Every mistake is answered by a message that names the file, the line, the key, the value and a remedy.
+// Every mistake is answered by a message that names the file, the line, the key, the value and a
+// remedy.
 
 #include "scene_file.h"
 
@@ -31,107 +32,114 @@ namespace
         expect_words(message, mistake.words);
 
         const TemporaryFile correct(correct_scene());
-        expect_words(refusal(correct.name, {{mistake.path, mistake.value}}), {correct.name + ", --set", mistake.path});
+        expect_words(refusal(correct.name, {{mistake.path, mistake.value}}),
+                     {correct.name + ", --set", mistake.path});
       }
   }
 } // namespace
 
 TEST(Mistakes, TopLevelAndTime)
 {
-  expect_refusals({{"Dimension", "4", {"2 (plane strain) or 3"}},
-                   {"Dimension", "three", {"must be"}},
-                   {"Output directory", "", {"is empty", "Name a folder"}},
-                   {"Mapping", "curvd", {"Did you mean `curved`?", "Valid: linear, curved"}},
-                   {"Time/Scheme", "contact-stabilised", {"Did you mean `contact-stabilized`?", "newmark"}},
-                   {"Time/Mass", "lumpd", {"Did you mean `lumped`?"}},
-                   {"Time/Step size", "0", {"must be positive"}},
-                   {"Time/Step size", "-1e-3", {"must be positive"}},
-                   {"Time/Step size", "nan", {"must be a finite number"}},
-                   {"Time/Step size", "fast", {"must be a finite number"}},
-                   {"Time/Step size", "1", {"larger than the end time 0.5", "Reduce"}},
-                   {"Time/Step size", "1e-12", {"hundred million", "Increase"}},
-                   {"Time/End time", "0", {"must be positive"}},
-                   {"Time/End time", "inf", {"must be a finite number"}},
-                   {"Time/Step size control", "doubled", {"Did you mean `doubling`?"}},
-                   {"Time/Step tolerance", "0.1", {"Step size control = fixed", "Remove"}},
-                   {"Time/Minimum step size", "1e-4", {"Step size control = fixed", "Remove"}},
-                   {"Time/Maximum step size", "1e-1", {"Step size control = fixed", "Remove"}}});
+  expect_refusals(
+    {{"Dimension", "4", {"2 (plane strain) or 3"}},
+     {"Dimension", "three", {"must be"}},
+     {"Output directory", "", {"is empty", "Name a folder"}},
+     {"Mapping", "curvd", {"Did you mean `curved`?", "Valid: linear, curved"}},
+     {"Time/Scheme", "contact-stabilised", {"Did you mean `contact-stabilized`?", "newmark"}},
+     {"Time/Mass", "lumpd", {"Did you mean `lumped`?"}},
+     {"Time/Step size", "0", {"must be positive"}},
+     {"Time/Step size", "-1e-3", {"must be positive"}},
+     {"Time/Step size", "nan", {"must be a finite number"}},
+     {"Time/Step size", "fast", {"must be a finite number"}},
+     {"Time/Step size", "1", {"larger than the end time 0.5", "Reduce"}},
+     {"Time/Step size", "1e-12", {"hundred million", "Increase"}},
+     {"Time/End time", "0", {"must be positive"}},
+     {"Time/End time", "inf", {"must be a finite number"}},
+     {"Time/Step size control", "doubled", {"Did you mean `doubling`?"}},
+     {"Time/Step tolerance", "0.1", {"Step size control = fixed", "Remove"}},
+     {"Time/Minimum step size", "1e-4", {"Step size control = fixed", "Remove"}},
+     {"Time/Maximum step size", "1e-1", {"Step size control = fixed", "Remove"}}});
 }
 
 TEST(Mistakes, StepsOfVariableSize)
 {
-  const std::vector<Mistake> mistakes = {{"Time/Step tolerance", "0", {"between 1e-8 and 1"}},
-                                         {"Time/Step tolerance", "nan", {"must be a finite number"}},
-                                         {"Time/Minimum step size", "-1", {"must not be negative"}},
-                                         {"Time/Minimum step size", "0.4", {"larger than the first `Step size`"}},
-                                         {"Time/Maximum step size", "1e-9", {"smaller than the first `Step size`"}},
-                                         {"Time/Scheme", "reference", {"Step size control", "another scheme"}}};
+  const std::vector<Mistake> mistakes = {
+    {"Time/Step tolerance", "0", {"between 1e-8 and 1"}},
+    {"Time/Step tolerance", "nan", {"must be a finite number"}},
+    {"Time/Minimum step size", "-1", {"must not be negative"}},
+    {"Time/Minimum step size", "0.4", {"larger than the first `Step size`"}},
+    {"Time/Maximum step size", "1e-9", {"smaller than the first `Step size`"}},
+    {"Time/Scheme", "reference", {"Step size control", "another scheme"}}};
   for (const Mistake &mistake : mistakes)
     for (const std::string control : {"doubling", "embedded", "force"})
       {
         SCOPED_TRACE(mistake.path + " = " + mistake.value);
         const TemporaryFile correct(correct_scene());
-        expect_words(refusal(correct.name, {{"Time/Step size control", control}, {mistake.path, mistake.value}}),
+        expect_words(refusal(correct.name,
+                             {{"Time/Step size control", control}, {mistake.path, mistake.value}}),
                      mistake.words);
       }
 }
 
 TEST(Mistakes, ShapesAndMaterial)
 {
-  expect_refusals({{"Bodies/ball/Shape", "bal", {"Did you mean `ball`?", "Valid: ball, box, cylinder"}},
-                   {"Bodies/ball/File", "ball.msh", {"`Shape = ball`", "Set `Shape = file`"}},
-                   {"Bodies/ball/Radius", "0", {"must be positive"}},
-                   {"Bodies/ball/Radius", "-1", {"must be positive"}},
-                   {"Bodies/ball/Centre", "0, 1", {"must be 3 numbers", "commas"}},
-                   {"Bodies/ball/Centre", "0, 0, 1e-400", {"too small"}},
-                   {"Bodies/ball/Centre", "0; 0; 1", {"must be 3 numbers", "commas"}},
-                   {"Bodies/ball/Refinements", "-1", {"between 0 and 12"}},
-                   {"Bodies/ball/Refinements", "40", {"between 0 and 12"}},
-                   {"Bodies/ball/Refinements", "2.5", {"must be an integer"}},
-                   {"Bodies/ball/Local refinements", "2", {"`Refine where`"}},
-                   {"Bodies/ball/Refine where", "0.2 - q", {"cannot be understood", "x,y,z,h"}},
-                   {"Bodies/ball/Refine where", "1/h", {"infinite", "at h = 0"}},
-                   {"Bodies/box/Upper corner", "3, 0, 1.5", {"y coordinate", "Exchange"}},
-                   {"Bodies/box/Rotation", "90", {"must be 3 numbers", "commas"}},
-                   {"Bodies/box/Rotation centre", "1, 2", {"must be 3 numbers", "centre of the shape"}},
-                   {"Bodies/box/Rotation centre", "here", {"must be 3 numbers"}},
-                   {"Bodies/box/Translation", "0; 0; 1", {"must be 3 numbers", "commas"}},
-                   {"Bodies/box/Cap radius", "-2", {"must not be negative", "0 for a flat face"}},
-                   {"Bodies/ball/Cap radius", "2", {"only a face of a box", "`Shape = ball`"}},
-                   {"Bodies/ball/Cap boundary", "0", {"only a face of a box", "Remove"}},
-                   {"Bodies/box/Repetitions", "1, 0, 1", {"at least one cell in y"}},
-                   {"Bodies/box/Repetitions", "1, -2, 1", {"at least one cell in y"}},
-                   {"Bodies/ball/Young's modulus", "0", {"must be positive"}},
-                   {"Bodies/ball/Young's modulus", "-500", {"must be positive"}},
-                   {"Bodies/ball/Poisson's ratio", "0.5", {"incompressible", "mixed method", "0.49"}},
-                   {"Bodies/ball/Poisson's ratio", "-1", {"shear modulus infinite", "larger"}},
-                   {"Bodies/ball/Poisson's ratio", "0.7", {"smaller than 0.5"}},
-                   {"Bodies/ball/Density", "0", {"must be positive"}}});
+  expect_refusals(
+    {{"Bodies/ball/Shape", "bal", {"Did you mean `ball`?", "Valid: ball, box, cylinder"}},
+     {"Bodies/ball/File", "ball.msh", {"`Shape = ball`", "Set `Shape = file`"}},
+     {"Bodies/ball/Radius", "0", {"must be positive"}},
+     {"Bodies/ball/Radius", "-1", {"must be positive"}},
+     {"Bodies/ball/Centre", "0, 1", {"must be 3 numbers", "commas"}},
+     {"Bodies/ball/Centre", "0, 0, 1e-400", {"too small"}},
+     {"Bodies/ball/Centre", "0; 0; 1", {"must be 3 numbers", "commas"}},
+     {"Bodies/ball/Refinements", "-1", {"between 0 and 12"}},
+     {"Bodies/ball/Refinements", "40", {"between 0 and 12"}},
+     {"Bodies/ball/Refinements", "2.5", {"must be an integer"}},
+     {"Bodies/ball/Local refinements", "2", {"`Refine where`"}},
+     {"Bodies/ball/Refine where", "0.2 - q", {"cannot be understood", "x,y,z,h"}},
+     {"Bodies/ball/Refine where", "1/h", {"infinite", "at h = 0"}},
+     {"Bodies/box/Upper corner", "3, 0, 1.5", {"y coordinate", "Exchange"}},
+     {"Bodies/box/Rotation", "90", {"must be 3 numbers", "commas"}},
+     {"Bodies/box/Rotation centre", "1, 2", {"must be 3 numbers", "centre of the shape"}},
+     {"Bodies/box/Rotation centre", "here", {"must be 3 numbers"}},
+     {"Bodies/box/Translation", "0; 0; 1", {"must be 3 numbers", "commas"}},
+     {"Bodies/box/Cap radius", "-2", {"must not be negative", "0 for a flat face"}},
+     {"Bodies/ball/Cap radius", "2", {"only a face of a box", "`Shape = ball`"}},
+     {"Bodies/ball/Cap boundary", "0", {"only a face of a box", "Remove"}},
+     {"Bodies/box/Repetitions", "1, 0, 1", {"at least one cell in y"}},
+     {"Bodies/box/Repetitions", "1, -2, 1", {"at least one cell in y"}},
+     {"Bodies/ball/Young's modulus", "0", {"must be positive"}},
+     {"Bodies/ball/Young's modulus", "-500", {"must be positive"}},
+     {"Bodies/ball/Poisson's ratio", "0.5", {"incompressible", "mixed method", "0.49"}},
+     {"Bodies/ball/Poisson's ratio", "-1", {"shear modulus infinite", "larger"}},
+     {"Bodies/ball/Poisson's ratio", "0.7", {"smaller than 0.5"}},
+     {"Bodies/ball/Density", "0", {"must be positive"}}});
 }
 
 TEST(Mistakes, Expressions)
 {
-  expect_refusals({{"Bodies/ball/Initial velocity", "0; 0; -2*q", {"`-2*q`", "Unexpected token \"q\"", "x,y,z"}},
-                   {"Bodies/ball/Initial velocity", "0; 0; sin(", {"`sin(`", "Unexpected end"}},
-                   {"Bodies/ball/Initial velocity", "0; 0; t", {"`t`", "x,y,z,"}},
-                   {"Bodies/ball/Initial velocity", "0; 0; ", {"Expression is empty"}},
-                   {"Bodies/ball/Initial velocity", "0, 0, -2", {"3 components", "semicolons"}},
-                   {"Bodies/ball/Initial velocity", "0; -2", {"3 components", "has 2"}},
-                   {"Bodies/ball/Initial displacement", "0; 0; 1/x", {"`1/x`", "infinite", "if(condition"}},
-                   {"Bodies/ball/Body force", "0; 0; sqrt(-1-t)", {"`sqrt(-1-t)`", "not a number", "t = 0"}},
-                   {"Bodies/box/Dirichlet", "0: foo(x); -; -", {"`foo(x)`", "cannot be understood"}},
-                   {"Bodies/box/Traction", "5: 0; 0; 1/(z - 1.5)", {"infinite"}}});
+  expect_refusals(
+    {{"Bodies/ball/Initial velocity", "0; 0; -2*q", {"`-2*q`", "Unexpected token \"q\"", "x,y,z"}},
+     {"Bodies/ball/Initial velocity", "0; 0; sin(", {"`sin(`", "Unexpected end"}},
+     {"Bodies/ball/Initial velocity", "0; 0; t", {"`t`", "x,y,z,"}},
+     {"Bodies/ball/Initial velocity", "0; 0; ", {"Expression is empty"}},
+     {"Bodies/ball/Initial velocity", "0, 0, -2", {"3 components", "semicolons"}},
+     {"Bodies/ball/Initial velocity", "0; -2", {"3 components", "has 2"}},
+     {"Bodies/ball/Initial displacement", "0; 0; 1/x", {"`1/x`", "infinite", "if(condition"}},
+     {"Bodies/ball/Body force", "0; 0; sqrt(-1-t)", {"`sqrt(-1-t)`", "not a number", "t = 0"}},
+     {"Bodies/box/Dirichlet", "0: foo(x); -; -", {"`foo(x)`", "cannot be understood"}},
+     {"Bodies/box/Traction", "5: 0; 0; 1/(z - 1.5)", {"infinite"}}});
 }
 
 TEST(Mistakes, BoundaryConditions)
 {
-  expect_refusals({{"Bodies/ball/Dirichlet", "1: 0; 0; 0", {"no boundary id `1`", "Valid: 0."}},
-                   {"Bodies/box/Dirichlet", "6: 0; 0; 0", {"no boundary id `6`", "Valid: 0, 1, 2, 3, 4, 5."}},
-                   {"Bodies/box/Dirichlet", "-1: 0; 0; 0", {"no boundary id `-1`"}},
-                   {"Bodies/box/Dirichlet", "0; 0; 0", {"boundary id", "Write"}},
-                   {"Bodies/box/Dirichlet", "0: 0; 0", {"3 components"}},
-                   {"Bodies/box/Dirichlet", "0: 0; -; - | 0: -; 0; -", {"given twice", "Join"}},
-                   {"Bodies/box/Traction", "1: 0; 0; 5", {"z component on boundary id 1", "Dirichlet"}}});
+  expect_refusals(
+    {{"Bodies/ball/Dirichlet", "1: 0; 0; 0", {"no boundary id `1`", "Valid: 0."}},
+     {"Bodies/box/Dirichlet", "6: 0; 0; 0", {"no boundary id `6`", "Valid: 0, 1, 2, 3, 4, 5."}},
+     {"Bodies/box/Dirichlet", "-1: 0; 0; 0", {"no boundary id `-1`"}},
+     {"Bodies/box/Dirichlet", "0; 0; 0", {"boundary id", "Write"}},
+     {"Bodies/box/Dirichlet", "0: 0; 0", {"3 components"}},
+     {"Bodies/box/Dirichlet", "0: 0; -; - | 0: -; 0; -", {"given twice", "Join"}},
+     {"Bodies/box/Traction", "1: 0; 0; 5", {"z component on boundary id 1", "Dirichlet"}}});
 }
 
 TEST(Mistakes, Names)
@@ -155,31 +163,42 @@ TEST(Mistakes, ObstaclesAndProbes)
 
 TEST(Mistakes, Pairs)
 {
-  expect_refusals({{"Contact/Pairs", "bal : floor", {"no body `bal`", "Did you mean `ball`?", "Valid: ball, box"}},
-                   {"Contact/Pairs", "ball : flor", {"no obstacle or body `flor`", "Did you mean `floor`?", "pillar"}},
-                   {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
-                   {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
-                   {"Contact/Pairs", "ball : ball", {"with itself", "Name another body"}},
-                   {"Contact/Pairs", "ball : box, box : ball", {"same contact twice"}},
-                   {"Contact/Pairs", "ball : box[4], box[4,5] : ball[0]", {"same contact twice"}},
-                   {"Contact/Pairs", "ball : box[4,4]", {"names boundary id 4 twice"}},
-                   {"Contact/Pairs", "ball : bxo[4]", {"no obstacle or body `bxo`", "pillar, box"}},
-                   {"Contact/Pairs", "floor : ball", {"The body comes first"}},
-                   {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
-                   {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
-                   {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}}});
+  expect_refusals(
+    {{"Contact/Pairs",
+      "bal : floor",
+      {"no body `bal`", "Did you mean `ball`?", "Valid: ball, box"}},
+     {"Contact/Pairs",
+      "ball : flor",
+      {"no obstacle or body `flor`", "Did you mean `floor`?", "pillar"}},
+     {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
+     {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
+     {"Contact/Pairs", "ball : ball", {"with itself", "Name another body"}},
+     {"Contact/Pairs", "ball : box, box : ball", {"same contact twice"}},
+     {"Contact/Pairs", "ball : box[4], box[4,5] : ball[0]", {"same contact twice"}},
+     {"Contact/Pairs", "ball : box[4,4]", {"names boundary id 4 twice"}},
+     {"Contact/Pairs", "ball : bxo[4]", {"no obstacle or body `bxo`", "pillar, box"}},
+     {"Contact/Pairs", "floor : ball", {"The body comes first"}},
+     {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
+     {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}}});
 }
 
 TEST(Mistakes, Friction)
 {
   expect_refusals(
-    {{"Contact/ball : floor/Friction law", "coulumb", {"Did you mean `coulomb`?", "Valid: coulomb, tresca"}},
+    {{"Contact/ball : floor/Friction law",
+      "coulumb",
+      {"Did you mean `coulomb`?", "Valid: coulomb, tresca"}},
      {"Contact/ball : floor/Friction law", "tresca,", {"Did you mean `tresca`?"}},
-     {"Contact/ball : floor/Friction coefficient", "-0.3", {"must not be negative", "0 for no friction"}},
+     {"Contact/ball : floor/Friction coefficient",
+      "-0.3",
+      {"must not be negative", "0 for no friction"}},
      {"Contact/ball : floor/Friction coefficient", "0.2 - 0.5", {"must not be negative"}},
      {"Contact/ball : floor/Friction coefficient", "1/0", {"must be a finite number", "Give"}},
      {"Contact/ball : floor/Friction coefficient", "inf", {"cannot be understood"}},
-     {"Contact/ball : floor/Friction coefficient", "0.3*q", {"`0.3*q`", "cannot be understood", "x,y,z"}},
+     {"Contact/ball : floor/Friction coefficient",
+      "0.3*q",
+      {"`0.3*q`", "cannot be understood", "x,y,z"}},
      {"Contact/ball : floor/Friction coefficient", "0.3*t", {"`0.3*t`", "cannot be understood"}},
      {"Contact/ball : floor/Friction coefficient", "1/(x - x)", {"infinite", "if(condition"}},
      {"Contact/ball : floor/Friction coefficient", "", {"Expression is empty"}},
@@ -187,7 +206,9 @@ TEST(Mistakes, Friction)
      {"Contact/ball : floor/Friction bound", "1 - 1", {"no friction at all"}},
      {"Contact/ball : floor/Friction bound", "-2", {"must not be negative", "positive stress"}},
      {"Contact/ball : floor/Friction bound", "2*", {"cannot be understood"}},
-     {"Contact/box[2,4] : pillar/Friction bound", "2", {"`Friction coefficient`", "not given", "tresca"}}});
+     {"Contact/box[2,4] : pillar/Friction bound",
+      "2",
+      {"`Friction coefficient`", "not given", "tresca"}}});
 }
 
 TEST(Mistakes, SolverAndOutput)
@@ -220,7 +241,9 @@ TEST(Mistakes, Adaptivity)
     expect_words(message, words);
   };
   EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name), "");
-  EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name, {{"Adaptivity/Indicator", "none"}}), "");
+  EXPECT_EQ(
+    refusal(TemporaryFile(correct_scene() + adaptive).name, {{"Adaptivity/Indicator", "none"}}),
+    "");
   expect("Indicator", "kely", {"Did you mean `kelly`?", "none, residual"});
   expect("Marking", "fixed", {"Valid: fixed fraction, tolerance"});
   expect("Refine fraction", "1.5", {"between 0 and 1"});
@@ -233,9 +256,16 @@ TEST(Mistakes, Adaptivity)
   expect("Minimum level", "4", {"smaller than `Maximum level` = 4"});
   expect("Steps between remeshings", "0", {"between 1 and"});
   expect("Repetitions", "100", {"between 0 and 20"});
-  expect("Distance", "-0.1", {"must not be negative"}, assignment("Adaptivity/Indicator", "distance"));
-  expect("Tolerance", "0.1", {"Indicator = distance", "Remove"}, assignment("Adaptivity/Indicator", "distance"));
-  expect("Marking", "tolerance", {"Indicator = distance", "Remove"}, assignment("Adaptivity/Indicator", "distance"));
+  expect(
+    "Distance", "-0.1", {"must not be negative"}, assignment("Adaptivity/Indicator", "distance"));
+  expect("Tolerance",
+         "0.1",
+         {"Indicator = distance", "Remove"},
+         assignment("Adaptivity/Indicator", "distance"));
+  expect("Marking",
+         "tolerance",
+         {"Indicator = distance", "Remove"},
+         assignment("Adaptivity/Indicator", "distance"));
   expect("Refine fraction",
          "0.3",
          {"Marking = tolerance", "Remove"},
@@ -251,41 +281,49 @@ TEST(Mistakes, TheEqualShareNeedsATolerance)
   const TemporaryFile file(correct_scene() + assignment("Adaptivity/Indicator", "kelly")
                            + assignment("Adaptivity/Maximum level", "4")
                            + assignment("Adaptivity/Marking", "tolerance"));
-  expect_words(refusal(file.name), {file.name, "Adaptivity/Tolerance", "is missing", "Marking = tolerance"});
+  expect_words(refusal(file.name),
+               {file.name, "Adaptivity/Tolerance", "is missing", "Marking = tolerance"});
 }
 
 TEST(Mistakes, UnknownKeysAndSections)
 {
-  expect_refusals({{"Dimensions", "3", {"unknown key", "Did you mean `Dimension`?", "Valid:"}},
-                   {"Bodies/ball/Center", "0, 0, 1", {"Did you mean `Centre`?"}},
-                   {"Bodies/ball/Youngs modulus", "1", {"Did you mean `Young's modulus`?", "Density"}},
-                   {"Step size", "1e-3", {"belongs to section `Time`", "end"}},
-                   {"Bodies/ball/Files", "x.msh", {"Did you mean `File`?"}}});
+  expect_refusals(
+    {{"Dimensions", "3", {"unknown key", "Did you mean `Dimension`?", "Valid:"}},
+     {"Bodies/ball/Center", "0, 0, 1", {"Did you mean `Centre`?"}},
+     {"Bodies/ball/Youngs modulus", "1", {"Did you mean `Young's modulus`?", "Density"}},
+     {"Step size", "1e-3", {"belongs to section `Time`", "end"}},
+     {"Bodies/ball/Files", "x.msh", {"Did you mean `File`?"}}});
   const auto expect = [](const std::string &path, const std::vector<std::string> &words) {
     const TemporaryFile file(correct_scene() + assignment(path, "1"));
     expect_words(refusal(file.name), {file.name + ", line "});
     expect_words(refusal(file.name), words);
   };
   expect("Tim/Step size", {"unknown section `Tim`", "Did you mean `Time`?", "Valid: Time, Bodies"});
-  expect("Bodies/bal/Radius", {"unknown section `Bodies/bal`", "`Bodies/Names`", "Did you mean `ball`?"});
-  expect("Contact/ball : pillar/Friction coefficient", {"`Contact/Pairs` does not list this pair", "add"});
+  expect("Bodies/bal/Radius",
+         {"unknown section `Bodies/bal`", "`Bodies/Names`", "Did you mean `ball`?"});
+  expect("Contact/ball : pillar/Friction coefficient",
+         {"`Contact/Pairs` does not list this pair", "add"});
   expect("Time/Scheme/Name", {"unknown section `Time/Scheme`", "no sections inside", "`end`"});
   expect("Checkpoint/Every", {"not available in this version", "Remove"});
 }
 
 TEST(Mistakes, FrictionThatDoesNotFit)
 {
-  const auto expect = [](const std::vector<Override> &overrides, const std::vector<std::string> &words) {
+  const auto expect = [](const std::vector<Override>    &overrides,
+                         const std::vector<std::string> &words) {
     const TemporaryFile file(correct_scene());
     expect_words(refusal(file.name, overrides), words);
   };
   const std::string pair = "Contact/ball : floor/";
-  expect({{pair + "Friction law", "tresca"}}, {"Friction bound (not given)", "tresca` needs", "coulomb"});
-  expect({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "-1"}}, {"Friction bound = -1", "negative"});
+  expect({{pair + "Friction law", "tresca"}},
+         {"Friction bound (not given)", "tresca` needs", "coulomb"});
+  expect({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "-1"}},
+         {"Friction bound = -1", "negative"});
   for (const std::string coefficient : {"0.3", "0.1*x"})
-    expect(
-      {{pair + "Friction law", "tresca"}, {pair + "Friction bound", "2"}, {pair + "Friction coefficient", coefficient}},
-      {"Friction coefficient = " + coefficient, "not used", "Remove", "coulomb"});
+    expect({{pair + "Friction law", "tresca"},
+            {pair + "Friction bound", "2"},
+            {pair + "Friction coefficient", coefficient}},
+           {"Friction coefficient = " + coefficient, "not used", "Remove", "coulomb"});
   for (const std::string scheme : {"khenous-laborde-renard",
                                    "hht-alpha",
                                    "generalized-alpha",
@@ -294,54 +332,12 @@ TEST(Mistakes, FrictionThatDoesNotFit)
                                    "reference"})
     {
       expect({{"Time/Scheme", scheme}, {pair + "Friction coefficient", "0.3"}},
-             {"Friction coefficient = 0.3", scheme + " knows no friction", "contact-implicit, laursen-chawla"});
-      expect({{"Time/Scheme", scheme}, {pair + "Friction law", "tresca"}, {pair + "Friction bound", "x"}},
+             {"Friction coefficient = 0.3",
+              scheme + " knows no friction",
+              "contact-implicit, laursen-chawla"});
+      expect({{"Time/Scheme", scheme},
+              {pair + "Friction law", "tresca"},
+              {pair + "Friction bound", "x"}},
              {"Friction bound = x", scheme + " knows no friction", "`Friction bound = 0`"});
     }
-}
-
-TEST(Mistakes, SeveralValuesTogether)
-{
-  const auto expect = [](const std::vector<Override> &overrides, const std::vector<std::string> &words) {
-    const TemporaryFile file(correct_scene());
-    expect_words(refusal(file.name, overrides), words);
-  };
-  expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},
-         {"Predictor mass = lumped", "Scheme = newmark", "Remove"});
-  expect({{"Time/Mass", "redistributed"}}, // the scheme is contact-stabilized
-         {"Mass = redistributed", "makes no sense with Scheme = contact-stabilized", "predictor", "contact-implicit"});
-  expect({{"Time/Mass", "zero on contact boundary"}, {"Time/Scheme", "contact-stabilized-projected"}},
-         {"makes no sense", "predictor"});
-  expect({{"Time/Mass", "redistributed"}, {"Time/Scheme", "laursen-love"}}, {"makes no sense", "impulses"});
-  expect({{"Time/Mass", "redistributed"}, {"Time/Scheme", "hht-alpha"}}, {"makes no sense", "accelerations"});
-  expect({{"Time/Mass", "lumped"}, {"Time/Scheme", "khenous-laborde-renard"}},
-         {"Mass = lumped", "contact nodes without mass", "Remove"});
-  expect({{"Time/Mass redistribution", "minimisation"}, {"Time/Scheme", "newmark"}},
-         {"Mass redistribution = minimisation", "Mass = consistent", "redistributed"});
-  expect({{"Time/Newmark beta", "0.2"}}, {"Newmark beta = 0.2", "between 0.25 and 1", "not stable"});
-  expect({{"Time/Newmark gamma", "1.2"}}, {"Newmark gamma = 1.2", "Newmark beta", "not stable"});
-  expect({{"Time/Reference tolerance", "0"}}, {"Reference tolerance = 0", "between"});
-  expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "per node"}},
-         {"Impulses = per node", "Scheme = newmark", "Remove"});
-  expect({{"Time/Scheme", "newmark"}, {"Time/Stop sticking nodes", "false"}},
-         {"Stop sticking nodes = false", "Scheme = newmark", "Remove"});
-  expect({{"Time/Start", "equilibrium"}, {"Bodies/box/Initial displacement", "0; 0; 0.1*x"}},
-         {"Bodies/box/Initial displacement = 0; 0; 0.1*x", "Time/Start = equilibrium", "Remove"});
-  expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
-  expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
-  expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});
-  expect({{"Probes/Names", "south, north"}}, {"Probes/north/Point (not given)", "Add"});
-  expect({{"Bodies/ball/Shape", "cylinder"}, {"Bodies/ball/Length", "-1"}}, {"Length = -1", "positive"});
-  expect({{"Bodies/ball/Shape", "file"}}, {"Bodies/ball/File (not given)", "needs a mesh"});
-  expect({{"Bodies/box/Cap radius", "2"}}, {"Cap boundary (not given)", "0, 1, 2, 3, 4, 5"});
-  expect({{"Bodies/box/Cap radius", "2"}, {"Bodies/box/Cap boundary", "6"}}, {"Cap boundary = 6", "0, 1, 2, 3, 4, 5"});
-  // The face has edges of length 1, the opposite face is at distance 1: half of the diagonal counts.
-  expect({{"Bodies/box/Cap radius", "0.7071"}, {"Bodies/box/Cap boundary", "4"}},
-         {"Cap radius = 0.7071", "does not fit", "larger than 0.707107"});
-  // At distance 0.5 only, it would reach the opposite face: (0.5 + 0.25) / (2 * 0.5).
-  expect({{"Bodies/box/Cap radius", "0.74"}, {"Bodies/box/Cap boundary", "4"}, {"Bodies/box/Upper corner", "3, 1, 1"}},
-         {"Cap radius = 0.74", "larger than 0.75", "opposite face"});
-  expect({{"Obstacles/floor/Shape", "function"}}, {"Obstacles/floor/Signed distance (not given)", "Give one"});
-  expect({{"Exact solution/Displacement", "0; 0; 1"}}, {"Exact solution/Velocity (not given)", "both"});
-  expect({{"Exact solution/Velocity", "0; 0; 1"}}, {"Exact solution/Displacement (not given)", "both"});
 }

@@ -41,14 +41,16 @@ namespace
   /** The correct scene in two dimensions without contact. */
   std::string flat_scene()
   {
-    return "set Dimension = 2\n" + assignment("Time/Step size", "1e-2") + assignment("Time/End time", "1")
-           + assignment("Bodies/Names", "disc") + assignment("Bodies/disc/Radius", "1");
+    return "set Dimension = 2\n" + assignment("Time/Step size", "1e-2")
+           + assignment("Time/End time", "1") + assignment("Bodies/Names", "disc")
+           + assignment("Bodies/disc/Radius", "1");
   }
 } // namespace
 
 TEST(Syntax, FilesThatCannotBeRead)
 {
-  EXPECT_NE(refusal("no/such/scene.prm").find("no/such/scene.prm: cannot read this scene: there is no such file"),
+  EXPECT_NE(refusal("no/such/scene.prm")
+              .find("no/such/scene.prm: cannot read this scene: there is no such file"),
             std::string::npos);
   EXPECT_NE(refusal(testing::TempDir()).find("it is a directory"), std::string::npos);
   expect_refusal(std::string("a\0b", 3), {"not a text file"});
@@ -57,7 +59,8 @@ TEST(Syntax, FilesThatCannotBeRead)
 
 TEST(Syntax, Lines)
 {
-  expect_refusal("subsection Time\n  set Step size = 1\n", {"line 1", "`subsection Time` has no `end`", "Add"});
+  expect_refusal("subsection Time\n  set Step size = 1\n",
+                 {"line 1", "`subsection Time` has no `end`", "Add"});
   expect_refusal("subsection Time\nend\nend\n", {"line 3", "`end` closes nothing", "Remove"});
   expect_refusal("\nRadius = 1\n", {"line 2", "Write `set Radius = 1`"});
   expect_refusal("set Dimension 3\n", {"line 1", "has no value", "set key = value"});
@@ -75,7 +78,8 @@ TEST(Syntax, MissingTimes)
 
 TEST(Syntax, ShapesThatNeedThreeDimensions)
 {
-  expect_refusal(flat_scene() + assignment("Bodies/disc/Shape", "cylinder"), {"cylinder", "`ball`", "`box`"});
+  expect_refusal(flat_scene() + assignment("Bodies/disc/Shape", "cylinder"),
+                 {"cylinder", "`ball`", "`box`"});
   expect_refusal(flat_scene() + assignment("Obstacles/Names", "pillar")
                    + assignment("Obstacles/pillar/Shape", "cylinder"),
                  {"cylinder", "`sphere`"});
@@ -83,7 +87,8 @@ TEST(Syntax, ShapesThatNeedThreeDimensions)
 
 TEST(Syntax, ProbeWithoutContact)
 {
-  expect_refusal(flat_scene() + assignment("Probes/Names", "tip") + assignment("Probes/tip/Point", "0, 1"),
+  expect_refusal(flat_scene() + assignment("Probes/Names", "tip")
+                   + assignment("Probes/tip/Point", "0, 1"),
                  {"Probes/Names = tip", "no contact pair", "remove"});
 }
 

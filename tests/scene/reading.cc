@@ -107,7 +107,9 @@ TEST(Reading, ObstaclesPairsProbes)
 TEST(Reading, Friction)
 {
   const std::string pair = "Contact/ball : floor/";
-  const auto        of   = [&](const std::vector<Override> &overrides) { return read(overrides).pairs[0].friction; };
+  const auto        of   = [&](const std::vector<Override> &overrides) {
+    return read(overrides).pairs[0].friction;
+  };
   EXPECT_FALSE(read().pairs[1].friction.any);
   EXPECT_EQ(read().pairs[1].friction.law, FrictionKind::coulomb);
 
@@ -119,7 +121,8 @@ TEST(Reading, Friction)
   EXPECT_TRUE(coulomb.any);
   EXPECT_EQ(of({{pair + "Friction coefficient", "0.3"}}).bound, "");
 
-  const FrictionDescription tresca = of({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "2 - z"}});
+  const FrictionDescription tresca =
+    of({{pair + "Friction law", "tresca"}, {pair + "Friction bound", "2 - z"}});
   EXPECT_EQ(tresca.law, FrictionKind::tresca);
   EXPECT_EQ(tresca.coefficient, "0");
   EXPECT_EQ(tresca.bound, "2 - z");
@@ -132,11 +135,14 @@ TEST(Reading, NoFriction)
   const std::string pair = "Contact/ball : floor/";
   for (const std::string zero : {"0", "0.0", "1-1", "sin(0)", "-0"})
     {
-      EXPECT_FALSE(read({{pair + "Friction coefficient", zero}, {"Time/Scheme", "moreau-jean"}}).pairs[0].friction.any);
-      EXPECT_FALSE(
-        read({{pair + "Friction law", "tresca"}, {pair + "Friction bound", zero}, {"Time/Scheme", "moreau-jean"}})
-          .pairs[0]
-          .friction.any);
+      EXPECT_FALSE(read({{pair + "Friction coefficient", zero}, {"Time/Scheme", "moreau-jean"}})
+                     .pairs[0]
+                     .friction.any);
+      EXPECT_FALSE(read({{pair + "Friction law", "tresca"},
+                         {pair + "Friction bound", zero},
+                         {"Time/Scheme", "moreau-jean"}})
+                     .pairs[0]
+                     .friction.any);
     }
   EXPECT_TRUE(read({{pair + "Friction coefficient", "x - x"}}).pairs[0].friction.any);
 }
@@ -152,10 +158,13 @@ TEST(Reading, SchemesWithFriction)
                                    "newmark",
                                    "backward-euler"})
     EXPECT_TRUE(
-      read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Scheme", scheme}}).pairs[0].friction.any);
-  EXPECT_TRUE(read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Predictor mass", "lumped"}})
-                .pairs[0]
-                .friction.any);
+      read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Scheme", scheme}})
+        .pairs[0]
+        .friction.any);
+  EXPECT_TRUE(
+    read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Predictor mass", "lumped"}})
+      .pairs[0]
+      .friction.any);
 }
 
 TEST(Reading, StickingNodesAndStart)
@@ -163,7 +172,8 @@ TEST(Reading, StickingNodesAndStart)
   EXPECT_TRUE(read().time.parameters.stop_sticking_nodes);
   EXPECT_EQ(read().time.start, StartKind::given);
   EXPECT_FALSE(read({{"Time/Stop sticking nodes", "false"}}).time.parameters.stop_sticking_nodes);
-  // All keys of a run are written, that of the displacement among them; the copy must be a scene, too.
+  // All keys of a run are written, that of the displacement among them; the copy must be a scene,
+  // too.
   const Scene<3> equilibrium =
     read({{"Time/Start", "equilibrium"}, {"Bodies/ball/Initial displacement", "0; 0.0; 1-1"}});
   EXPECT_EQ(equilibrium.time.start, StartKind::equilibrium);
@@ -175,10 +185,11 @@ TEST(Reading, Adaptivity)
 {
   EXPECT_FALSE(read().adaptivity.any());
 
-  const TemporaryFile file(correct_scene() + assignment("Adaptivity/Indicator", "kelly")
-                           + assignment("Adaptivity/Marking", "tolerance") + assignment("Adaptivity/Tolerance", "0.3")
-                           + assignment("Adaptivity/Maximum level", "5") + assignment("Adaptivity/Repetitions", "2"));
-  const Scene<3>      scene = read_scene<3>(file.name, {});
+  const TemporaryFile file(
+    correct_scene() + assignment("Adaptivity/Indicator", "kelly")
+    + assignment("Adaptivity/Marking", "tolerance") + assignment("Adaptivity/Tolerance", "0.3")
+    + assignment("Adaptivity/Maximum level", "5") + assignment("Adaptivity/Repetitions", "2"));
+  const Scene<3> scene = read_scene<3>(file.name, {});
   EXPECT_TRUE(scene.adaptivity.any());
   EXPECT_EQ(scene.adaptivity.indicator, IndicatorKind::kelly);
   EXPECT_EQ(scene.adaptivity.marking, MarkingKind::tolerance);
@@ -212,11 +223,12 @@ TEST(Reading, OtherShapes)
 
 TEST(Reading, TwoDimensions)
 {
-  const TemporaryFile file(
-    "set Dimension = 2\n" + assignment("Time/Step size", "1e-2") + assignment("Time/End time", "1")
-    + assignment("Bodies/Names", "disc") + assignment("Bodies/disc/Centre", "0, 1")
-    + assignment("Bodies/disc/Initial velocity", "0; -2*y") + assignment("Exact solution/Displacement", "0; -2*t")
-    + assignment("Exact solution/Velocity", "0; -2"));
+  const TemporaryFile file("set Dimension = 2\n" + assignment("Time/Step size", "1e-2")
+                           + assignment("Time/End time", "1") + assignment("Bodies/Names", "disc")
+                           + assignment("Bodies/disc/Centre", "0, 1")
+                           + assignment("Bodies/disc/Initial velocity", "0; -2*y")
+                           + assignment("Exact solution/Displacement", "0; -2*t")
+                           + assignment("Exact solution/Velocity", "0; -2"));
   EXPECT_EQ(read_dimension(file.name, {}), 2u);
   const Scene<2> scene = read_scene<2>(file.name, {});
   EXPECT_DOUBLE_EQ(scene.bodies[0].centre[1], 1.);
@@ -239,7 +251,8 @@ TEST(Reading, ContinuedLinesAndIncludedFiles)
 {
   const TemporaryFile included(assignment("Time/Step size", "1e-2"));
   const std::string   name = included.name.substr(included.name.rfind('/') + 1);
-  const TemporaryFile file(correct_scene() + "include " + name + "\nsubsection Time\n  set End time \\\n = 1\nend\n");
+  const TemporaryFile file(correct_scene() + "include " + name
+                           + "\nsubsection Time\n  set End time \\\n = 1\nend\n");
   const Scene<3>      scene = read_scene<3>(file.name, {});
   EXPECT_DOUBLE_EQ(scene.time.step_size, 1e-2);
   EXPECT_DOUBLE_EQ(scene.time.end_time, 1.);
@@ -251,7 +264,8 @@ TEST(Reading, PrintedParametersAreAScene)
   print_parameters(text);
   const TemporaryFile file(text.str());
   const Scene<3>      scene = read_scene<3>(file.name, {});
-  EXPECT_EQ(scene.bodies.size() + scene.obstacles.size() + scene.pairs.size() + scene.probes.size(), 4u);
+  EXPECT_EQ(scene.bodies.size() + scene.obstacles.size() + scene.pairs.size() + scene.probes.size(),
+            4u);
 }
 
 TEST(Reading, AllParametersGiveTheSameScene)
@@ -264,7 +278,8 @@ TEST(Reading, AllParametersGiveTheSameScene)
 TEST(Reading, ScenesOfTheProject)
 {
   unsigned int n_scenes = 0;
-  for (const auto &entry : std::filesystem::recursive_directory_iterator(SIGNORINI_SOURCE_DIR "/parameters"))
+  for (const auto &entry :
+       std::filesystem::recursive_directory_iterator(SIGNORINI_SOURCE_DIR "/parameters"))
     if (entry.path().extension() == ".prm")
       {
         EXPECT_EQ(refusal(entry.path().string()), "");

@@ -25,7 +25,8 @@ namespace signorini::tests
     explicit TemporaryFile(const std::string &text, const std::string &extension = ".prm")
     {
       static int counter = 0;
-      name = testing::TempDir() + "scene_" + std::to_string(getpid()) + "_" + std::to_string(counter++) + extension;
+      name               = testing::TempDir() + "scene_" + std::to_string(getpid()) + "_"
+             + std::to_string(counter++) + extension;
       std::ofstream(name) << text;
     }
     TemporaryFile(const TemporaryFile &) = delete;
@@ -117,7 +118,8 @@ end
   }
 
   /** The message of the UserError with which a file is refused; empty if it is read. */
-  inline std::string refusal(const std::string &file_name, const std::vector<Override> &overrides = {})
+  inline std::string refusal(const std::string           &file_name,
+                             const std::vector<Override> &overrides = {})
   {
     try
       {

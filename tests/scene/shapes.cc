@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A placement is the rigid motion that the keys describe, a cap is part of a sphere, and whatever asks a body for points
-// sees it in its place.
+// A placement is the rigid motion that the keys describe, a cap is part of a sphere, and whatever
+// asks a body for points sees it in its place.
 
 #include "scene_file.h"
 
@@ -61,9 +61,11 @@ TEST(Placement, QuarterTurnsAreExactAndInTheOrderXYZ)
   EXPECT_EQ(turned({{0, 0, 90}}), Point<3>(-0.2, 0.1, 0.3));
   EXPECT_EQ(turned({{0, 0, -270}}), Point<3>(-0.2, 0.1, 0.3));
   EXPECT_EQ(turned({{0, 180, 0}}), Point<3>(-0.1, 0.2, -0.3));
-  // About x: (0.1, -0.3, 0.2); then about z: (0.3, 0.1, 0.2). The other order gives (-0.2, -0.3, 0.1).
+  // About x: (0.1, -0.3, 0.2); then about z: (0.3, 0.1, 0.2). The other order gives (-0.2, -0.3,
+  // 0.1).
   EXPECT_EQ(turned({{90, 0, 90}}), Point<3>(0.3, 0.1, 0.2));
-  EXPECT_EQ(Placement<2>({{90}}, Point<2>(), Tensor<1, 2>()).place(Point<2>(0.1, 0.2)), Point<2>(-0.2, 0.1));
+  EXPECT_EQ(Placement<2>({{90}}, Point<2>(), Tensor<1, 2>()).place(Point<2>(0.1, 0.2)),
+            Point<2>(-0.2, 0.1));
 }
 
 TEST(Placement, RotatesAboutTheCentreAndMovesAfterwards)
@@ -76,7 +78,9 @@ TEST(Placement, RotatesAboutTheCentreAndMovesAfterwards)
 
   const Placement<3> general({{10., -200., 33.}}, odd_centre, Tensor<1, 3>({1., 2., 3.}));
   expect_near(general.pull_back(general.place(odd_point)), odd_point);
-  EXPECT_NEAR(general.place(odd_point).distance(general.place(odd_centre)), odd_point.distance(odd_centre), 1e-14);
+  EXPECT_NEAR(general.place(odd_point).distance(general.place(odd_centre)),
+              odd_point.distance(odd_centre),
+              1e-14);
 }
 
 TEST(Placement, CentreIsThatOfTheShapeUnlessGiven)
@@ -84,17 +88,20 @@ TEST(Placement, CentreIsThatOfTheShapeUnlessGiven)
   const auto centre_of_box = [](const std::vector<Override> &overrides) {
     return centre_of(read_shapes(overrides).bodies[1]);
   };
-  const Override quarter = {"Bodies/box/Rotation", "0, 0, 90"}, up = {"Bodies/box/Translation", "0, 0, 5"};
+  const Override quarter = {"Bodies/box/Rotation", "0, 0, 90"},
+                 up      = {"Bodies/box/Translation", "0, 0, 5"};
   expect_near(centre_of_box({quarter}), Point<3>(2.5, 0.5, 1.));
   expect_near(centre_of_box({quarter, up}), Point<3>(2.5, 0.5, 6.));
-  expect_near(centre_of_box({quarter, up, {"Bodies/box/Rotation centre", "0, 0, 0"}}), Point<3>(-0.5, 2.5, 6.));
+  expect_near(centre_of_box({quarter, up, {"Bodies/box/Rotation centre", "0, 0, 0"}}),
+              Point<3>(-0.5, 2.5, 6.));
 }
 
 TEST(Placement, ExpressionsAreTriedWhereTheBodyIs)
 {
   // The box fills 2 < x < 3 as described and -1 < x < 0 where it is.
   const TemporaryFile         file(correct_scene());
-  const std::vector<Override> there = {{"Bodies/box/Rotation", "0, 0, 90"}, {"Bodies/box/Rotation centre", "0, 0, 0"}};
+  const std::vector<Override> there = {{"Bodies/box/Rotation", "0, 0, 90"},
+                                       {"Bodies/box/Rotation centre", "0, 0, 0"}};
   std::vector<Override>       here  = there;
   here.emplace_back("Bodies/box/Body force", "0; 0; sqrt(-x)");
   EXPECT_EQ(refusal(file.name, here), "");
@@ -118,10 +125,11 @@ TEST(Cap, IsPartOfASphereAndLeavesTheOppositeFace)
       const Cap<3>       cap(box);
       const unsigned int d      = face / 2;
       const double       side   = face % 2 == 0 ? -1. : 1.;
-      Point<3>           centre = box.lower_corner + .5 * (box.upper_corner - box.lower_corner), opposite = centre;
-      centre[d]       = (face % 2 == 0 ? box.lower_corner : box.upper_corner)[d];
-      opposite[d]     = (face % 2 == 0 ? box.upper_corner : box.lower_corner)[d];
-      Point<3> sphere = centre;
+      Point<3>           centre = box.lower_corner + .5 * (box.upper_corner - box.lower_corner),
+               opposite         = centre;
+      centre[d]                 = (face % 2 == 0 ? box.lower_corner : box.upper_corner)[d];
+      opposite[d]               = (face % 2 == 0 ? box.upper_corner : box.lower_corner)[d];
+      Point<3> sphere           = centre;
       sphere[d] -= side * box.cap_radius;
       expect_near(cap.bulge(centre), centre);
 
@@ -132,19 +140,21 @@ TEST(Cap, IsPartOfASphereAndLeavesTheOppositeFace)
       expect_near(cap.bulge(opposite + aside), Point<3>(opposite + aside));
       // Half way between the faces, half of the way.
       const Point<3> middle = centre + aside + .5 * (opposite - centre);
-      expect_near(Point<3>(2. * (cap.bulge(middle) - middle)), Point<3>(cap.bulge(centre + aside) - (centre + aside)));
+      expect_near(Point<3>(2. * (cap.bulge(middle) - middle)),
+                  Point<3>(cap.bulge(centre + aside) - (centre + aside)));
       expect_near(cap.flatten(cap.bulge(middle)), middle);
     }
 }
 
 TEST(MeshFiles, AreFoundFromTheFolderOfTheScene)
 {
-  const TemporaryFile mesh("4 1 0 0 0\n1 0 0 0\n2 2 0 0\n3 2 1 0\n4 0 1 0\n1 0 quad 1 2 3 4\n", ".UCD");
-  const std::string   text = "set Dimension = 2\n" + assignment("Time/Step size", "1e-2")
-                           + assignment("Time/End time", "1") + assignment("Bodies/Names", "plate")
-                           + assignment("Bodies/plate/Shape", "file") + assignment("Bodies/plate/Rotation", "90")
-                           + assignment("Bodies/plate/Translation", "5, 0")
-                           + assignment("Bodies/plate/File", std::filesystem::path(mesh.name).filename().string());
+  const TemporaryFile mesh("4 1 0 0 0\n1 0 0 0\n2 2 0 0\n3 2 1 0\n4 0 1 0\n1 0 quad 1 2 3 4\n",
+                           ".UCD");
+  const std::string   text =
+    "set Dimension = 2\n" + assignment("Time/Step size", "1e-2") + assignment("Time/End time", "1")
+    + assignment("Bodies/Names", "plate") + assignment("Bodies/plate/Shape", "file")
+    + assignment("Bodies/plate/Rotation", "90") + assignment("Bodies/plate/Translation", "5, 0")
+    + assignment("Bodies/plate/File", std::filesystem::path(mesh.name).filename().string());
   const TemporaryFile file(text);
   const Scene<2>      scene = read_scene<2>(file.name, {});
   EXPECT_EQ(scene.bodies[0].mesh_file.path, mesh.name);

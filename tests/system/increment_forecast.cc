@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The first guess of an increment is the combination of the last ones that is closest to the solution in the norm of K:
-// what is left is orthogonal to all of them, and nothing is left if the solution is such a combination. Forces that hold
-// constraints are extrapolated, those that grow linearly exactly.
+// The first guess of an increment is the combination of the last ones that is closest to the
+// solution in the norm of K: what is left is orthogonal to all of them, and nothing is left if the
+// solution is such a combination. Forces that hold constraints are extrapolated, those that grow
+// linearly exactly.
 
 #include <signorini/system/increment_forecast.h>
 

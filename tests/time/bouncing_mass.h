@@ -15,7 +15,8 @@ namespace signorini
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  /** A mass on a spring in front of a wall, under a load: all that a system has to be able to do. */
+  /** A mass on a spring in front of a wall, under a load: all that a system has to be able to do.
+   */
   class MassOnSpring : public DynamicalSystem
   {
   public:
@@ -25,12 +26,24 @@ namespace signorini
     std::function<double(double)> load   = [](double) { return 0.; };
 
     Vector make_vector() const override { return Vector(1); }
-    void   apply_mass(Vector &destination, const Vector &source) const override { destination.equ(mass, source); }
-    void   apply_stiffness(Vector &destination, const Vector &source) const override { destination.equ(spring, source); }
-    void   add_load(Vector &destination, double factor, double time) override { destination(0) += factor * load(time); }
+    void   apply_mass(Vector &destination, const Vector &source) const override
+    {
+      destination.equ(mass, source);
+    }
+    void apply_stiffness(Vector &destination, const Vector &source) const override
+    {
+      destination.equ(spring, source);
+    }
+    void add_load(Vector &destination, double factor, double time) override
+    {
+      destination(0) += factor * load(time);
+    }
     double length() const override { return 1.; }
 
-    NormalGap normal_gap(const Vector &displacement) const override { return {wall - displacement(0)}; }
+    NormalGap normal_gap(const Vector &displacement) const override
+    {
+      return {wall - displacement(0)};
+    }
     NormalGap relative_normal(const Vector &motion) const override { return {motion(0)}; }
 
     Vector solve_mass(const Vector &force) override
@@ -45,10 +58,10 @@ namespace signorini
       const double K     = mass + problem.stiffness_factor * spring;
       const double free  = problem.right_hand_side(0) / K;
       solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
-      solution.increment(0)                                                      = std::min(free, problem.bounds[0]);
-      solution.contact_reaction(0)                                               = K * (solution.increment(0) - free);
-      solution.normal_reaction                                                   = {solution.contact_reaction(0)};
-      solution.effort.n_active                                                   = free > problem.bounds[0];
+      solution.increment(0)        = std::min(free, problem.bounds[0]);
+      solution.contact_reaction(0) = K * (solution.increment(0) - free);
+      solution.normal_reaction     = {solution.contact_reaction(0)};
+      solution.effort.n_active     = free > problem.bounds[0];
     }
   };
 
@@ -94,7 +107,8 @@ namespace signorini
   };
 
   /** The complete state of given displacement and velocity. */
-  inline State make_state(const DynamicalSystem &system, const Vector &displacement, const Vector &velocity)
+  inline State
+  make_state(const DynamicalSystem &system, const Vector &displacement, const Vector &velocity)
   {
     State state;
     state.displacement   = displacement;
@@ -107,7 +121,8 @@ namespace signorini
     return state;
   }
 
-  inline State make_state(const MassOnSpring &system, const double displacement, const double velocity)
+  inline State
+  make_state(const MassOnSpring &system, const double displacement, const double velocity)
   {
     Vector u(1), v(1);
     u = displacement;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What the schemes beyond the paper's dissipative ones promise: the two of Laursen conserve energy to round-off through
-// every impact; contact-stabilized with projected velocity loses energy by three non-positive terms and stops nodes
-// that stay in contact; Moreau and Jean's loses energy; nonsmooth generalized-alpha stops what touches. A mass on a
-// spring, a bar between two walls with loads, and the same driven in the middle.
+// What the schemes beyond the paper's dissipative ones promise: the two of Laursen conserve energy
+// to round-off through every impact; contact-stabilized with projected velocity loses energy by
+// three non-positive terms and stops nodes that stay in contact; Moreau and Jean's loses energy;
+// nonsmooth generalized-alpha stops what touches. A mass on a spring, a bar between two walls with
+// loads, and the same driven in the middle.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What TimeScheme promises: a complete state after a step, an untouched one after an exception, and no memory.
+// What TimeScheme promises: a complete state after a step, an untouched one after an exception, and
+// no memory.
 
 #include <signorini/base/user_error.h>
 #include <signorini/schemes/alpha_rule.h>
@@ -16,9 +17,8 @@ using namespace signorini;
 namespace
 {
   /** All that need no massless nodes. */
-  const std::vector<std::string> schemes = schemes_where([](const SchemeInfo &info) {
-    return info.own_tolerance.empty();
-  });
+  const std::vector<std::string> schemes =
+    schemes_where([](const SchemeInfo &info) { return info.own_tolerance.empty(); });
 
   /** Fails in the call of a given number, whatever is called; its contact has friction. */
   class Failing : public BouncingMass
@@ -174,11 +174,11 @@ TEST(Contract, SchemesSayWhatTheyNeed)
   parameters.impulses_per_node = true;
   for (const SchemeInfo &info : scheme_table())
     {
-      MassOnSpring       simple;
-      BouncingMass       system;
-      const auto         scheme = info.make(parameters);
-      const bool         asks   = info.predictor || info.impulses || !info.own_tolerance.empty();
-      State              state  = make_state(simple, 0., 1.);
+      MassOnSpring simple;
+      BouncingMass system;
+      const auto   scheme = info.make(parameters);
+      const bool   asks   = info.predictor || info.impulses || !info.own_tolerance.empty();
+      State        state  = make_state(simple, 0., 1.);
       if (asks)
         EXPECT_THROW(check_capabilities(*scheme, simple), UserError) << info.name;
       else
@@ -199,10 +199,10 @@ TEST(Contract, AStepDependsOnTheStateAlone)
   for (const std::string &name : schemes)
     {
       BouncingMass system;
-      system.wall      = 0.1;
-      system.spring    = 2.;
-      const auto used  = make_time_scheme(name);
-      State      other = make_state(system, 0.1, 3.), state = make_state(system, 0., 2.), again = state;
+      system.wall     = 0.1;
+      system.spring   = 2.;
+      const auto used = make_time_scheme(name);
+      State other = make_state(system, 0.1, 3.), state = make_state(system, 0., 2.), again = state;
       used->advance(system, other, 0.2);
       used->advance(system, state, 0.1);
       make_time_scheme(name)->advance(system, again, 0.1);

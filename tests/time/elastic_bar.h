@@ -4,7 +4,8 @@
 #ifndef signorini_tests_elastic_bar_h
 #define signorini_tests_elastic_bar_h
 
-// A bar of linear finite elements between two walls. Its inequalities are solved by trying all active sets.
+// A bar of linear finite elements between two walls. Its inequalities are solved by trying all
+// active sets.
 
 #include <signorini/base/user_error.h>
 #include <signorini/schemes/scheme_table.h>
@@ -23,7 +24,10 @@ namespace signorini
                      private MovingSupports
   {
   public:
-    /** Consistent mass and stiffness of n nodes; the ends are the contact nodes, with normals -1 and +1. */
+    /**
+     * Consistent mass and stiffness of n nodes; the ends are the contact nodes, with normals -1
+     * and +1.
+     */
     explicit ElasticBar(const unsigned int n)
       : mass(Eigen::MatrixXd::Zero(n, n))
       , stiffness(mass)
@@ -40,7 +44,8 @@ namespace signorini
     {
       const unsigned int n = mass.rows();
       Eigen::MatrixXd    P = Eigen::MatrixXd::Identity(n, n);
-      for (const auto &[end, first, second] : {std::array<unsigned int, 3>{{0, 1, 2}}, {{n - 1, n - 2, n - 3}}})
+      for (const auto &[end, first, second] :
+           {std::array<unsigned int, 3>{{0, 1, 2}}, {{n - 1, n - 2, n - 3}}})
         {
           P(end, end)    = 0.;
           P(end, first)  = 2.;
@@ -50,11 +55,12 @@ namespace signorini
       massless = {0, n - 1};
     }
 
-    Eigen::MatrixXd               mass, stiffness;
-    std::vector<unsigned int>     massless;
-    std::array<double, 2>         distance = {{0.3, 0.3}};
-    std::function<double(double)> motion; ///< prescribed displacement of the node in the middle; empty: none
-    std::function<double(double)> load;   ///< force on all nodes; empty: none
+    Eigen::MatrixXd           mass, stiffness;
+    std::vector<unsigned int> massless;
+    std::array<double, 2>     distance = {{0.3, 0.3}};
+    std::function<double(double)>
+      motion; ///< prescribed displacement of the node in the middle; empty: none
+    std::function<double(double)> load; ///< force on all nodes; empty: none
 
     Vector make_vector() const override { return Vector(mass.rows()); }
 
@@ -76,9 +82,15 @@ namespace signorini
 
     Capabilities capabilities() override { return {this, this, this, this}; }
 
-    NormalGap normal_gap(const Vector &u) const override { return {distance[0] + u(0), distance[1] - u(u.size() - 1)}; }
+    NormalGap normal_gap(const Vector &u) const override
+    {
+      return {distance[0] + u(0), distance[1] - u(u.size() - 1)};
+    }
 
-    NormalGap relative_normal(const Vector &motion) const override { return {-motion(0), motion(motion.size() - 1)}; }
+    NormalGap relative_normal(const Vector &motion) const override
+    {
+      return {-motion(0), motion(motion.size() - 1)};
+    }
 
     double length() const override { return 1.; }
 
@@ -110,7 +122,8 @@ namespace signorini
       const unsigned int    middle = mass.rows() / 2;
       solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
       const double moved =
-        motion ? motion(problem.start.time + problem.step_size) - problem.start.displacement(middle) : 0.;
+        motion ? motion(problem.start.time + problem.step_size) - problem.start.displacement(middle)
+               : 0.;
       const auto b                   = view(problem.right_hand_side);
       view(solution.increment)       = minimise(K, b, problem.bounds, motion ? &moved : nullptr);
       const Eigen::VectorXd reaction = K * view(solution.increment) - b;
@@ -137,7 +150,10 @@ namespace signorini
     std::vector<unsigned int> massless_entries() const override { return massless; }
 
     /** No test integrates this system with the reference. */
-    SolveReport equilibrate_massless(Vector &, const Vector &, Vector &) override { throw RunError("not there"); }
+    SolveReport equilibrate_massless(Vector &, const Vector &, Vector &) override
+    {
+      throw RunError("not there");
+    }
 
     bool supports_move(double, double) const override { return static_cast<bool>(motion); }
 
@@ -155,8 +171,9 @@ namespace signorini
     {
       correction = mass_correction = make_vector();
       const double    fixed        = 0.; // supports are not corrected
-      const NormalGap left         = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
-      view(correction) = minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
+      const NormalGap left = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
+      view(correction) =
+        minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
       apply_mass(mass_correction, correction);
       SolveReport effort;
       effort.n_active = correction.linfty_norm() > 0.;
@@ -198,14 +215,20 @@ namespace signorini
 
     unsigned int last() const { return mass.rows() - 1; }
 
-    static Eigen::Map<Eigen::VectorXd> view(Vector &x) { return {x.begin(), static_cast<Eigen::Index>(x.size())}; }
+    static Eigen::Map<Eigen::VectorXd> view(Vector &x)
+    {
+      return {x.begin(), static_cast<Eigen::Index>(x.size())};
+    }
 
     static Eigen::Map<const Eigen::VectorXd> view(const Vector &x)
     {
       return {x.begin(), static_cast<Eigen::Index>(x.size())};
     }
 
-    /** Least 1/2 x'Kx - b'x with -x_0 and x_last below their bounds, and perhaps the middle node moved. */
+    /**
+     * Least 1/2 x'Kx - b'x with -x_0 and x_last below their bounds, and perhaps the middle node
+     * moved.
+     */
     Eigen::VectorXd minimise(const Eigen::MatrixXd &K,
                              const Eigen::VectorXd &b,
                              const NormalGap       &bounds,

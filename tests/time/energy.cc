@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The energy identity of each scheme holds to round-off in every step, with impacts, springs, loads and moving supports;
-// contact dissipates where theory says so; nothing penetrates, nothing sticks, and a force needs contact.
+// The energy identity of each scheme holds to round-off in every step, with impacts, springs, loads
+// and moving supports; contact dissipates where theory says so; nothing penetrates, nothing sticks,
+// and a force needs contact.
 
 #include <gtest/gtest.h>
 
@@ -21,10 +22,11 @@ namespace energy_tests
     {
     protected:
       const std::string                                  scheme = std::get<0>(GetParam());
-      std::pair<std::unique_ptr<DynamicalSystem>, State> scene  = make_scene(std::get<1>(GetParam()));
-      DynamicalSystem                                   &system = *scene.first;
-      State                                             &state  = scene.second;
-      const std::unique_ptr<TimeScheme>                  method = make_time_scheme(scheme);
+      std::pair<std::unique_ptr<DynamicalSystem>, State> scene =
+        make_scene(std::get<1>(GetParam()));
+      DynamicalSystem                  &system = *scene.first;
+      State                            &state  = scene.second;
+      const std::unique_ptr<TimeScheme> method = make_time_scheme(scheme);
 
       /** Normal components of a force. */
       NormalGap normal_components(const Vector &force) const
@@ -43,12 +45,16 @@ namespace energy_tests
         return load * increment;
       }
 
-      /** 2/tau^2 (tau v - p)'M(d - p) with the projected predictor p, without the reaction of supports, which is no loss. */
+      /**
+       * 2/tau^2 (tau v - p)'M(d - p) with the projected predictor p, without the reaction of
+       * supports, which is no loss.
+       */
       double work_of_predictor(const State &before, const Vector &increment) const
       {
         Vector p = before.velocity, c, Mc;
         p *= tau;
-        system.capabilities().projections->project(p, system.normal_gap(before.displacement), tau, c, Mc);
+        system.capabilities().projections->project(
+          p, system.normal_gap(before.displacement), tau, c, Mc);
         p += c;
         Vector rest = increment;
         rest -= p;
@@ -67,16 +73,19 @@ namespace energy_tests
         const StepReport report = method->advance(system, state, tau);
         Vector           d      = state.displacement;
         d -= before.displacement;
-        const double change  = energy(system, state) - energy(system, before) - work_of_load(before, d);
-        double       contact = state.contact_force * d, predictor = 0.;
+        const double change =
+          energy(system, state) - energy(system, before) - work_of_load(before, d);
+        double contact = state.contact_force * d, predictor = 0.;
         if (scheme == "newmark")
           contact = (contact + before.contact_force * d) / 2.;
         if (scheme == "contact-stabilized")
           predictor = work_of_predictor(before, d);
         ASSERT_NEAR(report.work_contact, contact, round_off);
         ASSERT_NEAR(report.work_predictor, predictor, round_off);
-        ASSERT_NEAR(
-          change, report.work_contact + report.work_predictor + report.work_support + report.work_scheme, round_off);
+        ASSERT_NEAR(change,
+                    report.work_contact + report.work_predictor + report.work_support
+                      + report.work_scheme,
+                    round_off);
         if (scheme != "newmark")
           {
             ASSERT_LE(contact, round_off);
@@ -107,14 +116,17 @@ namespace energy_tests
     EXPECT_GT(largest_force, 0.1);
   }
 
-  INSTANTIATE_TEST_SUITE_P(
-    All,
-    Energy,
-    testing::Combine(testing::Values("newmark", "contact-implicit", "contact-stabilized", "backward-euler"),
-                     testing::Values("mass_on_spring", "bar", "driven_bar")),
-    [](const auto &info) {
-      std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+  INSTANTIATE_TEST_SUITE_P(All,
+                           Energy,
+                           testing::Combine(testing::Values("newmark",
+                                                            "contact-implicit",
+                                                            "contact-stabilized",
+                                                            "backward-euler"),
+                                            testing::Values("mass_on_spring", "bar", "driven_bar")),
+                           [](const auto &info) {
+                             std::string name =
+                               std::get<0>(info.param) + "_" + std::get<1>(info.param);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                           });
 } // namespace energy_tests

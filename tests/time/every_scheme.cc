@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What every scheme has to do, on one bouncing mass and on a coarse bar between two walls: stop at the wall up to the distance of one
-// step, press and never pull, balance momentum, explain every change of energy, and send the body back.
+// What every scheme has to do, on one bouncing mass and on a coarse bar between two walls: stop at
+// the wall up to the distance of one step, press and never pull, balance momentum, explain every
+// change of energy, and send the body back.
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,8 @@ namespace every_scheme_tests
     protected:
       const std::unique_ptr<TimeScheme> scheme = make_time_scheme(GetParam());
 
-      unsigned int n_touching = 0; ///< steps with contact; the projection of contact-stabilized is no contact force
+      unsigned int n_touching =
+        0; ///< steps with contact; the projection of contact-stabilized is no contact force
 
       /** A step, and what has to hold afterwards. */
       void advance(DynamicalSystem &system, State &state, const double speed)
@@ -34,10 +36,11 @@ namespace every_scheme_tests
         d -= before.displacement;
         add_mean_load(system, load, 1., before.time, state.time);
         ASSERT_NEAR(energy(system, state) - energy(system, before) - load * d,
-                    report.work_contact + report.work_predictor + report.work_support + report.work_scheme,
+                    report.work_contact + report.work_predictor + report.work_support
+                      + report.work_scheme,
                     round_off);
-        n_touching +=
-          report.corrector.n_active + report.predictor.n_active > 0 || state.contact_force.linfty_norm() > 0.;
+        n_touching += report.corrector.n_active + report.predictor.n_active > 0
+                      || state.contact_force.linfty_norm() > 0.;
         for (const double gap : system.normal_gap(state.displacement))
           ASSERT_GE(gap, -tau * speed);
         for (const double force : system.relative_normal(state.contact_force))
@@ -65,8 +68,8 @@ namespace every_scheme_tests
 
   TEST_P(EveryScheme, ThrowsABarToAndFro)
   {
-    const bool massless =
-      std::string(GetParam()) == "khenous-laborde-renard" || std::string(GetParam()) == "hager-hueeber-wohlmuth";
+    const bool massless = std::string(GetParam()) == "khenous-laborde-renard"
+                          || std::string(GetParam()) == "hager-hueeber-wohlmuth";
     ElasticBar system(9);
     if (massless)
       system.remove_mass_of_ends();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Without contact all schemes but the alpha methods and backward Euler are the trapezoidal rule: of second order, the same for all of them, with
-// loads as the mean of their values at both ends of a step. The alpha methods are of second order, too; backward Euler is of first.
+// Without contact all schemes but the alpha methods and backward Euler are the trapezoidal rule: of
+// second order, the same for all of them, with loads as the mean of their values at both ends of a
+// step. The alpha methods are of second order, too; backward Euler is of first.
 
 #include <gtest/gtest.h>
 
@@ -26,7 +27,8 @@ namespace
       State state   = make_state(system, 1., 0.5);
       for (unsigned int step = 0; step < n_steps; ++step)
         scheme->advance(system, state, 3. / n_steps);
-      const double u = std::cos(6.) + 0.25 * std::sin(6.), v = -2. * std::sin(6.) + 0.5 * std::cos(6.);
+      const double u = std::cos(6.) + 0.25 * std::sin(6.),
+                   v = -2. * std::sin(6.) + 0.5 * std::cos(6.);
       return std::hypot(state.displacement(0) - u, state.velocity(0) - v);
     }
   };
@@ -91,12 +93,15 @@ TEST_P(AlphaMethods, DampHighFrequencies)
   for (unsigned int step = 0; step < 60; ++step)
     booked += scheme->advance(system, state, 0.3).work_scheme;
   EXPECT_LT(energy(system, state), 0.1 * before);
-  EXPECT_NEAR(energy(system, state) - before, booked, 1e-9 * before) << "the report accounts for the damping";
+  EXPECT_NEAR(energy(system, state) - before, booked, 1e-9 * before)
+    << "the report accounts for the damping";
 }
 
 INSTANTIATE_TEST_SUITE_P(All,
                          AlphaMethods,
-                         testing::Values("hht-alpha", "generalized-alpha", "nonsmooth-generalized-alpha"),
+                         testing::Values("hht-alpha",
+                                         "generalized-alpha",
+                                         "nonsmooth-generalized-alpha"),
                          [](const auto &info) { return std::string(info.param).substr(0, 3); });
 
 class FirstOrder : public FreeMotion

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// One mass meets the wall: what each scheme does to its velocity is known in closed form (Krause and Walloth 2012, section 3).
+// One mass meets the wall: what each scheme does to its velocity is known in closed form (Krause
+// and Walloth 2012, section 3).
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Schemes for contact nodes without mass, on a bar whose ends have lost theirs: the energy identity of Khenous, Laborde and Renard's
-// Newmark schemes holds in every step, with loads and moving supports, in equilibrium at the end of each step; Hager, Hueeber and
-// Wohlmuth's conserves the energy of its own mass; contact forces are continuous in time, as those of massive nodes are not.
+// Schemes for contact nodes without mass, on a bar whose ends have lost theirs: the energy identity
+// of Khenous, Laborde and Renard's Newmark schemes holds in every step, with loads and moving
+// supports, in equilibrium at the end of each step; Hager, Hueeber and Wohlmuth's conserves the
+// energy of its own mass; contact forces are continuous in time, as those of massive nodes are not.
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,10 @@ namespace massless_tests
       return parameters;
     }
 
-    const std::vector<std::pair<double, double>> choices = {{0.5, 0.5}, {0.25, 0.5}, {0.5, 1.}, {0.4, 0.6}};
+    const std::vector<std::pair<double, double>> choices = {{0.5, 0.5},
+                                                            {0.25, 0.5},
+                                                            {0.5, 1.},
+                                                            {0.4, 0.6}};
   } // namespace
 
   TEST(Massless, EveryJouleIsBooked)
@@ -64,7 +68,7 @@ namespace massless_tests
       for (const std::string kind : {"free", "loaded", "driven"})
         {
           Bar        bar(kind);
-          const auto scheme        = make_time_scheme("khenous-laborde-renard", newmark(beta, gamma));
+          const auto scheme = make_time_scheme("khenous-laborde-renard", newmark(beta, gamma));
           double     largest_force = 0.;
           for (unsigned int step = 0; step < 150; ++step)
             {
@@ -102,10 +106,13 @@ namespace massless_tests
             jump -= before.acceleration;
             bar.system->apply_stiffness(Ad, d);
             bar.system->apply_mass(M_jump, jump);
-            const double work = (1. - gamma) * (before.contact_force * d) + gamma * (bar.state.contact_force * d);
+            const double work =
+              (1. - gamma) * (before.contact_force * d) + gamma * (bar.state.contact_force * d);
             const double left = energy(*bar.system, bar.state) - energy(*bar.system, before)
                                 + Q * tau * tau / 4. * (bar.inertia() - inertia);
-            ASSERT_NEAR(left, work - (gamma - 0.5) * (Ad * d + Q * tau * tau / 2. * (jump * M_jump)), round_off)
+            ASSERT_NEAR(left,
+                        work - (gamma - 0.5) * (Ad * d + Q * tau * tau / 2. * (jump * M_jump)),
+                        round_off)
               << beta << " " << gamma << " step " << step;
             contact += std::abs(work);
           }
@@ -163,7 +170,8 @@ namespace massless_tests
 
   TEST(Massless, ContactForcesAreContinuous)
   {
-    // Halving the step halves the largest jump between steps (up to 0.75); with mass at the ends it would grow.
+    // Halving the step halves the largest jump between steps (up to 0.75); with mass at the ends it
+    // would grow.
     const auto largest_jump = [](const double step_size) {
       Bar        bar("free");
       const auto scheme = make_time_scheme("khenous-laborde-renard", newmark(0.25, 0.5));

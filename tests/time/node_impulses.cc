@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The coupled equations of the impulses of laursen-love: their solution fulfils them and is the minimum of a convex function, one
-// node alone knows only one way to get its energy back, and where the equations cannot be solved the step says so and the energy is right.
+// The coupled equations of the impulses of laursen-love: their solution fulfils them and is the
+// minimum of a convex function, one node alone knows only one way to get its energy back, and where
+// the equations cannot be solved the step says so and the energy is right.
 
 #include <signorini/schemes/node_impulses.h>
 
@@ -16,7 +17,10 @@ using namespace signorini;
 
 namespace
 {
-  /** All nodes of a bar are contact nodes and share its consistent mass; lengths of elements differ by a factor of ten. */
+  /**
+   * All nodes of a bar are contact nodes and share its consistent mass; lengths of elements differ
+   * by a factor of ten.
+   */
   class Patch : public ElasticBar
   {
   public:
@@ -76,7 +80,8 @@ TEST(NodeImpulses, SolveTheEquations)
           }
         const NodeImpulses result = solve_node_impulses(system, {force, gap, approach});
         ASSERT_TRUE(result.converged) << n << " nodes, trial " << trial;
-        const NormalGap change = system.relative_normal(system.solve_mass(system.capabilities().impulses->normal_forces(result.impulses)));
+        const NormalGap change = system.relative_normal(
+          system.solve_mass(system.capabilities().impulses->normal_forces(result.impulses)));
         for (unsigned int p = 0; p < n; ++p)
           {
             const double impulse = result.impulses[p], velocity = change[p] / 2. - approach[p];
@@ -96,9 +101,10 @@ TEST(NodeImpulses, OfASingleNodeAreTheCommonOnes)
 {
   SchemeParameters parameters;
   parameters.impulses_per_node = true;
-  const auto common = make_time_scheme("laursen-love"), per_node = make_time_scheme("laursen-love", parameters);
-  auto [system, state] = make_scene("mass_on_spring");
-  State other          = state;
+  const auto common            = make_time_scheme("laursen-love"),
+             per_node          = make_time_scheme("laursen-love", parameters);
+  auto [system, state]         = make_scene("mass_on_spring");
+  State other                  = state;
   for (unsigned int step = 0; step < 100; ++step)
     {
       common->advance(*system, state, 0.04);
@@ -121,7 +127,8 @@ TEST(NodeImpulses, FailureIsReportedAndTheEnergyIsRight)
   unsigned n_failed = 0;
   for (unsigned int step = 0; step < 60; ++step)
     {
-      const StepReport report = make_time_scheme("laursen-love", parameters)->advance(system, state, 0.04);
+      const StepReport report =
+        make_time_scheme("laursen-love", parameters)->advance(system, state, 0.04);
       n_failed += report.common_impulses;
       ASSERT_NEAR(energy(system, state), before, 1e-11) << "step " << step;
     }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The bar that hits a wall with a single contact node: the impulses of laursen-love give energy back exactly and make the total contact force
-// constant, 1.92 times too large only in the first step. Two contact nodes that share one impulse do not do that (doc/schemes.md).
+// The bar that hits a wall with a single contact node: the impulses of laursen-love give energy
+// back exactly and make the total contact force constant, 1.92 times too large only in the first
+// step. Two contact nodes that share one impulse do not do that (doc/schemes.md).
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The size of steps follows the motion: undeformed flight takes growing steps that cost one solution each, contact begins with a small one,
-// the end time is met exactly, a rejected step leaves no trace, and every run ends.
+// The size of steps follows the motion: undeformed flight takes growing steps that cost one
+// solution each, contact begins with a small one, the end time is met exactly, a rejected step
+// leaves no trace, and every run ends.
 
 #include <signorini/step_size/adaptive_steps.h>
 #include <signorini/step_size/force_estimate.h>
@@ -36,10 +37,12 @@ namespace
   }
 
   template <typename Estimate>
-  Record run(DynamicalSystem &system, const State &start, const double tolerance, const double end_time)
+  Record
+  run(DynamicalSystem &system, const State &start, const double tolerance, const double end_time)
   {
     const auto    scheme = make_time_scheme("contact-stabilized");
-    AdaptiveSteps steps(make_estimate<Estimate>(*scheme), {tolerance, first_size, minimum, maximum, end_time});
+    AdaptiveSteps steps(make_estimate<Estimate>(*scheme),
+                        {tolerance, first_size, minimum, maximum, end_time});
     Record        record;
     State         state = start;
     while (!steps.finished(state))
@@ -90,7 +93,8 @@ TYPED_TEST(StepControl, UndeformedFlightTakesGrowingStepsOfOneSolution)
   ElasticBar   system = make_bar(1e3);
   const Record record = run<TypeParam>(system, flying(system, 1.), 1e-6, 5.);
   EXPECT_EQ(record.rejected, 0u);
-  // The first step has nothing to be compared with and is doubled: two solutions are thrown away at most.
+  // The first step has nothing to be compared with and is doubled: two solutions are thrown away at
+  // most.
   EXPECT_LE(record.solved, record.sizes.size() + 2);
   EXPECT_LE(record.sizes.size(), 22u) << "twice 0.01, then 0.02 to 0.32, and 0.32 for the rest";
   for (std::size_t i = 3; i + 2 < record.sizes.size(); ++i)
@@ -132,7 +136,8 @@ TYPED_TEST(MotionControl, FirstTouchIsMetByASmallStep)
   EXPECT_NEAR(record.states[first].time, 2., 3. * minimum);
   const auto largest = std::max_element(record.sizes.begin(), record.sizes.begin() + first);
   EXPECT_GT(*largest, 0.3) << "and the flight before by large ones";
-  EXPECT_GT(*std::max_element(record.sizes.begin() + first, record.sizes.end()), 0.02) << "and those after grow again";
+  EXPECT_GT(*std::max_element(record.sizes.begin() + first, record.sizes.end()), 0.02)
+    << "and those after grow again";
 }
 
 TYPED_TEST(StepControl, RoundOffAtTheTouchDecidesNothing)
@@ -202,7 +207,8 @@ TYPED_TEST(MotionControl, ASmallerToleranceMakesASmallerError)
 
 TYPED_TEST(StepControl, EveryRunEnds)
 {
-  // No tolerance can be met where contact begins; at rest there is no error; the run may end in contact.
+  // No tolerance can be met where contact begins; at rest there is no error; the run may end in
+  // contact.
   ElasticBar   tight  = make_bar(0.1);
   const Record record = run<TypeParam>(tight, flying(tight, 1.), 1e-8, 0.5);
   EXPECT_LE(record.sizes.size(), 1100u) << "halves of the smallest size everywhere";
@@ -225,8 +231,10 @@ TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
 {
   ElasticBar   system  = make_bar(2.);
   const Record record  = run<ForceEstimate>(system, flying(system, 1.), 0.1, 12.);
-  const auto   pressed = [&](const std::size_t i) { return record.states[i].contact_force.linfty_norm() > 0.; };
-  std::size_t  begin = 0, end = record.sizes.size();
+  const auto   pressed = [&](const std::size_t i) {
+    return record.states[i].contact_force.linfty_norm() > 0.;
+  };
+  std::size_t begin = 0, end = record.sizes.size();
   while (!pressed(begin))
     ++begin;
   while (!pressed(end - 1))
@@ -238,9 +246,12 @@ TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
   EXPECT_LE(*std::max_element(record.sizes.begin() + begin, record.sizes.begin() + end - 1), 0.1)
     << "the force is constant, but the wave that will end it is not";
   const State &released = record.states[end];
-  EXPECT_GT(released.displacement * released.internal_force, 1e-3) << "no vibration: this test shows nothing";
+  EXPECT_GT(released.displacement * released.internal_force, 1e-3)
+    << "no vibration: this test shows nothing";
   ASSERT_LT(end + 6, record.sizes.size());
-  EXPECT_LE(std::count_if(record.sizes.begin() + end, record.sizes.end(), [](const double size) { return size < 0.3; }),
+  EXPECT_LE(std::count_if(record.sizes.begin() + end,
+                          record.sizes.end(),
+                          [](const double size) { return size < 0.3; }),
             10)
     << "some while the end swings back to the wall";
 }
@@ -260,7 +271,8 @@ TEST(ForceControl, UnitsOfForceDoNotMatter)
 
 TEST(StepEstimates, Orders)
 {
-  // In free vibration the doubled step is compared to O(tau^3), the embedded prediction to O(tau^2).
+  // In free vibration the doubled step is compared to O(tau^3), the embedded prediction to
+  // O(tau^2).
   BouncingMass system;
   system.spring     = 1.;
   const auto scheme = make_time_scheme("contact-stabilized");

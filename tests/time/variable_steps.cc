@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The energy identity of a scheme is one of single steps: it holds to round-off when every step has another length, through impacts,
-// with loads and moving supports.
+// The energy identity of a scheme is one of single steps: it holds to round-off when every step has
+// another length, through impacts, with loads and moving supports.
 
 #include <gtest/gtest.h>
 
@@ -41,10 +41,11 @@ TEST_P(VariableSteps, EnergyIdentity)
       Vector           d = state.displacement, load = system.make_vector();
       d -= before.displacement;
       add_mean_load(system, load, 1., before.time, state.time);
-      const double explained =
-        report.work_contact + report.work_predictor + report.work_support + report.work_scheme + load * d;
+      const double explained = report.work_contact + report.work_predictor + report.work_support
+                               + report.work_scheme + load * d;
       const double energy_before = energy(system, before), energy_now = energy(system, state);
-      ASSERT_NEAR(energy_now - energy_before, explained, 1e-10 * std::max({1., energy_before, energy_now}))
+      ASSERT_NEAR(
+        energy_now - energy_before, explained, 1e-10 * std::max({1., energy_before, energy_now}))
         << "step " << step;
       n_contact += state.contact_force.linfty_norm() > 0.;
     }
@@ -68,7 +69,8 @@ INSTANTIATE_TEST_SUITE_P(All,
                                                           "moreau-jean"),
                                           testing::Values("mass_on_spring", "bar", "driven_bar")),
                          [](const auto &info) {
-                           std::string name = std::get<0>(info.param) + "_" + std::get<1>(info.param);
+                           std::string name =
+                             std::get<0>(info.param) + "_" + std::get<1>(info.param);
                            std::replace(name.begin(), name.end(), '-', '_');
                            return name;
                          });

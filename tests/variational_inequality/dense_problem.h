@@ -97,14 +97,18 @@ namespace signorini
     std::vector<double>       fixed_values;
   };
 
-  /** All entries but two are bounded, one of them by infinity; the last but one is free, the last one is fixed. */
+  /**
+   * All entries but two are bounded, one of them by infinity; the last but one is free, the last
+   * one is fixed.
+   */
   inline DenseProblem random_problem(const Eigen::MatrixXd &matrix, std::mt19937 &generator)
   {
     std::uniform_real_distribution<double> number(-1., 1.);
     DenseProblem                           problem;
     const unsigned int                     n = matrix.rows();
     problem.matrix                           = matrix;
-    problem.right_hand_side = matrix * Eigen::VectorXd::NullaryExpr(n, [&] { return number(generator); });
+    problem.right_hand_side =
+      matrix * Eigen::VectorXd::NullaryExpr(n, [&] { return number(generator); });
     for (unsigned int i = 0; i + 2 < n; ++i)
       {
         problem.bounded_entries.push_back(i);
@@ -139,7 +143,10 @@ namespace signorini
     return held + to_eigen(correction);
   }
 
-  /** The least energy among the admissible solutions of all active sets: the definition, in exponential time. */
+  /**
+   * The least energy among the admissible solutions of all active sets: the definition, in
+   * exponential time.
+   */
   inline Eigen::VectorXd brute_force(const DenseProblem &problem)
   {
     const std::size_t m           = problem.bounded_entries.size();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Distributed problems have the same answer as the same problem on one process: active sets, sums and decisions are those
-// of all processes.
+// Distributed problems have the same answer as the same problem on one process: active sets, sums
+// and decisions are those of all processes.
 
 #include <deal.II/base/mpi.h>
 
@@ -16,7 +16,10 @@ namespace
 {
   constexpr unsigned int n = 12;
 
-  /** Springs in a row, each entry coupled with its neighbours, also across processes; entries in equal shares. */
+  /**
+   * Springs in a row, each entry coupled with its neighbours, also across processes; entries in
+   * equal shares.
+   */
   class Springs : public LinearOperator
   {
   public:
@@ -28,7 +31,8 @@ namespace
       owned.add_range(first, first + share);
       ghosts.add_range(first > 0 ? first - 1 : 0, std::min(n, first + share + 1));
       ghosts.subtract_set(owned);
-      partitioner = std::make_shared<dealii::Utilities::MPI::Partitioner>(owned, ghosts, communicator);
+      partitioner =
+        std::make_shared<dealii::Utilities::MPI::Partitioner>(owned, ghosts, communicator);
     }
 
     void vmult(Vector &destination, const Vector &source) const override
@@ -37,7 +41,8 @@ namespace
       ghosted = source;
       ghosted.update_ghost_values();
       for (const auto i : partitioner->locally_owned_range())
-        destination(i) = 2.1 * ghosted(i) - (i > 0 ? ghosted(i - 1) : 0.) - (i + 1 < n ? ghosted(i + 1) : 0.);
+        destination(i) =
+          2.1 * ghosted(i) - (i > 0 ? ghosted(i - 1) : 0.) - (i + 1 < n ? ghosted(i + 1) : 0.);
     }
 
     void diagonal(Vector &destination) const override { destination = 2.1; }
@@ -45,7 +50,10 @@ namespace
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
   };
 
-  /** The whole problem. Odd seeds bound entries of the last process only: the others must go along with its decisions. */
+  /**
+   * The whole problem. Odd seeds bound entries of the last process only: the others must go along
+   * with its decisions.
+   */
   DenseProblem springs_problem(const unsigned int seed)
   {
     std::mt19937                           generator(seed);
@@ -54,7 +62,8 @@ namespace
     problem.matrix = 2.1 * Eigen::MatrixXd::Identity(n, n);
     problem.matrix.diagonal(1).setConstant(-1.);
     problem.matrix.diagonal(-1).setConstant(-1.);
-    problem.right_hand_side = Eigen::VectorXd::NullaryExpr(n, [&] { return 0.4 + number(generator); });
+    problem.right_hand_side =
+      Eigen::VectorXd::NullaryExpr(n, [&] { return 0.4 + number(generator); });
     for (unsigned int i = seed % 2 ? n / 2 : 0; i + 1 < n; ++i)
       {
         problem.bounded_entries.push_back(i);

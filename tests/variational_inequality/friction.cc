@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Contact with Coulomb friction on small dense matrices. In 2d all statuses of all nodes are tried: the solvers find the only solution. In 3d
-// Newton's method and the fixed point of Tresca's friction end at the same point, which obeys Coulomb's law in every node, does not depend on the
+// Contact with Coulomb friction on small dense matrices. In 2d all statuses of all nodes are tried:
+// the solvers find the only solution. In 3d Newton's method and the fixed point of Tresca's
+// friction end at the same point, which obeys Coulomb's law in every node, does not depend on the
 // choice of the tangents, and not on the units of force and length.
 
 #include <signorini/variational_inequality/frictional_newton.h>
@@ -30,11 +31,13 @@ namespace
     std::mt19937                           generator(seed);
     std::uniform_real_distribution<double> number(-1., 1.);
     const unsigned int                     size = n * (1 + n_tangents) + 2;
-    const Eigen::MatrixXd B = Eigen::MatrixXd::NullaryExpr(size, size, [&] { return number(generator); });
-    FrictionalProblem     problem;
+    const Eigen::MatrixXd                  B =
+      Eigen::MatrixXd::NullaryExpr(size, size, [&] { return number(generator); });
+    FrictionalProblem problem;
     // As in a time step: a mass and some coupling.
-    problem.matrix          = Eigen::MatrixXd::Identity(size, size) + 0.6 / size * B * B.transpose();
-    problem.right_hand_side = 1.2 * Eigen::VectorXd::NullaryExpr(size, [&] { return number(generator); });
+    problem.matrix = Eigen::MatrixXd::Identity(size, size) + 0.6 / size * B * B.transpose();
+    problem.right_hand_side =
+      1.2 * Eigen::VectorXd::NullaryExpr(size, [&] { return number(generator); });
     for (unsigned int k = 0; k < n; ++k)
       {
         const unsigned int first = k * (1 + n_tangents);
@@ -56,7 +59,8 @@ namespace
     Eigen::VectorXd solution, residual;
   };
 
-  FrictionalAnswer solve(ConstrainedSolver &solver, const FrictionalProblem &data, const bool exact = true)
+  FrictionalAnswer
+  solve(ConstrainedSolver &solver, const FrictionalProblem &data, const bool exact = true)
   {
     const DenseOperator   matrix(data.matrix);
     const Eigen::MatrixXd diagonal = data.matrix.diagonal().asDiagonal();
@@ -82,7 +86,8 @@ namespace
     return answer;
   }
 
-  NodeForces forces_at(const FrictionalProblem &problem, const FrictionalAnswer &answer, const unsigned int k)
+  NodeForces
+  forces_at(const FrictionalProblem &problem, const FrictionalAnswer &answer, const unsigned int k)
   {
     return node_forces(problem.friction[k],
                        problem.bounded_entries[k],
@@ -99,16 +104,17 @@ namespace
       EXPECT_NEAR(residual[i], 0., 1e-11);
     for (unsigned int k = 0; k < problem.bounded_entries.size(); ++k)
       {
-        const NodeForces node  = forces_at(problem, answer, k);
-        const double     gap   = problem.upper_bounds[k] - answer.solution[problem.bounded_entries[k]];
-        const double     bound = problem.friction[k].law.bound(node.normal), size = node.slip.norm();
+        const NodeForces node = forces_at(problem, answer, k);
+        const double gap   = problem.upper_bounds[k] - answer.solution[problem.bounded_entries[k]];
+        const double bound = problem.friction[k].law.bound(node.normal), size = node.slip.norm();
         EXPECT_GE(gap, -1e-12) << k;
         EXPECT_GE(node.normal, -1e-11) << k;
         EXPECT_NEAR(gap * node.normal, 0., 1e-11) << k;
         EXPECT_LE(node.tangential.norm(), bound + 1e-10) << k;
         if (size > 1e-9)
           {
-            EXPECT_LT((node.tangential - bound / size * node.slip).norm(), 1e-9) << "along the slip, node " << k;
+            EXPECT_LT((node.tangential - bound / size * node.slip).norm(), 1e-9)
+              << "along the slip, node " << k;
           }
         if (contact_status::sticks(answer.status[k]))
           {
@@ -156,8 +162,9 @@ namespace
             if (what[k] == 1)
               set(tangent, 0.);
           }
-        const Eigen::VectorXd x = K.partialPivLu().solve(b), s = problem.right_hand_side - problem.matrix * x;
-        bool                  good = true;
+        const Eigen::VectorXd x = K.partialPivLu().solve(b),
+                              s = problem.right_hand_side - problem.matrix * x;
+        bool good               = true;
         for (unsigned int k = 0; k < n; ++k)
           {
             const int normal = problem.bounded_entries[k], tangent = normal + 1;
@@ -187,10 +194,11 @@ TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
       FrictionalNewton newton(limits);
       TrescaFixedPoint fixed_point;
       for (const bool exact : {true, false})
-        for (ConstrainedSolver *solver :
-             {static_cast<ConstrainedSolver *>(&newton), static_cast<ConstrainedSolver *>(&fixed_point)})
+        for (ConstrainedSolver *solver : {static_cast<ConstrainedSolver *>(&newton),
+                                          static_cast<ConstrainedSolver *>(&fixed_point)})
           {
-            SCOPED_TRACE(std::string(solver == &newton ? "Newton" : "fixed point") + (exact ? "" : ", diagonal"));
+            SCOPED_TRACE(std::string(solver == &newton ? "Newton" : "fixed point")
+                         + (exact ? "" : ", diagonal"));
             const FrictionalAnswer answer = solve(*solver, problem, exact);
             EXPECT_LT((answer.solution - solutions[0]).lpNorm<Eigen::Infinity>(), 1e-10);
             expect_coulomb(problem, answer);
@@ -199,9 +207,12 @@ TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
       n_iterations += answer.report.active_set_iterations;
       n_fallbacks += answer.report.fallback;
       for (const char status : answer.status)
-        ++(status == contact_status::stick ? n_stick : status == contact_status::slip ? n_slip : n_open);
+        ++(status == contact_status::stick  ? n_stick
+           : status == contact_status::slip ? n_slip
+                                            : n_open);
     }
-  EXPECT_TRUE(n_stick > 20 && n_slip > 20 && n_open > 20) << n_stick << " " << n_slip << " " << n_open;
+  EXPECT_TRUE(n_stick > 20 && n_slip > 20 && n_open > 20)
+    << n_stick << " " << n_slip << " " << n_open;
   EXPECT_LT(n_iterations, 60 * 8u);
   EXPECT_EQ(n_fallbacks, 0u);
 }
@@ -257,7 +268,9 @@ TEST(Friction, WithoutCoefficientIsFrictionless)
   PrimalDualActiveSet frictionless({});
   FrictionalProblem   none = problem;
   none.friction.clear();
-  EXPECT_LT((solve(solver, problem).solution - solve(frictionless, none).solution).lpNorm<Eigen::Infinity>(), 1e-11);
+  EXPECT_LT((solve(solver, problem).solution - solve(frictionless, none).solution)
+              .lpNorm<Eigen::Infinity>(),
+            1e-11);
 }
 
 TEST(Friction, VeryRoughNodesAreGlued)
@@ -278,22 +291,25 @@ TEST(Friction, VeryRoughNodesAreGlued)
   EXPECT_GE(glued.fixed_entries.size(), 4u);
   glued.friction.clear();
   PrimalDualActiveSet frictionless({});
-  EXPECT_LT((answer.solution - solve(frictionless, glued).solution).lpNorm<Eigen::Infinity>(), 1e-11);
+  EXPECT_LT((answer.solution - solve(frictionless, glued).solution).lpNorm<Eigen::Infinity>(),
+            1e-11);
 }
 
 TEST(Friction, FurtherNormalForces)
 {
-  // Part of the bound is given, as where a projection presses, too: nodes without normal force stick or slip as well. A slipping node that
-  // opens must not take its law, continued to tension, for a force against the slip: one problem in a hundred then runs in circles.
+  // Part of the bound is given, as where a projection presses, too: nodes without normal force
+  // stick or slip as well. A slipping node that opens must not take its law, continued to tension,
+  // for a force against the slip: one problem in a hundred then runs in circles.
   unsigned int n_fallbacks = 0, n_hang = 0, n_open = 0;
   for (const double constant : {0.01, 0.1})
     for (const unsigned int n_tangents : {1, 2})
       for (unsigned int seed = 0; seed < 300; ++seed)
         {
           SCOPED_TRACE(seed);
-          auto                  problem  = random_frictional(5, n_tangents, {0.8, constant}, seed);
-          const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(problem.matrix.rows(), problem.matrix.rows());
-          problem.matrix                 = 5. * problem.matrix - 4. * identity; // more coupling, less pressure
+          auto                  problem = random_frictional(5, n_tangents, {0.8, constant}, seed);
+          const Eigen::MatrixXd identity =
+            Eigen::MatrixXd::Identity(problem.matrix.rows(), problem.matrix.rows());
+          problem.matrix = 5. * problem.matrix - 4. * identity; // more coupling, less pressure
           for (unsigned int k = 0; k < 5; ++k)
             problem.right_hand_side[problem.bounded_entries[k]] -= 0.5;
           FrictionalNewton newton(limits);
@@ -309,8 +325,9 @@ TEST(Friction, FurtherNormalForces)
 
 TEST(Friction, SlipsWhereNeitherOpenNorStickCanBe)
 {
-  // Open, the node penetrates; held in all directions, it pulls; Newton's method goes to and fro. With a given bound b the normal force
-  // is 0.7 - 0.8 b, so that b = 2 n overshoots, each time by more than before: the fixed point must not go all the way.
+  // Open, the node penetrates; held in all directions, it pulls; Newton's method goes to and fro.
+  // With a given bound b the normal force is 0.7 - 0.8 b, so that b = 2 n overshoots, each time by
+  // more than before: the fixed point must not go all the way.
   FrictionalProblem problem;
   problem.matrix       = Eigen::Matrix4d::Identity();
   problem.matrix(0, 1) = problem.matrix(1, 0) = 0.8;

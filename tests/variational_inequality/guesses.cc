@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The answer does not depend on the first guess, and bounds that are just reached (no multiplier) do not disturb: the
-// solution of a strictly convex problem is unique.
+// The answer does not depend on the first guess, and bounds that are just reached (no multiplier)
+// do not disturb: the solution of a strictly convex problem is unique.
 
 #include <gtest/gtest.h>
 
@@ -106,4 +106,7 @@ TEST_P(AnyStart, EverythingHeld)
   EXPECT_LT((answer.residual - Eigen::Vector4d(10., 12., 8., 13.)).norm(), 1e-12);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AnyStart, testing::ValuesIn(solver_cases), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(All,
+                         AnyStart,
+                         testing::ValuesIn(solver_cases),
+                         testing::PrintToStringParamName());

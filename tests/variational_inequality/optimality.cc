@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Every solver finds the minimiser that trying all active sets finds, whatever the matrix, and its answer satisfies the
-// conditions of optimality: bounds, non-negative multipliers, complementarity, equations in the free entries.
+// Every solver finds the minimiser that trying all active sets finds, whatever the matrix, and its
+// answer satisfies the conditions of optimality: bounds, non-negative multipliers, complementarity,
+// equations in the free entries.
 
 #include <gtest/gtest.h>
 
@@ -22,11 +23,15 @@ namespace
 
   Eigen::MatrixXd with_eigenvalues(const Eigen::VectorXd &eigenvalues, Generator &generator)
   {
-    const Eigen::MatrixXd basis = random_matrix(eigenvalues.size(), generator).householderQr().householderQ();
+    const Eigen::MatrixXd basis =
+      random_matrix(eigenvalues.size(), generator).householderQr().householderQ();
     return basis * eigenvalues.asDiagonal() * basis.transpose();
   }
 
-  /** Non-positive off-diagonal entries, strictly diagonally dominant: the active set method is monotone. */
+  /**
+   * Non-positive off-diagonal entries, strictly diagonally dominant: the active set method is
+   * monotone.
+   */
   Eigen::MatrixXd m_matrix(const unsigned int n, Generator &generator)
   {
     Eigen::MatrixXd matrix = -random_matrix(n, generator).cwiseAbs();
@@ -96,9 +101,13 @@ TEST_P(AllSolvers, BadCondition)
     {
       Generator             generator(seed);
       const Eigen::VectorXd exponents = Eigen::VectorXd::LinSpaced(6, -4., 2.);
-      const Eigen::VectorXd spectrum  = exponents.unaryExpr([](const double e) { return std::pow(10., e); });
+      const Eigen::VectorXd spectrum =
+        exponents.unaryExpr([](const double e) { return std::pow(10., e); });
       compare(random_problem(with_eigenvalues(spectrum, generator), generator), 1e-7);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, AllSolvers, testing::ValuesIn(solver_cases), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(All,
+                         AllSolvers,
+                         testing::ValuesIn(solver_cases),
+                         testing::PrintToStringParamName());

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A problem on which the plain active set method runs in circles (found by random search) ends in the guaranteed method
-// with the right answer; a problem that has no answer ends in a RunError, never in a wrong solution.
+// A problem on which the plain active set method runs in circles (found by random search) ends in
+// the guaranteed method with the right answer; a problem that has no answer ends in a RunError,
+// never in a wrong solution.
 
 #include <signorini/base/user_error.h>
 
@@ -55,8 +56,9 @@ TEST(Cycle, ThePlainMethodNeverEnds)
   std::set<ActiveSet> seen;
   while (seen.insert(active).second)
     {
-      const Eigen::VectorXd x = solve_with(problem, active), s = problem.right_hand_side - problem.matrix * x;
-      const ActiveSet       before = active;
+      const Eigen::VectorXd x = solve_with(problem, active),
+                            s = problem.right_hand_side - problem.matrix * x;
+      const ActiveSet before  = active;
       for (unsigned int i = 0; i < 5; ++i)
         active[i] = active[i] ? s[i] >= 0. : x[i] > 1e-12;
       ASSERT_NE(active, before);
@@ -102,4 +104,7 @@ TEST(Failure, ALinearSolverThatGivesUpDoesNotEndTheSearch)
   EXPECT_LT((answer.solution - brute_force(problem)).norm(), 1e-9);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Robustness, testing::ValuesIn(solver_cases), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(All,
+                         Robustness,
+                         testing::ValuesIn(solver_cases),
+                         testing::PrintToStringParamName());

@@ -4,7 +4,8 @@
 #ifndef signorini_tests_solvers_h
 #define signorini_tests_solvers_h
 
-// The solvers that the tests compare, by name, and one call that solves a dense problem with any of them.
+// The solvers that the tests compare, by name, and one call that solves a dense problem with any of
+// them.
 
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
@@ -44,12 +45,15 @@ namespace signorini
     Eigen::VectorXd solution, residual;
   };
 
-  inline Answer
-  solve(ConstrainedSolver &solver, const SolverCase &solver_case, const DenseProblem &data, const ActiveSet &guess)
+  inline Answer solve(ConstrainedSolver  &solver,
+                      const SolverCase   &solver_case,
+                      const DenseProblem &data,
+                      const ActiveSet    &guess)
   {
     const bool          exact = std::string(solver_case.preconditioner) == "exact";
     const DenseOperator matrix(data.matrix);
-    DenseInverse        preconditioner(exact ? data.matrix : Eigen::MatrixXd(data.matrix.diagonal().asDiagonal()));
+    DenseInverse        preconditioner(exact ? data.matrix
+                                      : Eigen::MatrixXd(data.matrix.diagonal().asDiagonal()));
     const Vector        right_hand_side = to_vector(data.right_hand_side);
     Vector              solution(data.matrix.rows()), residual(data.matrix.rows());
     Answer              answer;
@@ -73,7 +77,8 @@ namespace signorini
 
   inline Answer solve(const SolverCase &solver_case, const DenseProblem &data)
   {
-    return solve(*make_solver(solver_case), solver_case, data, ActiveSet(data.bounded_entries.size(), 0));
+    return solve(
+      *make_solver(solver_case), solver_case, data, ActiveSet(data.bounded_entries.size(), 0));
   }
 } // namespace signorini
 

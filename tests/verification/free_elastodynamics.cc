@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Without contact all schemes are the trapezoidal rule, second order in space and time: for standing waves, whose exact solution is
-// known, halving cells and steps together divides the errors of displacement and velocity by four, and energy is conserved.
+// Without contact all schemes are the trapezoidal rule, second order in space and time: for
+// standing waves, whose exact solution is known, halving cells and steps together divides the
+// errors of displacement and velocity by four, and energy is conserved.
 
 #include "../discretization/bodies.h"
 
@@ -17,7 +18,10 @@ using namespace signorini::tests;
 
 namespace
 {
-  /** Longitudinal standing wave in a free bar of length 2 with nu = 0, so that it is exact in two dimensions, too; c = 3. */
+  /**
+   * Longitudinal standing wave in a free bar of length 2 with nu = 0, so that it is exact in two
+   * dimensions, too; c = 3.
+   */
   Scene<2> standing_wave(const unsigned int n_cells, const double step_size)
   {
     BodyDescription<2> bar;
@@ -29,7 +33,8 @@ namespace
     bar.initial_displacement = {{"cos(pi*x/2)", "0"}};
     Scene<2> scene           = scene_of<2>({bar});
     scene.time.step_size     = step_size;
-    scene.exact_solution = {true, {{"cos(pi*x/2)*cos(1.5*pi*t)", "0"}}, {{"-1.5*pi*cos(pi*x/2)*sin(1.5*pi*t)", "0"}}};
+    scene.exact_solution     = {
+          true, {{"cos(pi*x/2)*cos(1.5*pi*t)", "0"}}, {{"-1.5*pi*cos(pi*x/2)*sin(1.5*pi*t)", "0"}}};
     return scene;
   }
 
@@ -43,10 +48,11 @@ namespace
     strip.repetitions      = {{1, n_cells}};
     strip.material         = {10.4, 0.3, 1.};
     strip.initial_velocity = {{"2*pi*sin(pi*y)", "0"}};
-    strip.dirichlet        = {{2, {{"0", "0"}}}, {3, {{"0", "0"}}}, {0, {{"-", "0"}}}, {1, {{"-", "0"}}}};
-    Scene<2> scene         = scene_of<2>({strip});
-    scene.time.step_size   = step_size;
-    scene.exact_solution   = {true, {{"sin(pi*y)*sin(2*pi*t)", "0"}}, {{"2*pi*sin(pi*y)*cos(2*pi*t)", "0"}}};
+    strip.dirichlet = {{2, {{"0", "0"}}}, {3, {{"0", "0"}}}, {0, {{"-", "0"}}}, {1, {{"-", "0"}}}};
+    Scene<2> scene  = scene_of<2>({strip});
+    scene.time.step_size = step_size;
+    scene.exact_solution = {
+      true, {{"sin(pi*y)*sin(2*pi*t)", "0"}}, {{"2*pi*sin(pi*y)*cos(2*pi*t)", "0"}}};
     return scene;
   }
 
@@ -64,7 +70,8 @@ namespace
     const ContactSurface<2>     surface(discretization, supports, scene.obstacles, scene.pairs);
     const ContactCoordinates<2> coordinates(discretization, surface, supports);
     Loads<2>                    loads(discretization);
-    dealii::TimerOutput         timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    dealii::TimerOutput         timer(
+      std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
     ElasticContactSystem<2> system(
       discretization, surface, coordinates, loads, system_parameters(scene), timer);
 
@@ -85,15 +92,16 @@ namespace
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         scheme->advance(system, state, scene.time.step_size);
-        outcome.energy_change = std::max(outcome.energy_change, std::abs(energy() / initial_energy - 1.));
+        outcome.energy_change =
+          std::max(outcome.energy_change, std::abs(energy() / initial_energy - 1.));
       }
     outcome.errors = ErrorEvaluation<2>(scene.exact_solution).evaluate(discretization, state, 0.);
     return outcome;
   }
 
   /**
-   * Cells and steps halved together three times, at Courant numbers 1.5 and 2, where the errors of space and time do not cancel;
-   * the end is at 13/16, no moment of symmetry.
+   * Cells and steps halved together three times, at Courant numbers 1.5 and 2, where the errors of
+   * space and time do not cancel; the end is at 13/16, no moment of symmetry.
    */
   template <typename MakeScene>
   void expect_second_order(const MakeScene &make_scene, const std::string &scheme)
@@ -108,7 +116,8 @@ namespace
     EXPECT_LT(errors.back().displacement, 2e-2 * errors.back().displacement_norm);
     for (unsigned int k = 1; k < errors.size(); ++k)
       {
-        EXPECT_NEAR(errors[k - 1].displacement / errors[k].displacement, 4., 0.3) << scheme << " " << k;
+        EXPECT_NEAR(errors[k - 1].displacement / errors[k].displacement, 4., 0.3)
+          << scheme << " " << k;
         EXPECT_NEAR(errors[k - 1].velocity / errors[k].velocity, 4., 0.3) << scheme << " " << k;
       }
   }

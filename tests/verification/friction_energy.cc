@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Contact-stabilized steps with friction, projected or not, never gain energy, whatever falls on the floor and however large the steps: contact,
-// predictor, friction and the stop of sticking nodes each take some. Ten thousand blocks are thrown with random shapes, materials, velocities, spins,
-// coefficients of friction and Courant numbers. On the way Newton's method shows that it hardly ever needs its fallback, and few iterations.
+// Contact-stabilized steps with friction, projected or not, never gain energy, whatever falls on
+// the floor and however large the steps: contact, predictor, friction and the stop of sticking
+// nodes each take some. Ten thousand blocks are thrown with random shapes, materials, velocities,
+// spins, coefficients of friction and Courant numbers. On the way Newton's method shows that it
+// hardly ever needs its fallback, and few iterations.
 
 #include "frictional_motion.h"
 #include "frictional_scenes.h"
@@ -55,7 +57,7 @@ namespace
         }
       body.repetitions[0] += between(0., 1.) < 0.5 ? 1 : 0;
       body.material.poissons_ratio = between(0., 0.45);
-      Scene<dim> scene             = contact_scene<dim>(body, {floor_at<dim>(0.)}, {bottom_id<dim>});
+      Scene<dim> scene = contact_scene<dim>(body, {floor_at<dim>(0.)}, {bottom_id<dim>});
       set_step(scene, 1., coulomb(std::to_string(between(0., 2.))));
       return scene;
     }
@@ -66,15 +68,17 @@ namespace
 
   struct Statistics
   {
-    unsigned int n_throws = 0, n_contact = 0, n_fallbacks = 0, n_iterations = 0, most_iterations = 0, n_stick = 0,
-                 n_slip = 0;
+    unsigned int n_throws = 0, n_contact = 0, n_fallbacks = 0, n_iterations = 0,
+                 most_iterations = 0, n_stick = 0, n_slip = 0;
     double gain = 0., residual = 0., loss = 0.;
   };
 
   /** The block flies or starts from the floor, as a rigid body or not. */
   template <int dim>
-  void
-  throw_once(const FrictionalBodies<dim> &bodies, const std::string &scheme, Throws &random, Statistics &statistics)
+  void throw_once(const FrictionalBodies<dim> &bodies,
+                  const std::string           &scheme,
+                  Throws                      &random,
+                  Statistics                  &statistics)
   {
     const double step_size =
       random.between(0.3, 10.) / bodies.discretization.mesh().courant_number(1.);
@@ -83,7 +87,8 @@ namespace
     v[dim - 1]                     = -std::abs(v[dim - 1]);
     const Tensor<1, dim> spin      = speed * random.vector<dim>();
     const double         irregular = random.between(0., 1.) < 0.5 ? 0. : 0.5 * speed;
-    const double height = random.between(0., 1.) < 0.5 ? 0. : random.between(0., 2.) * std::abs(v[dim - 1]) * step_size;
+    const double         height =
+      random.between(0., 1.) < 0.5 ? 0. : random.between(0., 2.) * std::abs(v[dim - 1]) * step_size;
 
     const Vector displacement = bodies.of_first_body([&](const auto &) {
       Tensor<1, dim> up;
@@ -108,10 +113,12 @@ namespace
     ++statistics.n_throws;
     for (unsigned int step = 0; step < n_steps_per_throw; ++step)
       {
-        ASSERT_NO_THROW(motion.step(step_size)) << "throw " << statistics.n_throws << ", step " << step;
-        statistics.gain     = std::max(statistics.gain, motion.energy_change / initial_energy);
-        statistics.residual = std::max(statistics.residual, std::abs(motion.booking.residual) / initial_energy);
-        statistics.loss     = std::max(statistics.loss, -motion.report.work_friction / initial_energy);
+        ASSERT_NO_THROW(motion.step(step_size))
+          << "throw " << statistics.n_throws << ", step " << step;
+        statistics.gain = std::max(statistics.gain, motion.energy_change / initial_energy);
+        statistics.residual =
+          std::max(statistics.residual, std::abs(motion.booking.residual) / initial_energy);
+        statistics.loss = std::max(statistics.loss, -motion.report.work_friction / initial_energy);
         if (motion.report.corrector.n_active == 0)
           continue;
         ++statistics.n_contact;
@@ -128,7 +135,9 @@ namespace
   }
 
   template <int dim>
-  void expect_no_gain(const std::string &scheme, const unsigned int n_scenes, const unsigned int n_throws_per_scene)
+  void expect_no_gain(const std::string &scheme,
+                      const unsigned int n_scenes,
+                      const unsigned int n_throws_per_scene)
   {
     Throws     random(dim);
     Statistics statistics;
@@ -146,9 +155,10 @@ namespace
     EXPECT_LT(statistics.n_iterations, 10. * statistics.n_contact);
     EXPECT_GT(statistics.n_stick, statistics.n_contact / 4);
     EXPECT_GT(statistics.n_slip, statistics.n_contact / 4);
-    std::cout << dim << "d, " << scheme << ": " << statistics.n_throws << " throws, " << statistics.n_contact
-              << " steps with contact, iterations " << 1. * statistics.n_iterations / statistics.n_contact
-              << " in the mean, " << statistics.most_iterations << " at most, " << statistics.n_fallbacks
+    std::cout << dim << "d, " << scheme << ": " << statistics.n_throws << " throws, "
+              << statistics.n_contact << " steps with contact, iterations "
+              << 1. * statistics.n_iterations / statistics.n_contact << " in the mean, "
+              << statistics.most_iterations << " at most, " << statistics.n_fallbacks
               << " fallbacks, largest gain " << statistics.gain << std::endl;
   }
 } // namespace

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// In every step of every scheme that knows friction each contact node obeys the law: its tangential force does not exceed the bound, it is
-// at the bound and along the slip where there is slip, and these forces are those of the equation of motion. Friction takes energy, the
-// ledger explains every change of it, and two free bodies keep their momentum, because friction acts on both.
+// In every step of every scheme that knows friction each contact node obeys the law: its tangential
+// force does not exceed the bound, it is at the bound and along the slip where there is slip, and
+// these forces are those of the equation of motion. Friction takes energy, the ledger explains
+// every change of it, and two free bodies keep their momentum, because friction acts on both.
 
 #include "frictional_motion.h"
 #include "frictional_scenes.h"
@@ -17,18 +18,22 @@ using dealii::Tensor;
 namespace
 {
   const std::vector<std::string> schemes_with_friction = {"contact-stabilized",
-                                            "contact-stabilized-projected",
-                                            "contact-implicit",
-                                            "laursen-chawla",
-                                            "hager-hueeber-wohlmuth",
-                                            "laursen-love",
-                                            "newmark",
-                                            "backward-euler"};
+                                                          "contact-stabilized-projected",
+                                                          "contact-implicit",
+                                                          "laursen-chawla",
+                                                          "hager-hueeber-wohlmuth",
+                                                          "laursen-love",
+                                                          "newmark",
+                                                          "backward-euler"};
 
-  /** Largest violations at the contact nodes of all processes; forces relative to the largest one of the step. */
+  /**
+   * Largest violations at the contact nodes of all processes; forces relative to the largest one
+   * of the step.
+   */
   struct Violations
   {
-    double       beyond_bound = 0., direction = 0., slip_below_bound = 0., open_nodes = 0., normal_force = 0.;
+    double beyond_bound = 0., direction = 0., slip_below_bound = 0., open_nodes = 0.,
+           normal_force  = 0.;
     unsigned int n_stick = 0, n_slip = 0;
   };
 
@@ -50,8 +55,8 @@ namespace
     for (unsigned int k = 0; k < nodes.size(); ++k)
       {
         const unsigned int i = bodies.coordinates.normal_entries()[k];
-        normal[k]            = -(system.solution.normal_reaction[k] + further.local_element(i)) / factor;
-        largest              = std::max({largest, normal[k], nodes[k].friction.constant});
+        normal[k] = -(system.solution.normal_reaction[k] + further.local_element(i)) / factor;
+        largest   = std::max({largest, normal[k], nodes[k].friction.constant});
       }
     largest = largest_of_all_processes(largest);
 
@@ -67,7 +72,9 @@ namespace
           force += friction.local_element(i + j) / factor * nodes[k].direction(j);
         const double bound = law.bound(normal[k]), slip = slips[k].norm();
         const bool   free = law.constant == 0. && normal[k] <= 0.;
-        const auto   note = [&](double &worst, const double value) { worst = std::max(worst, value); };
+        const auto   note = [&](double &worst, const double value) {
+          worst = std::max(worst, value);
+        };
         note(result.beyond_bound, force.norm() - bound);
         if (free)
           note(result.open_nodes, force.norm());
@@ -82,7 +89,8 @@ namespace
           note(result.slip_below_bound, slip / size);
         note(result.normal_force, std::abs(normal[k] + total.local_element(i)));
       }
-    for (double *value : {&result.beyond_bound, &result.direction, &result.open_nodes, &result.normal_force})
+    for (double *value :
+         {&result.beyond_bound, &result.direction, &result.open_nodes, &result.normal_force})
       *value = largest_of_all_processes(*value) / std::max(largest, 1e-300);
     result.slip_below_bound = largest_of_all_processes(result.slip_below_bound);
     result.n_stick          = sum_of_all_processes(result.n_stick);
@@ -107,7 +115,10 @@ namespace
   }
 
   template <int dim>
-  void expect_law(Scene<dim> scene, const std::string &scheme, const double angle, const unsigned int n_steps)
+  void expect_law(Scene<dim>         scene,
+                  const std::string &scheme,
+                  const double       angle,
+                  const unsigned int n_steps)
   {
     SCOPED_TRACE(scheme);
     scene.time.scheme = scheme;
@@ -119,12 +130,12 @@ namespace
     const FrictionalBodies<dim> bodies(turned(scene, angle), turn<dim>(angle));
     const Tensor<1, dim>        v        = rotation<dim>(angle) * oblique_velocity<dim>();
     const Vector                velocity = bodies.of_first_body([&](const auto &) { return v; });
-    FrictionalMotion<dim>       motion(bodies, scheme, bodies.discretization.make_vector(), velocity);
-    const double                initial_energy = motion.ledger.initial().total();
-    const auto                  initial        = momentum(bodies.discretization, motion.state).linear;
-    const bool                  two_bodies     = scene.bodies.size() == 2;
-    unsigned int                n_stick = 0, n_slip = 0, n_fallbacks = 0;
-    double                      work = 0.;
+    FrictionalMotion<dim> motion(bodies, scheme, bodies.discretization.make_vector(), velocity);
+    const double          initial_energy = motion.ledger.initial().total();
+    const auto            initial        = momentum(bodies.discretization, motion.state).linear;
+    const bool            two_bodies     = scene.bodies.size() == 2;
+    unsigned int          n_stick = 0, n_slip = 0, n_fallbacks = 0;
+    double                work = 0.;
     for (unsigned int step = 0; step < n_steps; ++step)
       {
         motion.step(scene.time.step_size);
@@ -137,7 +148,8 @@ namespace
         EXPECT_LT(std::abs(motion.booking.residual), 1e-10 * initial_energy) << step;
         if (scheme != "laursen-love") // whose impulses come on top
           {
-            EXPECT_LT(wrong.normal_force, scheme == "contact-stabilized-projected" ? 1e-3 : 1e-8) << step;
+            EXPECT_LT(wrong.normal_force, scheme == "contact-stabilized-projected" ? 1e-3 : 1e-8)
+              << step;
           }
         if (scheme != "newmark") // half of its friction belongs to the slip of the step before
           {

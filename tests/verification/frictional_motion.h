@@ -28,8 +28,9 @@ namespace signorini::tests
       right_hand_side  = problem.right_hand_side;
       stiffness_factor = problem.stiffness_factor;
       force_factor     = problem.force_factor;
-      further_reaction =
-        problem.further_reaction == nullptr ? ElasticContactSystem<dim>::make_vector() : *problem.further_reaction;
+      further_reaction = problem.further_reaction == nullptr
+                           ? ElasticContactSystem<dim>::make_vector()
+                           : *problem.further_reaction;
       ElasticContactSystem<dim>::solve(problem, result);
       solution = result;
     }
@@ -53,16 +54,22 @@ namespace signorini::tests
     {
     }
 
-    /** Nodal values of a function of the reference position of the nodes of the first body; zero elsewhere. */
-    Vector of_first_body(const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function) const
+    /**
+     * Nodal values of a function of the reference position of the nodes of the first body; zero
+     * elsewhere.
+     */
+    Vector of_first_body(
+      const std::function<dealii::Tensor<1, dim>(const dealii::Point<dim> &)> &function) const
     {
       const auto &pattern = this->discretization.matrices().pattern;
       Vector      result  = this->discretization.make_vector();
       for (const auto &cell : this->discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == 0)
           for (const unsigned int v : cell->vertex_indices())
-            if (const auto dof = cell->vertex_dof_index(v, 0); pattern.partitioner->in_local_range(dof))
-              if (const unsigned int first = pattern.partitioner->global_to_local(dof); !pattern.is_empty(first / dim))
+            if (const auto dof = cell->vertex_dof_index(v, 0);
+                pattern.partitioner->in_local_range(dof))
+              if (const unsigned int first = pattern.partitioner->global_to_local(dof);
+                  !pattern.is_empty(first / dim))
                 {
                   const auto value = function(this->discretization.node_positions()[first / dim]);
                   for (unsigned int c = 0; c < dim; ++c)

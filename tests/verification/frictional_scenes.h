@@ -71,8 +71,8 @@ namespace signorini::tests
       }
     else
       {
-        slave                   = block<3>("slave", {0.4, 0.3, 0.004}, {1.6, 1.3, 1.}, {{2, 2, 2}});
-        master                  = block<3>("master", {-0.2, -0.1, -1.}, {std::sqrt(2.) - 0.2, 1., 0.}, {{3, 4, 2}});
+        slave  = block<3>("slave", {0.4, 0.3, 0.004}, {1.6, 1.3, 1.}, {{2, 2, 2}});
+        master = block<3>("master", {-0.2, -0.1, -1.}, {std::sqrt(2.) - 0.2, 1., 0.}, {{3, 4, 2}});
         slave.local_refinements = master.local_refinements = 1;
         slave.refine_where = master.refine_where = "x + 0.5*y - 1.1";
       }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// The patch test of contact: two stacked blocks of different materials under a uniform pressure have a linear displacement each and the
-// same pressure everywhere on their common face. The mortar method transmits a uniform pressure exactly across any flat
-// non-matching interface, so that the discrete solution is the exact one, and every scheme stays in this state of rest.
+// The patch test of contact: two stacked blocks of different materials under a uniform pressure
+// have a linear displacement each and the same pressure everywhere on their common face. The mortar
+// method transmits a uniform pressure exactly across any flat non-matching interface, so that the
+// discrete solution is the exact one, and every scheme stays in this state of rest.
 
 #include "../contact/stacked_blocks.h"
 
@@ -21,7 +22,8 @@ using dealii::Tensor;
 
 namespace
 {
-  /** The forces of the exact solution balance at all nodes, but for the reactions of the rollers. */
+  /** The forces of the exact solution balance at all nodes, but for the reactions of the rollers.
+   */
   template <int dim>
   void expect_balance(const Stack<dim> &stack, const TwoBodies<dim> &bodies)
   {
@@ -47,8 +49,9 @@ namespace
     const StepOperator<dim> matrix(matrices, coordinates, 0., 1.);
     const auto              preconditioner =
       make_preconditioner(PreconditionerKind::jacobi, matrices, coordinates, 0., 1.);
-    const Vector            exact          = stack.exact(bodies);
-    Vector       load = Loads<dim>(bodies.discretization).at(0.), u = bodies.discretization.make_vector(), residual = u;
+    const Vector exact = stack.exact(bodies);
+    Vector load = Loads<dim>(bodies.discretization).at(0.), u = bodies.discretization.make_vector(),
+           residual     = u;
     const double energy = std::abs(load * exact);
     coordinates.force_to_contact(load);
     ActiveSet active(n, 1);
@@ -70,7 +73,8 @@ namespace
     EXPECT_FALSE(report.fallback);
     EXPECT_EQ(report.n_active, bodies.surface.n_global_nodes());
     for (unsigned int k = 0; k < n; ++k)
-      EXPECT_NEAR(residual.local_element(coordinates.normal_entries()[k]) / bodies.surface.nodes()[k].weight,
+      EXPECT_NEAR(residual.local_element(coordinates.normal_entries()[k])
+                    / bodies.surface.nodes()[k].weight,
                   pressure,
                   1e-10 * pressure)
         << bodies.surface.nodes()[k].position;
@@ -83,10 +87,11 @@ namespace
   template <int dim>
   void expect_rest(const Stack<dim> &stack, const std::string &scheme, const double speed)
   {
-    const TwoBodies<dim>      bodies(stack.scene(false), stack.map());
-    const auto               &discretization = bodies.discretization;
-    Loads<dim>                loads(discretization);
-    dealii::TimerOutput       timer(std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+    const TwoBodies<dim> bodies(stack.scene(false), stack.map());
+    const auto          &discretization = bodies.discretization;
+    Loads<dim>           loads(discretization);
+    dealii::TimerOutput  timer(
+      std::cout, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
     ElasticContactSystem<dim> system(discretization,
                                      bodies.surface,
                                      bodies.coordinates,
@@ -107,8 +112,9 @@ namespace
     state.contact_force  = uniform_contact_force(bodies);
     state.momentum       = mass_times(discretization, velocity);
     state.internal_force = stiffness_times(discretization, initial);
-    const double elastic = 0.5 * (initial * state.internal_force), mass = total_mass(discretization);
-    const double energy = elastic + 0.5 * (velocity * state.momentum);
+    const double elastic = 0.5 * (initial * state.internal_force),
+                 mass    = total_mass(discretization);
+    const double energy  = elastic + 0.5 * (velocity * state.momentum);
     system.set_energy(energy);
     const Vector force = state.contact_force;
 
@@ -118,7 +124,8 @@ namespace
       {
         const StepReport report = method->advance(system, state, tau);
         EXPECT_FALSE(report.corrector.fallback);
-        ASSERT_EQ(report.corrector.n_active, bodies.surface.n_global_nodes()) << scheme << " " << step;
+        ASSERT_EQ(report.corrector.n_active, bodies.surface.n_global_nodes())
+          << scheme << " " << step;
         EXPECT_EQ(report.predictor.n_active, 0u) << scheme << " " << step;
       }
     Vector error = state.displacement;
@@ -148,7 +155,8 @@ namespace
 
   std::vector<std::pair<std::string, Stack<3>>> stacks_3d()
   {
-    auto hanging_slave = stack<3>({{3, 3, 2}}, {{2, 2, 2}}, 1.), hanging_master = hanging_slave, both = hanging_slave;
+    auto hanging_slave = stack<3>({{3, 3, 2}}, {{2, 2, 2}}, 1.), hanging_master = hanging_slave,
+         both = hanging_slave;
     for (auto *body : {&hanging_slave.upper, &hanging_master.lower, &both.upper, &both.lower})
       {
         body->local_refinements = 1;

@@ -5,18 +5,21 @@
 #define signorini_adaptivity_contact_fields_h
 
 #include <signorini/adaptivity/force_balance.h>
-#include <signorini/finite_elements/stress_vectors.h>
 #include <signorini/adaptivity/surface_roles.h>
+#include <signorini/finite_elements/stress_vectors.h>
 
 namespace signorini
 {
-  /** Nodal fields that describe contact on the surfaces, with ghosts and values at hanging nodes; zero away from contact. */
+  /**
+   * Nodal fields that describe contact on the surfaces, with ghosts and values at hanging nodes;
+   * zero away from contact.
+   */
   template <int dim>
   struct ContactFields
   {
-    Vector normal; ///< nu at contact nodes
-    Vector
-      traction; ///< what acts on the body: of friction at contact nodes; all of it, opposite to the slave's, at master nodes
+    Vector normal;   ///< nu at contact nodes
+    Vector traction; ///< what acts on the body: of friction at contact nodes; all of it, opposite
+                     ///< to the slave's, at master nodes
     Vector open;     ///< first component: 1 at nodes of slave surfaces that are not in full contact
     Vector pressure; ///< first component: s = -r_nu / D at contact nodes
     Vector gap;      ///< first component: >= 0, at contact nodes that are not closed
@@ -39,11 +42,17 @@ namespace signorini
                                     const Vector              &displacement)
   {
     const CellNeighbors<dim> mesh(discretization);
-    return contact_fields(
-      StressVectors<dim>(mesh, displacement), SurfaceRoles<dim>(mesh, surface), surface, supports, balance);
+    return contact_fields(StressVectors<dim>(mesh, displacement),
+                          SurfaceRoles<dim>(mesh, surface),
+                          surface,
+                          supports,
+                          balance);
   }
 
-  /** Whether contact presses on a node: its normal force is compression, and more than the round-off of the largest nodal force. */
+  /**
+   * Whether contact presses on a node: its normal force is compression, and more than the
+   * round-off of the largest nodal force.
+   */
   template <int dim>
   std::vector<bool> closed_nodes(const ContactSurface<dim> &surface, const Vector &contact_force);
 } // namespace signorini

@@ -17,7 +17,10 @@ namespace signorini
     double      step_size = 0.;                  ///< of the first step
   };
 
-  /** A step that was just made, both states on the present mesh. Before the first step both are the initial one and the step size is 0. */
+  /**
+   * A step that was just made, both states on the present mesh. Before the first step both are the
+   * initial one and the step size is 0.
+   */
   struct StepRecord
   {
     const State &start;
@@ -25,7 +28,10 @@ namespace signorini
     double       step_size;
   };
 
-  /** Tells where the mesh is too coarse, or finer than needed. Refers to one mesh: build another one when the mesh has changed. */
+  /**
+   * Tells where the mesh is too coarse, or finer than needed. Refers to one mesh: build another
+   * one when the mesh has changed.
+   */
   template <int dim>
   class ErrorIndicator
   {
@@ -33,8 +39,9 @@ namespace signorini
     virtual ~ErrorIndicator() = default;
 
     /**
-     * eta_T >= 0 per active cell of this process, by active_cell_index; zero for cells of others. Collective. The root of the sum of squares over all
-     * processes is the estimate of the whole mesh; all zero means that there is nothing to be seen but round-off.
+     * eta_T >= 0 per active cell of this process, by active_cell_index; zero for cells of others.
+     * Collective. The root of the sum of squares over all processes is the estimate of the whole
+     * mesh; all zero means that there is nothing to be seen but round-off.
      */
     virtual dealii::Vector<double> evaluate(const StepRecord &step) const = 0;
   };
@@ -48,7 +55,10 @@ namespace signorini
                        const ContactSurface<dim>  &surface,
                        const Supports<dim>        &supports);
 
-  /** Put indicators to zero if all of them together are round-off compared with the energy of the motion. Collective. */
+  /**
+   * Put indicators to zero if all of them together are round-off compared with the energy of the
+   * motion. Collective.
+   */
   void remove_round_off(const State &state, dealii::Vector<double> &indicator);
 } // namespace signorini
 

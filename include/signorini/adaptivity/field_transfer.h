@@ -9,11 +9,13 @@
 namespace signorini
 {
   /**
-   * Carries Q1 fields from a mesh to the next one, cell by cell and to whatever process owns the cell then.
+   * Carries Q1 fields from a mesh to the next one, cell by cell and to whatever process owns the
+   * cell then.
    *
-   * On refined cells the function stays what it is. Where cells are coarsened it is first replaced by its values at the remaining nodes; the
-   * moments of what got lost, against all functions of the new mesh, are kept, so that the owner of the fields can turn the result into a
-   * projection: with c from (M or A) c = lost moments, field + c is the projection in the norm of M or A.
+   * On refined cells the function stays what it is. Where cells are coarsened it is first replaced
+   * by its values at the remaining nodes; the moments of what got lost, against all functions of
+   * the new mesh, are kept, so that the owner of the fields can turn the result into a projection:
+   * with c from (M or A) c = lost moments, field + c is the projection in the norm of M or A.
    */
   template <int dim>
   class FieldTransfer
@@ -22,7 +24,9 @@ namespace signorini
     using Cell = typename dealii::Triangulation<dim>::cell_iterator;
 
     /** Moments that a field shall be projected with: mass_moments or stiffness_moments. */
-    using Moments = VertexValues (*)(const Discretization<dim> &, const Cell &, const VertexValues &);
+    using Moments = VertexValues (*)(const Discretization<dim> &,
+                                     const Cell &,
+                                     const VertexValues &);
 
     /** A field of the old mesh. */
     struct Source
@@ -34,14 +38,14 @@ namespace signorini
     /** A field on the new mesh. */
     struct Result
     {
-      Vector field; ///< values at nodes
-      Vector
-        lost_moments; ///< of old minus new function; empty for sources without moments and if nothing was coarsened
+      Vector field;        ///< values at nodes
+      Vector lost_moments; ///< of old minus new function; empty for sources without moments and if
+                           ///< nothing was coarsened
     };
 
     /**
-     * Take the fields. The mesh must carry its final flags, and must change next; what was before must live until then.
-     * Collective.
+     * Take the fields. The mesh must carry its final flags, and must change next; what was before
+     * must live until then. Collective.
      */
     FieldTransfer(Mesh<dim>                 &mesh,
                   const Discretization<dim> &before,
@@ -55,7 +59,10 @@ namespace signorini
 
     static constexpr unsigned int n_values = dim * (1u << dim); ///< per cell and field
 
-    /** The old functions on a cell: the values of each source, and on coarsened cells also the moments of each. */
+    /**
+     * The old functions on a cell: the values of each source, and on coarsened cells also the
+     * moments of each.
+     */
     using CellFields = std::vector<double>;
 
     Mesh<dim>                 &mesh;
@@ -63,7 +70,10 @@ namespace signorini
     std::vector<Source>        sources;
     unsigned int               handle;
 
-    bool is_coarsened(const CellFields &fields) const { return fields.size() > n_values * sources.size(); }
+    bool is_coarsened(const CellFields &fields) const
+    {
+      return fields.size() > n_values * sources.size();
+    }
 
     std::vector<char>       pack(const Cell &cell, CellStatus status) const;
     VertexValues            vertex_values(const Cell &active_cell, const Vector &field) const;
@@ -71,7 +81,8 @@ namespace signorini
     CellFields              prolongate(const CellFields &parent, unsigned int child) const;
     std::vector<CellFields> receive();
     std::vector<Result>     values_at_nodes(const std::vector<CellFields> &cells) const;
-    Vector lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
+    Vector
+    lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
   };
 } // namespace signorini
 

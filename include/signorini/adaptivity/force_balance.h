@@ -12,24 +12,28 @@ namespace signorini
   /**
    * Forces that balance in the finite element space, and what is known of them pointwise:
    *
-   *   div sigma(u) + rho q = 0 in the bodies,   sigma(u) n = traction on their surfaces,   r = nodal forces of contact.
+   *   div sigma(u) + rho q = 0 in the bodies,   sigma(u) n = traction on their surfaces,   r =
+   * nodal forces of contact.
    */
   struct ForceBalance
   {
-    Vector              displacement;      ///< u, whose stress counts
-    Vector              specific_force;    ///< q: force per mass, minus the acceleration
-    Vector              contact_force;     ///< r
-    std::vector<double> gap;               ///< per contact node, where the condition of contact counts
-    double start_time = 0., end_time = 0.; ///< the tractions of the scene are the mean of those at both times
+    Vector              displacement;   ///< u, whose stress counts
+    Vector              specific_force; ///< q: force per mass, minus the acceleration
+    Vector              contact_force;  ///< r
+    std::vector<double> gap;            ///< per contact node, where the condition of contact counts
+    double              start_time = 0.,
+           end_time = 0.; ///< the tractions of the scene are the mean of those at both times
   };
 
   /**
-   * The balance that a time step solves. With the trapezoidal rule, whatever the predictor, it is (divided by tau^2/2)
+   * The balance that a time step solves. With the trapezoidal rule, whatever the predictor, it is
+   * (divided by tau^2/2)
    *
    *   -rho (v_new - v)/tau + div sigma((u + u_new)/2) + rho (f + f_new)/2 = 0,
    *
-   * with the contact forces of the step; newmark shares them between the two ends, and backward-euler has everything at the end. The schemes
-   * with weights of their own (hht-alpha, generalized-alpha) differ from it by the order of their damping.
+   * with the contact forces of the step; newmark shares them between the two ends, and
+   * backward-euler has everything at the end. The schemes with weights of their own (hht-alpha,
+   * generalized-alpha) differ from it by the order of their damping.
    */
   template <int dim>
   ForceBalance balance_of_step(const ContactSurface<dim> &surface,
@@ -44,7 +48,10 @@ namespace signorini
                                const StepRecord          &step,
                                const StepBalance          balance);
 
-  /** The balance of a static equilibrium of displacement and nodal contact forces under the loads of a time. */
+  /**
+   * The balance of a static equilibrium of displacement and nodal contact forces under the loads
+   * of a time.
+   */
   template <int dim>
   ForceBalance balance_at_rest(const Discretization<dim> &discretization,
                                const ContactSurface<dim> &surface,

@@ -13,9 +13,10 @@
 namespace signorini
 {
   /**
-   * How the squared indicators are distributed over the cells of all processes, as a histogram of sixteenths of octaves below the largest one. It answers
-   * with one reduction what thresholds do, and cells whose indicators differ by round-off only stand in the same bin, so that symmetric motions
-   * keep symmetric meshes on any number of processes.
+   * How the squared indicators are distributed over the cells of all processes, as a histogram of
+   * sixteenths of octaves below the largest one. It answers with one reduction what thresholds do,
+   * and cells whose indicators differ by round-off only stand in the same bin, so that symmetric
+   * motions keep symmetric meshes on any number of processes.
    */
   class IndicatorDistribution
   {
@@ -33,13 +34,20 @@ namespace signorini
     double       total() const { return sum; }
     unsigned int n_cells() const { return n; }
 
-    /** The largest threshold such that cells with squares >= it make at least this part of the total; infinity if the part or the total is zero. */
+    /**
+     * The largest threshold such that cells with squares >= it make at least this part of the
+     * total; infinity if the part or the total is zero.
+     */
     double threshold_of_part(double part) const;
 
-    /** The largest threshold such that cells with squares < it make at most this part of the total; zero if the total is. */
+    /**
+     * The largest threshold such that cells with squares < it make at most this part of the total;
+     * zero if the total is.
+     */
     double threshold_of_rest(double part) const;
 
-    /** The smallest threshold such that at most so many of the cells that count have squares >= it. */
+    /** The smallest threshold such that at most so many of the cells that count have squares >= it.
+     */
     double threshold_of_number(double number) const;
 
   private:

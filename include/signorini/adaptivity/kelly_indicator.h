@@ -4,14 +4,15 @@
 #ifndef signorini_adaptivity_kelly_indicator_h
 #define signorini_adaptivity_kelly_indicator_h
 
-#include <signorini/finite_elements/cell_neighbors.h>
 #include <signorini/adaptivity/error_indicator.h>
+#include <signorini/finite_elements/cell_neighbors.h>
 
 namespace signorini
 {
   /**
-   * The jumps of the stress vector between cells at the end of the step (Kelly, Gago, Zienkiewicz and Babuska 1983; the weight h/24, over
-   * the shear modulus, makes it an energy). Knows neither mass nor contact, and works for a state at rest.
+   * The jumps of the stress vector between cells at the end of the step (Kelly, Gago, Zienkiewicz
+   * and Babuska 1983; the weight h/24, over the shear modulus, makes it an energy). Knows neither
+   * mass nor contact, and works for a state at rest.
    */
   template <int dim>
   class KellyIndicator : public ErrorIndicator<dim>

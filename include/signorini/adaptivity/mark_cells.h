@@ -22,16 +22,20 @@ namespace signorini
   };
 
   /**
-   * Set refine and coarsen flags of the cells of this process, ready for Mesh::carry_out_flags(), as the section `Adaptivity`
-   * of the scene says; earlier flags are cleared. Without flags the mesh is good enough and should be kept. Collective.
+   * Set refine and coarsen flags of the cells of this process, ready for Mesh::carry_out_flags(),
+   * as the section `Adaptivity` of the scene says; earlier flags are cleared. Without flags the
+   * mesh is good enough and should be kept. Collective.
    *
-   * Kept as they are: cells at the limits of levels, and protected cells are not coarsened. A family is coarsened only if the cell that replaces it would, by
-   * the order of the method, be well below the threshold of refinement. Refinement that concerns less than the part `Hysteresis` of the
-   * squared estimate is left out, and so is coarsening alone of less than this part of the cells.
+   * Kept as they are: cells at the limits of levels, and protected cells are not coarsened. A
+   * family is coarsened only if the cell that replaces it would, by the order of the method, be
+   * well below the threshold of refinement. Refinement that concerns less than the part
+   * `Hysteresis` of the squared estimate is left out, and so is coarsening alone of less than this
+   * part of the cells.
    *
    * @param indicator       eta_T by active_cell_index
    * @param not_to_coarsen  protected cells by active_cell_index; empty: none
-   * @param to_refine       cells that are refined whatever their indicator is, within the limits; empty: none
+   * @param to_refine       cells that are refined whatever their indicator is, within the limits;
+   * empty: none
    */
   template <int dim>
   MeshChange mark_cells(Mesh<dim>                    &mesh,
@@ -40,7 +44,10 @@ namespace signorini
                         const std::vector<bool>      &not_to_coarsen = {},
                         const std::vector<bool>      &to_refine      = {});
 
-  /** The cells of this process with a closed contact node, or with a node that one presses on. Collective. */
+  /**
+   * The cells of this process with a closed contact node, or with a node that one presses on.
+   * Collective.
+   */
   template <int dim>
   std::vector<bool> cells_in_contact(const Discretization<dim> &discretization,
                                      const ContactSurface<dim> &surface,

@@ -11,7 +11,10 @@
 
 namespace signorini
 {
-  /** Bounds of squared indicators: cells above the first are to be refined, below the second they may be coarsened. */
+  /**
+   * Bounds of squared indicators: cells above the first are to be refined, below the second they
+   * may be coarsened.
+   */
   struct MarkingThresholds
   {
     double refine, coarsen;
@@ -25,7 +28,10 @@ namespace signorini
 
     virtual MarkingThresholds thresholds(const IndicatorDistribution &distribution) const = 0;
 
-    /** Whether indicators are parts of an estimate, so that a small part of it is not worth a change. */
+    /**
+     * Whether indicators are parts of an estimate, so that a small part of it is not worth a
+     * change.
+     */
     virtual bool weighs_parts() const { return true; }
   };
 

@@ -10,8 +10,8 @@
 namespace signorini
 {
   /**
-   * What belongs to contact nodes, as fields that can be interpolated. Nodal forces depend on the mesh, stresses do not: the stress at a node is
-   * the force over the area of the node.
+   * What belongs to contact nodes, as fields that can be interpolated. Nodal forces depend on the
+   * mesh, stresses do not: the stress at a node is the force over the area of the node.
    */
 
   /** Stress on the slave surfaces (Cartesian) from nodal forces; zero elsewhere. Collective. */
@@ -20,7 +20,10 @@ namespace signorini
                          const ContactCoordinates<dim> &coordinates,
                          Vector                         forces);
 
-  /** Nodal forces of a stress on the slave surfaces, with their opposites on the other bodies. Nothing pulls. Collective. */
+  /**
+   * Nodal forces of a stress on the slave surfaces, with their opposites on the other bodies.
+   * Nothing pulls. Collective.
+   */
   template <int dim>
   Vector forces_of_nodes(const ContactSurface<dim>     &surface,
                          const ContactCoordinates<dim> &coordinates,
@@ -30,7 +33,10 @@ namespace signorini
   template <int dim>
   Vector path_and_status(const ContactSurface<dim> &surface, const FrictionState &friction);
 
-  /** The inverse. A node between others has the status that all of them share, otherwise it is open. */
+  /**
+   * The inverse. A node between others has the status that all of them share, otherwise it is
+   * open.
+   */
   template <int dim>
   void set_path_and_status(const ContactSurface<dim> &surface,
                            const Vector              &values,

@@ -9,8 +9,9 @@
 namespace signorini
 {
   /**
-   * The estimate of ResidualEstimate with the weights of the step: the error that a step adds in the energy norm of velocity and displacement,
-   * because its problem is solved on this mesh. Zero before the first step, whose forces are not known.
+   * The estimate of ResidualEstimate with the weights of the step: the error that a step adds in
+   * the energy norm of velocity and displacement, because its problem is solved on this mesh. Zero
+   * before the first step, whose forces are not known.
    */
   template <int dim>
   class ResidualIndicator : public ErrorIndicator<dim>

@@ -9,8 +9,9 @@
 
 namespace signorini
 {
-  // The parts of the residual estimate. Integrals by the formula of Gauss with two points per direction: on parallelepipeds and rectangles all
-  // of them are exact. Vectors have values at hanging nodes; each part adds to the squares of the cells of this process.
+  // The parts of the residual estimate. Integrals by the formula of Gauss with two points per
+  // direction: on parallelepipeds and rectangles all of them are exact. Vectors have values at
+  // hanging nodes; each part adds to the squares of the cells of this process.
 
   /** Interior residual of a displacement and a force per mass. */
   template <int dim>
@@ -22,8 +23,9 @@ namespace signorini
 
   /** Jumps of the stress vector between cells. */
   template <int dim>
-  void
-  add_stress_jumps(const StressVectors<dim> &stress, const ResidualWeights &weights, dealii::Vector<double> &squares);
+  void add_stress_jumps(const StressVectors<dim> &stress,
+                        const ResidualWeights    &weights,
+                        dealii::Vector<double>   &squares);
 
   /** All surfaces of the bodies. */
   template <int dim>

@@ -12,14 +12,16 @@
 namespace signorini
 {
   /**
-   * Weights of the squared residuals, so that their sum is a squared error in the energy norm. At rest the length l that turns a residual
-   * into an error is the size h of a cell or face, in the problem of a step
+   * Weights of the squared residuals, so that their sum is a squared error in the energy norm. At
+   * rest the length l that turns a residual into an error is the size h of a cell or face, in the
+   * problem of a step
    *
    *   l = min(h, tau/2 c_s),   c_s = sqrt(mu/rho),
    *
-   * because mass dominates what is larger than the way of a shear wave. The balance of a step is that of the mean displacement, the
-   * error that of the new one: twice as much. Its norm is that of velocity and displacement together, rho |e_v|^2 + a(e_u, e_u) with
-   * e_v = 2/tau e_u: twice the energy.
+   * because mass dominates what is larger than the way of a shear wave. The balance of a step is
+   * that of the mean displacement, the error that of the new one: twice as much. Its norm is that
+   * of velocity and displacement together, rho |e_v|^2 + a(e_u, e_u) with e_v = 2/tau e_u: twice
+   * the energy.
    */
   struct ResidualWeights
   {
@@ -43,7 +45,9 @@ namespace signorini
   private:
     double length(const Material &material, const double h) const
     {
-      return step_size > 0. ? std::min(h, 0.5 * step_size * std::sqrt(material.mu() / material.density)) : h;
+      return step_size > 0.
+               ? std::min(h, 0.5 * step_size * std::sqrt(material.mu() / material.density))
+               : h;
     }
 
     double square_of_factor() const { return step_size > 0. ? 4. : 1.; }

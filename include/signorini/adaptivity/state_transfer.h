@@ -15,17 +15,19 @@ namespace signorini
   /**
    * Carries a state to a changed mesh.
    *
-   * On refined cells every function stays what it is. Where cells are coarsened, velocity and acceleration are projected in the mass matrix, which
-   * keeps momentum and takes kinetic energy, and the displacement in the energy of the elastic forces onto the admissible set. Contact forces go as stresses at
-   * contact nodes, slip as values at nodes; a new node between two that stick or slip does what they do.
+   * On refined cells every function stays what it is. Where cells are coarsened, velocity and
+   * acceleration are projected in the mass matrix, which keeps momentum and takes kinetic energy,
+   * and the displacement in the energy of the elastic forces onto the admissible set. Contact
+   * forces go as stresses at contact nodes, slip as values at nodes; a new node between two that
+   * stick or slip does what they do.
    */
   template <int dim>
   class StateTransfer
   {
   public:
     /**
-     * Take the state. The mesh must carry its final flags, and must change next; the other arguments must live until then.
-     * Collective.
+     * Take the state. The mesh must carry its final flags, and must change next; the other
+     * arguments must live until then. Collective.
      */
     StateTransfer(Mesh<dim>                     &mesh,
                   const Discretization<dim>     &discretization,
@@ -34,9 +36,9 @@ namespace signorini
                   const State                   &state);
 
     /**
-     * The state on the new mesh. Where the finer geometry of the contact surface shows that the displacement penetrates, the surface admits that,
-     * see ContactSurface::admit(). Once. Collective.
-     * All arguments are of the new mesh.
+     * The state on the new mesh. Where the finer geometry of the contact surface shows that the
+     * displacement penetrates, the surface admits that, see ContactSurface::admit(). Once.
+     * Collective. All arguments are of the new mesh.
      */
     State finish(const Discretization<dim>     &discretization,
                  ContactSurface<dim>           &surface,
@@ -45,10 +47,10 @@ namespace signorini
                  const SolverParameters        &limits);
 
   private:
-    const State          clock; ///< step and time
-    const bool           has_acceleration, has_friction, has_last_step;
-    const double         elastic_size; ///< energy norm of the old displacement
-    FieldTransfer<dim>   fields;
+    const State        clock; ///< step and time
+    const bool         has_acceleration, has_friction, has_last_step;
+    const double       elastic_size; ///< energy norm of the old displacement
+    FieldTransfer<dim> fields;
   };
 } // namespace signorini
 

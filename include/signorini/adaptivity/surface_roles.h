@@ -4,8 +4,8 @@
 #ifndef signorini_adaptivity_surface_roles_h
 #define signorini_adaptivity_surface_roles_h
 
-#include <signorini/finite_elements/cell_neighbors.h>
 #include <signorini/contact/contact_surface.h>
+#include <signorini/finite_elements/cell_neighbors.h>
 
 #include <deal.II/base/function_parser.h>
 
@@ -33,11 +33,15 @@ namespace signorini
   public:
     SurfaceRoles(const CellNeighbors<dim> &mesh, const ContactSurface<dim> &surface);
 
-    const SurfaceRole<dim> &operator[](const std::size_t outer_face) const { return roles[outer_face]; }
+    const SurfaceRole<dim> &operator[](const std::size_t outer_face) const
+    {
+      return roles[outer_face];
+    }
 
   private:
-    std::vector<std::map<dealii::types::boundary_id, SurfaceCondition<dim>>> conditions; ///< by body
-    std::vector<SurfaceRole<dim>>                                            roles;
+    std::vector<std::map<dealii::types::boundary_id, SurfaceCondition<dim>>>
+                                  conditions; ///< by body
+    std::vector<SurfaceRole<dim>> roles;
   };
 } // namespace signorini
 

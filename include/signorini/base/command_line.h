@@ -18,13 +18,16 @@ namespace signorini
     bool                                             validate         = false;
     bool                                             print_parameters = false;
     bool                                             print_schemes    = false;
-    bool                                             as_json          = false; ///< print for programs
-    bool                                             quiet            = false;
-    bool                                             version          = false;
-    bool                                             help             = false;
+    bool                                             as_json = false; ///< print for programs
+    bool                                             quiet   = false;
+    bool                                             version = false;
+    bool                                             help    = false;
   };
 
-  /** @param arguments without the name of the program. @throws UserError for what cannot be understood. */
+  /**
+   * @param arguments without the name of the program. @throws UserError for what cannot be
+   * understood.
+   */
   CommandLine parse_command_line(const std::vector<std::string> &arguments);
 
   /** What a call without arguments shows: a few lines, and which scene to start with. */

@@ -12,12 +12,16 @@
 
 namespace signorini
 {
-  /** How bad something is that a process has found in its part of the scene, and the message to the user. */
+  /**
+   * How bad something is that a process has found in its part of the scene, and the message to the
+   * user.
+   */
   using Complaint = std::pair<double, std::string>;
 
   /**
-   * Throw the worst complaint of all processes on all of them, so that they end alike; among equally bad ones the first in
-   * the alphabet, so that the number of processes does not matter. Collective.
+   * Throw the worst complaint of all processes on all of them, so that they end alike; among
+   * equally bad ones the first in the alphabet, so that the number of processes does not matter.
+   * Collective.
    * @throws UserError if there is any complaint
    */
   void throw_worst(const std::vector<Complaint> &complaints, MPI_Comm communicator);

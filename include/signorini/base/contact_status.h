@@ -14,7 +14,8 @@ namespace signorini
     constexpr char open  = 0; ///< no force
     constexpr char slip  = 1; ///< held in the normal direction; friction, if any, is at its bound
     constexpr char stick = 2; ///< held in all directions relative to the other side
-    constexpr char hang  = 3; ///< held in the tangential directions only: possible with Tresca's friction
+    constexpr char hang =
+      3; ///< held in the tangential directions only: possible with Tresca's friction
 
     inline bool is_closed(const char status)
     {
@@ -30,35 +31,48 @@ namespace signorini
   /** The status of each contact node (bounded entry). */
   using ActiveSet = std::vector<char>;
 
-  // What counts as contact where there is no status but only gaps and forces. Solvers leave exactly no force at open nodes
-  // and put closed ones into their bounds, so that round-off decides only where motions and forces were summed up or carried
-  // to another mesh.
+  // What counts as contact where there is no status but only gaps and forces. Solvers leave exactly
+  // no force at open nodes and put closed ones into their bounds, so that round-off decides only
+  // where motions and forces were summed up or carried to another mesh.
 
-  /** A gap up to this touches, and an overlap up to this is none. @param length size of the bodies */
+  /** A gap up to this touches, and an overlap up to this is none. @param length size of the bodies
+   */
   inline double touching_distance(const double length)
   {
     return 1e-10 * length;
   }
 
-  /** A gap whose size is below this is zero: the round-off of the geometry. @param length size of the bodies */
+  /**
+   * A gap whose size is below this is zero: the round-off of the geometry. @param length size of
+   * the bodies
+   */
   inline double gap_round_off(const double length)
   {
     return 1e-12 * length;
   }
 
-  /** Whether a node of a solved step is under pressure. @param normal_force along the normal out of the body */
+  /**
+   * Whether a node of a solved step is under pressure. @param normal_force along the normal out of
+   * the body
+   */
   inline bool is_pressed(const double normal_force)
   {
     return normal_force < 0.;
   }
 
-  /** Whether a node of a solved step is in contact; schemes with a condition on the velocity may also pull. */
+  /**
+   * Whether a node of a solved step is in contact; schemes with a condition on the velocity may
+   * also pull.
+   */
   inline bool bears_force(const double normal_force)
   {
     return normal_force != 0.;
   }
 
-  /** Nodal forces and stresses below this part of the largest one are round-off, where they came from another mesh. */
+  /**
+   * Nodal forces and stresses below this part of the largest one are round-off, where they came
+   * from another mesh.
+   */
   constexpr double negligible_force = 1e-9;
 } // namespace signorini
 

@@ -18,8 +18,9 @@ namespace signorini
   };
 
   /**
-   * How the values of an enumeration are spelled in scenes and in messages: specialised beside each enumeration that a
-   * scene can choose from, with an array `table` of EnumName, one for each value, in the order in which they are listed.
+   * How the values of an enumeration are spelled in scenes and in messages: specialised beside each
+   * enumeration that a scene can choose from, with an array `table` of EnumName, one for each
+   * value, in the order in which they are listed.
    */
   template <typename Enum>
   struct EnumNames;

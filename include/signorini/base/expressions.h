@@ -14,15 +14,19 @@
 namespace signorini
 {
   /**
-   * A function of x, y, (z) and one further variable from one expression per component. An empty expression is 0. The expressions
-   * have been checked when the scene was read.
+   * A function of x, y, (z) and one further variable from one expression per component. An empty
+   * expression is 0. The expressions have been checked when the scene was read.
    * @param further_variable its name; set_time() sets its value, whatever it means
    */
   template <int dim, std::size_t n_components>
-  std::unique_ptr<dealii::FunctionParser<dim>> make_function(const std::array<std::string, n_components> &expressions,
-                                                             const std::string &further_variable = "t");
+  std::unique_ptr<dealii::FunctionParser<dim>>
+  make_function(const std::array<std::string, n_components> &expressions,
+                const std::string                           &further_variable = "t");
 
-  /** Functions of x, y, (z) and t that were made before: to parse an expression takes as long as a step in 2d. */
+  /**
+   * Functions of x, y, (z) and t that were made before: to parse an expression takes as long as a
+   * step in 2d.
+   */
   template <int dim>
   class FunctionCache
   {

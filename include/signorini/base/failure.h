@@ -11,7 +11,10 @@
 
 namespace signorini
 {
-  /** How something ended: exit status 0 (well), 1 (the run failed) or 2 (a mistake of the user), and why. */
+  /**
+   * How something ended: exit status 0 (well), 1 (the run failed) or 2 (a mistake of the user),
+   * and why.
+   */
   struct Failure
   {
     int         status = 0;
@@ -25,20 +28,24 @@ namespace signorini
   class FailureReporter
   {
   public:
-    /** Collective. The reporter needs a communicator of its own: the other may hang in the middle of something. */
+    /**
+     * Collective. The reporter needs a communicator of its own: the other may hang in the middle
+     * of something.
+     */
     explicit FailureReporter(MPI_Comm comm);
     FailureReporter(const FailureReporter &) = delete;
     ~FailureReporter();
 
     /**
-     * Do something without communication on all processes, and let them agree on the result: one failure is everybody's
-     * failure. Collective. @return the exit status.
+     * Do something without communication on all processes, and let them agree on the result: one
+     * failure is everybody's failure. Collective. @return the exit status.
      */
     int separately(const std::function<void()> &action) const;
 
     /**
-     * Do something with communication. If all processes fail alike, one of them reports and all return the exit status. If
-     * only some fail, the others wait for them for ever, so the program is aborted.
+     * Do something with communication. If all processes fail alike, one of them reports and all
+     * return the exit status. If only some fail, the others wait for them for ever, so the program
+     * is aborted.
      */
     int together(const std::function<void()> &action) const;
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Headers that nearly every source file includes through others; only the build system uses this file.
+// Headers that nearly every source file includes through others; only the build system uses this
+// file.
 
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/mpi.h>

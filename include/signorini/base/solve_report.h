@@ -12,7 +12,7 @@ namespace signorini
     unsigned int active_set_iterations = 0;
     unsigned int linear_iterations     = 0;
     unsigned int n_active              = 0; ///< contact nodes held at their bound, on all processes
-    bool         fallback = false;          ///< the guaranteed method had to finish the work
+    bool         fallback              = false; ///< the guaranteed method had to finish the work
 
     /** Go on with another solve: iterations add up, the active nodes are those of the last one. */
     void add(const SolveReport &next)

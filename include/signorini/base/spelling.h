@@ -18,13 +18,17 @@ namespace signorini
   /** @p text without white space at both ends and with single blanks inside. */
   std::string trim(const std::string &text);
 
-  /** Least number of inserted, deleted or replaced characters between two words, upper and lower case being the same. */
+  /**
+   * Least number of inserted, deleted or replaced characters between two words, upper and lower
+   * case being the same.
+   */
   unsigned int edit_distance(const std::string &first, const std::string &second);
 
   /** The word of @p valid that resembles @p word most; empty if none resembles it. */
   std::string nearest(const std::string &word, const std::vector<std::string> &valid);
 
-  /** "Did you mean `x`? Valid: a, x, z." The question is left out when nothing resembles @p word. */
+  /** "Did you mean `x`? Valid: a, x, z." The question is left out when nothing resembles @p word.
+   */
   std::string suggestion(const std::string &word, const std::vector<std::string> &valid);
 } // namespace signorini
 

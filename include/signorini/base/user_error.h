@@ -10,8 +10,9 @@
 namespace signorini
 {
   /**
-   * A mistake in the command line or in the scene. The message names key, value and remedy; what reads or runs a scene
-   * adds the name of its file, see naming_file(). main() prints it once (rank 0) and exits with status 2.
+   * A mistake in the command line or in the scene. The message names key, value and remedy; what
+   * reads or runs a scene adds the name of its file, see naming_file(). main() prints it once (rank
+   * 0) and exits with status 2.
    */
   class UserError : public std::runtime_error
   {
@@ -23,8 +24,9 @@ namespace signorini
   };
 
   /**
-   * The run failed although the scene is in order (a solver did not converge, a file could not be written).
-   * main() prints the message once and exits with status 1; what was written before stays whole.
+   * The run failed although the scene is in order (a solver did not converge, a file could not be
+   * written). main() prints the message once and exits with status 1; what was written before stays
+   * whole.
    */
   class RunError : public std::runtime_error
   {
@@ -35,7 +37,10 @@ namespace signorini
     }
   };
 
-  /** Call a function, and put the name of a file in front of the message of an error that leaves it. */
+  /**
+   * Call a function, and put the name of a file in front of the message of an error that leaves
+   * it.
+   */
   template <typename Error, typename Action>
   auto naming_file(const std::string &file_name, const Action &action)
   {

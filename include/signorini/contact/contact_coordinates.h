@@ -10,15 +10,17 @@
 namespace signorini
 {
   /**
-   * The transformation u = T w between Cartesian components u and contact coordinates w, in which a contact node p has its
-   * displacements along the directions e_{p,k} of its frame: normal and tangents. Where two bodies meet, the normal one is *relative to
-   * the other side*, and so are the tangential ones that friction acts on (ContactNode::relative),
+   * The transformation u = T w between Cartesian components u and contact coordinates w, in which a
+   * contact node p has its displacements along the directions e_{p,k} of its frame: normal and
+   * tangents. Where two bodies meet, the normal one is *relative to the other side*, and so are the
+   * tangential ones that friction acts on (ContactNode::relative),
    *
    *   w_{p,k} = e_{p,k}.(u_p - sum_l P_pl u_l),
    *
-   * so that contact is a bound on a single entry, and the slip of a node a few entries (Krause and Walloth 2012, section 2; there the
-   * tangential entries are always relative, which is the same problem without friction). T touches contact nodes and their partners
-   * only. At rigid obstacles P is absent and T orthogonal; with two bodies displacements and forces transform differently:
+   * so that contact is a bound on a single entry, and the slip of a node a few entries (Krause and
+   * Walloth 2012, section 2; there the tangential entries are always relative, which is the same
+   * problem without friction). T touches contact nodes and their partners only. At rigid obstacles
+   * P is absent and T orthogonal; with two bodies displacements and forces transform differently:
    *
    *   u = T w,    K in contact coordinates is T'K T,    forces f in contact coordinates are T'f.
    *
@@ -44,7 +46,10 @@ namespace signorini
     /** The inverse of the last one. */
     void force_to_cartesian(Vector &vector) const;
 
-    /** The components of contact nodes in their frames, of displacements or forces, without regard to the other side. */
+    /**
+     * The components of contact nodes in their frames, of displacements or forces, without regard
+     * to the other side.
+     */
     void rotate_to_frames(Vector &vector) const;
     void rotate_from_frames(Vector &vector) const;
 
@@ -55,11 +60,14 @@ namespace signorini
     const std::vector<unsigned int> &normal_entries() const { return normals; }
 
     /** All entries that are relative to another body. */
-    const std::vector<unsigned int> &relative_entries() const { return node_coupling.relative_entries(); }
+    const std::vector<unsigned int> &relative_entries() const
+    {
+      return node_coupling.relative_entries();
+    }
 
     /**
-     * The tangential entries of each contact node on which friction acts, in the order of the surface: none without friction, and none that
-     * a support holds.
+     * The tangential entries of each contact node on which friction acts, in the order of the
+     * surface: none without friction, and none that a support holds.
      */
     const std::vector<std::vector<unsigned int>> &tangential_entries() const { return tangential; }
 
@@ -76,7 +84,10 @@ namespace signorini
     std::vector<double> supported_values(double time) const;
 
     /** Frames of the owned contact nodes and supported nodes. */
-    const std::map<unsigned int, typename NodeFrames<dim>::Frame> &node_frames() const { return frames; }
+    const std::map<unsigned int, typename NodeFrames<dim>::Frame> &node_frames() const
+    {
+      return frames;
+    }
 
   private:
     using Frame = typename NodeFrames<dim>::Frame;
@@ -90,7 +101,10 @@ namespace signorini
     std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
       support_sources; ///< condition, point, component
 
-    /** Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian components. */
+    /**
+     * Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian
+     * components.
+     */
     void add_partner_motion(Vector &vector, double factor) const;
     /** The entries of partners += factor P'(sum of e f over the relative entries f). */
     void add_to_partners(Vector &vector, double factor) const;

@@ -10,7 +10,10 @@
 
 namespace signorini
 {
-  /** Right-handed orthonormal frame, row by row: normal, tangents. Axes are kept exactly where the normal allows it. */
+  /**
+   * Right-handed orthonormal frame, row by row: normal, tangents. Axes are kept exactly where the
+   * normal allows it.
+   */
   template <int dim>
   std::array<double, dim * dim> contact_frame(const dealii::Tensor<1, dim> &normal);
 
@@ -23,7 +26,10 @@ namespace signorini
                                    const std::array<bool, dim>   &held,
                                    std::array<double, dim * dim> &frame);
 
-  /** For each Cartesian component the row of a frame that is its axis, up to the sign; dim where there is none. */
+  /**
+   * For each Cartesian component the row of a frame that is its axis, up to the sign; dim where
+   * there is none.
+   */
   template <int dim>
   std::array<unsigned int, dim> rows_along_axes(const std::array<double, dim * dim> &frame);
 } // namespace signorini

@@ -16,25 +16,31 @@ namespace signorini
     unsigned int       node;     ///< owned node
     unsigned int       pair;     ///< index into Scene::pairs
     dealii::Point<dim> position; ///< in the reference configuration
-    double             gap;      ///< g: bound on the normal entry of the relative displacement, see `transmission`
-    double             weight;   ///< D: area (length in 2d) that belongs to the node
+    double gap; ///< g: bound on the normal entry of the relative displacement, see `transmission`
+    double weight;                       ///< D: area (length in 2d) that belongs to the node
     std::array<double, dim * dim> frame; ///< rows: normal nu out of the body, tangents
-    /** The row of P: what moves the opposite side. Weights add up to one; empty at a rigid obstacle. */
+    /**
+     * The row of P: what moves the opposite side. Weights add up to one; empty at a rigid
+     * obstacle.
+     */
     NodeWeights partners;
     /**
-     * Force on the slave body per nodal force, and relative normal entry per shift of the body: 1, and more where nodes without
-     * multiplier take their share (they are among the partners with negative weights). The distance to the other side is
-     * gap / transmission.
+     * Force on the slave body per nodal force, and relative normal entry per shift of the body: 1,
+     * and more where nodes without multiplier take their share (they are among the partners with
+     * negative weights). The distance to the other side is gap / transmission.
      */
     double transmission = 1.;
     /** Law of friction in nodal forces; without any() the node slides freely. */
     FrictionLaw friction = {};
     /**
-     * Which directions of the frame are measured relative to the other side: the normal if there are partners, and with friction the
-     * tangents, too, except those that a support holds.
+     * Which directions of the frame are measured relative to the other side: the normal if there
+     * are partners, and with friction the tangents, too, except those that a support holds.
      */
     std::array<bool, dim> relative{};
-    /** Smallest distance to the other side anywhere around the node, negative where the surfaces overlap. */
+    /**
+     * Smallest distance to the other side anywhere around the node, negative where the surfaces
+     * overlap.
+     */
     double clearance = 0.;
 
     dealii::Tensor<1, dim> normal() const { return direction(0); }

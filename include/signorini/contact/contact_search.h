@@ -8,24 +8,31 @@
 
 namespace signorini
 {
-  /** The owned slave faces of a pair, the master faces that they may meet, and the segments on each slave face. */
+  /**
+   * The owned slave faces of a pair, the master faces that they may meet, and the segments on each
+   * slave face.
+   */
   template <int dim>
   struct FacingSurfaces
   {
-    std::vector<SurfaceFace<dim>>          slaves, masters;
-    std::vector<std::vector<Segment<dim>>> segments; ///< per slave face; empty where nothing is opposite
+    std::vector<SurfaceFace<dim>> slaves, masters;
+    std::vector<std::vector<Segment<dim>>>
+      segments; ///< per slave face; empty where nothing is opposite
   };
 
   /**
-   * Find what is opposite to the slave faces of a pair of bodies, along their normals. If several sheets of the master surface are
-   * opposite, the closest counts. Collective: each process receives the master faces near its own slave faces and no others;
-   * bounding boxes, a few per process, tell who may need what.
+   * Find what is opposite to the slave faces of a pair of bodies, along their normals. If several
+   * sheets of the master surface are opposite, the closest counts. Collective: each process
+   * receives the master faces near its own slave faces and no others; bounding boxes, a few per
+   * process, tell who may need what.
    *
-   * Parts of the master that lie behind the slave face count as long as they are less than a quarter of both bodies deep; so
-   * bodies that overlap are noticed, and the far sides of bodies are not mistaken for contact.
+   * Parts of the master that lie behind the slave face count as long as they are less than a
+   * quarter of both bodies deep; so bodies that overlap are noticed, and the far sides of bodies
+   * are not mistaken for contact.
    */
   template <int dim>
-  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization, const PairDescription &pair);
+  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
+                                           const PairDescription     &pair);
 } // namespace signorini
 
 #endif

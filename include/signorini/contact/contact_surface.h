@@ -10,15 +10,19 @@
 namespace signorini
 {
   /**
-   * The possible contact boundary: nodes of the slave surfaces with gap, weight, contact frame (normal and tangents), and
-   * what is opposite: a rigid obstacle or, by a mortar coupling, another body. The linearised condition of non-penetration is
-   * [u].nu <= g at each (Krause and Walloth 2012, equations (3) and (12)), with the relative displacement [u]_p = u_p - sum_l P_pl u_l.
+   * The possible contact boundary: nodes of the slave surfaces with gap, weight, contact frame
+   * (normal and tangents), and what is opposite: a rigid obstacle or, by a mortar coupling, another
+   * body. The linearised condition of non-penetration is [u].nu <= g at each (Krause and Walloth
+   * 2012, equations (3) and (12)), with the relative displacement [u]_p = u_p - sum_l P_pl u_l.
    */
   template <int dim>
   class ContactSurface
   {
   public:
-    /** @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs share a node */
+    /**
+     * @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs
+     * share a node
+     */
     ContactSurface(const Discretization<dim>                   &discretization,
                    const Supports<dim>                         &supports,
                    const std::vector<ObstacleDescription<dim>> &obstacles,
@@ -43,14 +47,16 @@ namespace signorini
     const std::vector<std::string> &notes() const { return assumptions; }
 
     /** Whether a face of an owned cell is part of the slave surface of any pair. */
-    bool contains(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell, unsigned int face) const;
+    bool contains(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
+                  unsigned int                                                  face) const;
 
     /** [u].nu per node, of displacements or velocities. Collective. */
     std::vector<double> relative_normal(const Vector &motion) const;
 
     /**
-     * The tangential part of [u] per node, in Cartesian components, of displacements or velocities: the slip, where friction acts. Like the
-     * bound it is larger than the motion of the body by the factor `transmission`. Collective.
+     * The tangential part of [u] per node, in Cartesian components, of displacements or velocities:
+     * the slip, where friction acts. Like the bound it is larger than the motion of the body by the
+     * factor `transmission`. Collective.
      */
     std::vector<dealii::Tensor<1, dim>> relative_tangential(const Vector &motion) const;
 
@@ -61,8 +67,9 @@ namespace signorini
     std::vector<double> distance(const Vector &displacement) const;
 
     /**
-     * Largest depth of a displaced contact node in *any* obstacle of its body, by the true geometry, on all processes; 0 if there is none.
-     * The condition of the steps is linearised about the reference configuration, with one obstacle per node; this is what it misses.
+     * Largest depth of a displaced contact node in *any* obstacle of its body, by the true
+     * geometry, on all processes; 0 if there is none. The condition of the steps is linearised
+     * about the reference configuration, with one obstacle per node; this is what it misses.
      */
     double geometric_penetration(const Vector &displacement) const
     {
@@ -70,8 +77,9 @@ namespace signorini
     }
 
     /**
-     * Largest tangential displacement of a node relative to the other body while it carries a contact force, in units of the size of its
-     * surroundings, on all processes. Above 1 the node presses on faces that are no longer opposite. Collective.
+     * Largest tangential displacement of a node relative to the other body while it carries a
+     * contact force, in units of the size of its surroundings, on all processes. Above 1 the node
+     * presses on faces that are no longer opposite. Collective.
      */
     double largest_sliding(const Vector &displacement, const Vector &contact_force) const;
 
@@ -82,8 +90,9 @@ namespace signorini
     void check_initial_gap(const Vector &initial_displacement) const;
 
     /**
-     * Let penetrating nodes be where they are: their gap becomes zero. A finer mesh sees more of a curved surface than the mesh on which the
-     * motion was admissible; to push these nodes out at once would be a blow that nothing but the mesh has dealt.
+     * Let penetrating nodes be where they are: their gap becomes zero. A finer mesh sees more of a
+     * curved surface than the mesh on which the motion was admissible; to push these nodes out at
+     * once would be a blow that nothing but the mesh has dealt.
      */
     void admit(const Vector &displacement);
 
@@ -97,7 +106,10 @@ namespace signorini
     std::vector<std::string>           assumptions;
 
     void add_pair_of_bodies(unsigned int pair, const Supports<dim> &supports);
-    /** Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones stay, to be reported. */
+    /**
+     * Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones
+     * stay, to be reported.
+     */
     void settle_gaps(unsigned int pair, std::vector<ContactNode<dim>> &nodes);
     /** Each node belongs to one pair, and is not itself the opposite side of another. */
     void check_that_pairs_are_disjoint() const;

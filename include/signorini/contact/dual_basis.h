@@ -11,13 +11,15 @@
 namespace signorini
 {
   /**
-   * Coefficients C of the dual basis psi_i = sum_k C_ik N_k on the covered part of one slave face (Wohlmuth 2000):
+   * Coefficients C of the dual basis psi_i = sum_k C_ik N_k on the covered part of one slave face
+   * (Wohlmuth 2000):
    *
-   *   int psi_i N_j = delta_ij int N_j   for all nodes i, j that carry a multiplier,      sum_i psi_i = 1.
+   *   int psi_i N_j = delta_ij int N_j   for all nodes i, j that carry a multiplier,      sum_i
+   * psi_i = 1.
    *
-   * With M over the covered part only, this is the consistent modification for partly covered faces (Cichosz and Bischoff
-   * 2011). The shape functions of nodes that carry no multiplier are shared out evenly among the others; their rows are zero,
-   * and int psi_i N_k need not vanish for them.
+   * With M over the covered part only, this is the consistent modification for partly covered faces
+   * (Cichosz and Bischoff 2011). The shape functions of nodes that carry no multiplier are shared
+   * out evenly among the others; their rows are zero, and int psi_i N_k need not vanish for them.
    *
    * @param mass    int N N' over the covered part of the face
    * @param carries whether a node carries a multiplier; at least one has to

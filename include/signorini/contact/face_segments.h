@@ -8,7 +8,10 @@
 
 namespace signorini
 {
-  /** A quadrature point on two opposite faces: the points lie on one line along the normal of the slave face's centre. */
+  /**
+   * A quadrature point on two opposite faces: the points lie on one line along the normal of the
+   * slave face's centre.
+   */
   template <int dim>
   struct SegmentPoint
   {
@@ -20,24 +23,27 @@ namespace signorini
   template <int dim>
   struct Segment
   {
-    unsigned int                   master = 0;  ///< index of the master face
-    double                         area   = 0.; ///< of the overlap, in the plane of the slave face's centre
-    double                         gap = 0.; ///< mean distance along the slave normal, negative behind the slave face
-    double                         smallest_gap = 0.; ///< at the corners of the overlap
+    unsigned int master = 0;  ///< index of the master face
+    double       area   = 0.; ///< of the overlap, in the plane of the slave face's centre
+    double       gap = 0.; ///< mean distance along the slave normal, negative behind the slave face
+    double       smallest_gap = 0.; ///< at the corners of the overlap
     std::vector<SegmentPoint<dim>> points;
   };
 
   /**
-   * The segment of two faces by projection along the normal n of the slave face's centre: both are projected on the plane
-   * there, the polygons are clipped by each other, the overlap is split into triangles, and the points of their quadrature
-   * rule are mapped back to both faces (Puso and Laursen 2004). The integrand is smooth on a segment: a polynomial on flat
-   * parallelograms, which is integrated exactly, and close to one on other quadrilaterals.
-   * @return a segment without points if the faces do not look at each other (angle of the normals) or do not overlap
+   * The segment of two faces by projection along the normal n of the slave face's centre: both are
+   * projected on the plane there, the polygons are clipped by each other, the overlap is split into
+   * triangles, and the points of their quadrature rule are mapped back to both faces (Puso and
+   * Laursen 2004). The integrand is smooth on a segment: a polynomial on flat parallelograms, which
+   * is integrated exactly, and close to one on other quadrilaterals.
+   * @return a segment without points if the faces do not look at each other (angle of the normals)
+   * or do not overlap
    */
   template <int dim>
   Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master);
 
-  /** Area of the projection of a face on the plane of its centre: the largest area of its segments. */
+  /** Area of the projection of a face on the plane of its centre: the largest area of its segments.
+   */
   template <int dim>
   double projected_area(const SurfaceFace<dim> &face);
 } // namespace signorini

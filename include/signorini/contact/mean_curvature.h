@@ -10,16 +10,22 @@
 namespace signorini
 {
   /**
-   * How much a surface bends, from its normals at sample points: the spread of the normals over the spread of the points (root mean
-   * squares). Of a sphere it is about 1/R, however its facets are cut, of a plane zero.
+   * How much a surface bends, from its normals at sample points: the spread of the normals over the
+   * spread of the points (root mean squares). Of a sphere it is about 1/R, however its facets are
+   * cut, of a plane zero.
    */
   template <int dim>
   class MeanCurvature
   {
   public:
-    void add(double weight, const dealii::Point<dim> &position, const dealii::Tensor<1, dim> &unit_normal);
+    void add(double                        weight,
+             const dealii::Point<dim>     &position,
+             const dealii::Tensor<1, dim> &unit_normal);
 
-    /** Collective: of the samples of all processes, in 1/length; exactly 0 for a plane, and without samples. */
+    /**
+     * Collective: of the samples of all processes, in 1/length; exactly 0 for a plane, and without
+     * samples.
+     */
     double value(MPI_Comm communicator) const;
 
   private:
@@ -35,9 +41,10 @@ namespace signorini
   };
 
   /**
-   * Weights in inverse proportion to the curvatures. Near the point where bodies touch the tilts of their normals against the common
-   * tangent plane are curvature times distance, so that this mean is the normal of that plane: of a ball on a plane it is the
-   * normal of the plane, of two balls the axis through their centres. A normal that is tilted against it would turn a part of the
+   * Weights in inverse proportion to the curvatures. Near the point where bodies touch the tilts of
+   * their normals against the common tangent plane are curvature times distance, so that this mean
+   * is the normal of that plane: of a ball on a plane it is the normal of the plane, of two balls
+   * the axis through their centres. A normal that is tilted against it would turn a part of the
    * normal force into a tangential one when the bodies move past each other.
    */
   NormalWeights weights_of_normals(double slave_curvature, double master_curvature);

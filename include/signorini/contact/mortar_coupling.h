@@ -15,19 +15,23 @@
 namespace signorini
 {
   /**
-   * Contact of two bodies with dual Lagrange multipliers (Wohlmuth 2000; Krause and Walloth 2012, section 2). For each node i of the
-   * slave surface that carries a multiplier
+   * Contact of two bodies with dual Lagrange multipliers (Wohlmuth 2000; Krause and Walloth 2012,
+   * section 2). For each node i of the slave surface that carries a multiplier
    *
-   *   D_i = int psi_i N_i,    P_il = 1/D_i int psi_i N_l(chi) over the nodes l of the master,    sum_l P_il = 1,
+   *   D_i = int psi_i N_i,    P_il = 1/D_i int psi_i N_l(chi) over the nodes l of the master, sum_l
+   * P_il = 1,
    *
-   * with chi the projection along the normals of the slave faces. The relative displacement [u]_i = u_i - sum_l P_il u_l is a matter
-   * of single nodes, because the multipliers are biorthogonal to the traces. The same combination of positions gives
-   * the gap g_i = -nu_i.[X]_i. nu_i is a mean over the covered faces around i, weighted with N_i, of the normals of the slave and
-   * the opposite ones of the master; the normals of the body that is bent less count more (weights_of_normals). Only the covered part of a slave face counts.
+   * with chi the projection along the normals of the slave faces. The relative displacement [u]_i =
+   * u_i - sum_l P_il u_l is a matter of single nodes, because the multipliers are biorthogonal to
+   * the traces. The same combination of positions gives the gap g_i = -nu_i.[X]_i. nu_i is a mean
+   * over the covered faces around i, weighted with N_i, of the normals of the slave and the
+   * opposite ones of the master; the normals of the body that is bent less count more
+   * (weights_of_normals). Only the covered part of a slave face counts.
    *
-   * Slave nodes that carry no multiplier because a support holds them in the normal direction, or because only a sliver of
-   * their surroundings is covered, appear among the l, so that constants and linear functions are still reproduced.
-   * Hanging nodes on either side are replaced by their parents before anything else.
+   * Slave nodes that carry no multiplier because a support holds them in the normal direction, or
+   * because only a sliver of their surroundings is covered, appear among the l, so that constants
+   * and linear functions are still reproduced. Hanging nodes on either side are replaced by their
+   * parents before anything else.
    */
   template <int dim>
   class MortarCoupling
@@ -35,7 +39,8 @@ namespace signorini
   public:
     /**
      * Collective. @param pair index of a pair of two bodies
-     * @throws UserError if a support holds a direction that is neither normal nor tangential to the contact surface
+     * @throws UserError if a support holds a direction that is neither normal nor tangential to the
+     * contact surface
      */
     MortarCoupling(const Discretization<dim>          &discretization,
                    const Supports<dim>                &supports,
@@ -71,23 +76,28 @@ namespace signorini
       /** N_i of all nodes at a point of the face. */
       Eigen::VectorXd values_at(const dealii::Point<dim - 1> &xi) const;
 
-      /** Add a point of a segment to the integrals. @param normal, opposite of slave and master, unit vectors out of the bodies */
-      void add(const SegmentPoint<dim>        &point,
-               const SurfaceFace<dim>         &master,
-               const dealii::Tensor<1, dim>   &normal,
-               const dealii::Tensor<1, dim>   &opposite);
+      /**
+       * Add a point of a segment to the integrals. @param normal, opposite of slave and master,
+       * unit vectors out of the bodies
+       */
+      void add(const SegmentPoint<dim>      &point,
+               const SurfaceFace<dim>       &master,
+               const dealii::Tensor<1, dim> &normal,
+               const dealii::Tensor<1, dim> &opposite);
 
-      const SurfaceFace<dim>                                    *slave;
-      std::vector<dealii::types::global_dof_index>               nodes;
-      Eigen::MatrixXd                                            mass;     ///< int N_i N_j
-      std::map<dealii::types::global_dof_index, Eigen::VectorXd> mixed;    ///< per master node l: int N_i N_l(chi)
-      Eigen::MatrixXd                                            normals;  ///< int N_i nu, dim columns
-      Eigen::MatrixXd                                            opposite; ///< int N_i n(chi), dim columns
-      Eigen::MatrixXd                                            distance; ///< int N_i (X(chi) - X), dim columns
-      Eigen::VectorXd                                            full;     ///< int N_i over the whole face
-      double                                                     clearance = 0.; ///< smallest distance to the master
+      const SurfaceFace<dim>                      *slave;
+      std::vector<dealii::types::global_dof_index> nodes;
+      Eigen::MatrixXd                              mass; ///< int N_i N_j
+      std::map<dealii::types::global_dof_index, Eigen::VectorXd>
+                      mixed;          ///< per master node l: int N_i N_l(chi)
+      Eigen::MatrixXd normals;        ///< int N_i nu, dim columns
+      Eigen::MatrixXd opposite;       ///< int N_i n(chi), dim columns
+      Eigen::MatrixXd distance;       ///< int N_i (X(chi) - X), dim columns
+      Eigen::VectorXd full;           ///< int N_i over the whole face
+      double          clearance = 0.; ///< smallest distance to the master
     };
-    using Rows = std::map<dealii::types::global_dof_index, std::map<dealii::types::global_dof_index, double>>;
+    using Rows =
+      std::map<dealii::types::global_dof_index, std::map<dealii::types::global_dof_index, double>>;
 
     const Discretization<dim>    &discretization;
     const unsigned int            pair;
@@ -111,11 +121,14 @@ namespace signorini
      * @param complaint becomes a message if that is impossible
      * @return whether the node may carry a multiplier
      */
-    bool fit_to_supports(const Supports<dim> &supports,
+    bool fit_to_supports(const Supports<dim>          &supports,
                          const dealii::Tensor<1, dim> &normal,
-                         ContactNode<dim>    &contact_node,
-                         std::string         &complaint);
-    /** Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with ghosts */
+                         ContactNode<dim>             &contact_node,
+                         std::string                  &complaint);
+    /**
+     * Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with
+     * ghosts
+     */
     Vector choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports);
     /** Dual basis face by face: partners, gaps. */
     void assemble_rows(const std::vector<CoveredFace> &faces, const Vector &carries);

@@ -10,8 +10,9 @@
 namespace signorini
 {
   /**
-   * Give each contact node the law of friction of its pair, evaluated at the node and in forces of the node (stresses times weight),
-   * and find out which of its directions are relative: ContactNode::friction and ContactNode::relative. Collective.
+   * Give each contact node the law of friction of its pair, evaluated at the node and in forces of
+   * the node (stresses times weight), and find out which of its directions are relative:
+   * ContactNode::friction and ContactNode::relative. Collective.
    * @throws UserError where a coefficient or a bound is negative or not finite
    */
   template <int dim>

@@ -14,8 +14,9 @@
 namespace signorini
 {
   /**
-   * The frames of the nodes that may ever be held, contact nodes and supported ones, as far as a process sees them: its owned
-   * nodes and the ghosts of a partitioner. It turns masks of owned entries into held directions of nodes.
+   * The frames of the nodes that may ever be held, contact nodes and supported ones, as far as a
+   * process sees them: its owned nodes and the ghosts of a partitioner. It turns masks of owned
+   * entries into held directions of nodes.
    */
   template <int dim>
   class NodeFrames
@@ -38,7 +39,10 @@ namespace signorini
     /** Local nodes, ghosts included, that are contact nodes. Ascending. */
     const std::vector<unsigned int> &contact_nodes() const { return contact; }
 
-    /** The held directions of special nodes that a mask of owned entries describes. Collective: asks the owners of ghosts. */
+    /**
+     * The held directions of special nodes that a mask of owned entries describes. Collective:
+     * asks the owners of ghosts.
+     */
     HeldNodes<dim> held_nodes(const Mask &mask) const;
 
   private:

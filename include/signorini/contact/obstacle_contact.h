@@ -13,8 +13,9 @@
 namespace signorini
 {
   /**
-   * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its body, and only if its surface
-   * faces that obstacle. A node whose normal displacement is prescribed by a support is left out.
+   * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
+   * body, and only if its surface faces that obstacle. A node whose normal displacement is
+   * prescribed by a support is left out.
    */
   template <int dim>
   class ObstacleContact
@@ -32,10 +33,16 @@ namespace signorini
     /** Number of nodes (all processes) where a support took the place of contact. */
     unsigned int n_supported() const { return n_left_to_supports; }
 
-    /** Largest depth of a displaced contact node in *any* obstacle of its body, on all processes; 0 if there is none. */
+    /**
+     * Largest depth of a displaced contact node in *any* obstacle of its body, on all processes; 0
+     * if there is none.
+     */
     double geometric_penetration(const Vector &displacement) const;
 
-    /** @throws UserError naming pair, depth and place, if a slave surface penetrates its obstacle at the start */
+    /**
+     * @throws UserError naming pair, depth and place, if a slave surface penetrates its obstacle
+     * at the start
+     */
     void check_initial_gap(const Vector &initial_displacement) const;
 
   private:
@@ -48,7 +55,10 @@ namespace signorini
 
     /** Enter the nodes of a pair that have no closer obstacle yet. */
     void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest) const;
-    /** Area and averaged outward normal (times area) per node for one pair; `normal` has dim, `area` one entry per node. */
+    /**
+     * Area and averaged outward normal (times area) per node for one pair; `normal` has dim,
+     * `area` one entry per node.
+     */
     void integrate(const PairDescription &pair, Vector &area, Vector &normal) const;
   };
 } // namespace signorini

@@ -11,13 +11,15 @@
 namespace signorini
 {
   /**
-   * A point that lies well inside both bodies, if the coarse meshes show one: a vertex or a centre of a coarse cell of one body
-   * within a coarse cell of the other. It finds the overlaps that are too deep for the gap between surfaces to see. The
-   * coarse mesh is known to every process, so that all come to the same result without communication.
+   * A point that lies well inside both bodies, if the coarse meshes show one: a vertex or a centre
+   * of a coarse cell of one body within a coarse cell of the other. It finds the overlaps that are
+   * too deep for the gap between surfaces to see. The coarse mesh is known to every process, so
+   * that all come to the same result without communication.
    */
   template <int dim>
-  std::optional<dealii::Point<dim>>
-  find_deep_overlap(const Discretization<dim> &discretization, unsigned int body, unsigned int other_body);
+  std::optional<dealii::Point<dim>> find_deep_overlap(const Discretization<dim> &discretization,
+                                                      unsigned int               body,
+                                                      unsigned int               other_body);
 } // namespace signorini
 
 #endif

@@ -16,7 +16,10 @@ namespace signorini
   /** Signed area, positive for counterclockwise order. */
   double area(const Polygon &polygon);
 
-  /** Intersection of two convex polygons (Sutherland and Hodgman 1974); empty if they have no common interior. */
+  /**
+   * Intersection of two convex polygons (Sutherland and Hodgman 1974); empty if they have no
+   * common interior.
+   */
   Polygon clip(const Polygon &subject, const Polygon &window);
 } // namespace signorini
 

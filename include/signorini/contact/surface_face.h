@@ -19,8 +19,9 @@ namespace signorini
   using NodeWeights = std::vector<std::pair<dealii::types::global_dof_index, double>>;
 
   /**
-   * A (bi)linear face of a contact surface with the nodes that move it, detached from the mesh, so that it can travel to
-   * another process. Vertices in deal.II's lexicographic order, reference coordinates in [0,1]^(dim-1).
+   * A (bi)linear face of a contact surface with the nodes that move it, detached from the mesh, so
+   * that it can travel to another process. Vertices in deal.II's lexicographic order, reference
+   * coordinates in [0,1]^(dim-1).
    */
   template <int dim>
   struct SurfaceFace
@@ -28,8 +29,9 @@ namespace signorini
     static constexpr unsigned int n_vertices = 1u << (dim - 1);
 
     std::array<dealii::Point<dim>, n_vertices> vertices; ///< in the reference configuration
-    std::array<NodeWeights, n_vertices>        nodes;    ///< one node of weight 1, or the parents of a hanging vertex
-    double                                     orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
+    std::array<NodeWeights, n_vertices>
+           nodes;           ///< one node of weight 1, or the parents of a hanging vertex
+    double orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
 
     /** Values of the (bi)linear shape functions. */
     static std::array<double, n_vertices> shape_values(const dealii::Point<dim - 1> &xi);
@@ -57,7 +59,10 @@ namespace signorini
     }
   };
 
-  /** Whether a face of an owned cell lies on the boundary of a body and has one of the boundary ids (empty: all). */
+  /**
+   * Whether a face of an owned cell lies on the boundary of a body and has one of the boundary ids
+   * (empty: all).
+   */
   template <int dim>
   bool is_surface_face(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
                        unsigned int                                                  face,
@@ -66,9 +71,10 @@ namespace signorini
 
   /** The faces of owned cells of a body with one of the boundary ids (empty: all). */
   template <int dim>
-  std::vector<SurfaceFace<dim>> owned_surface_faces(const Discretization<dim>                     &discretization,
-                                                    unsigned int                                   body,
-                                                    const std::vector<dealii::types::boundary_id> &boundary_ids);
+  std::vector<SurfaceFace<dim>>
+  owned_surface_faces(const Discretization<dim>                     &discretization,
+                      unsigned int                                   body,
+                      const std::vector<dealii::types::boundary_id> &boundary_ids);
 } // namespace signorini
 
 #endif

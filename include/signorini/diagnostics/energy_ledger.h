@@ -17,26 +17,36 @@ namespace signorini
     double total() const { return kinetic + elastic + external; }
   };
 
-  /** Where the energy of one step went. The residual is what no other entry explains: the error of the solver. */
+  /**
+   * Where the energy of one step went. The residual is what no other entry explains: the error of
+   * the solver.
+   */
   struct EnergyBooking
   {
     double contact   = 0.;
     double predictor = 0.;
     double friction  = 0.;
     double scheme    = 0.; ///< by the rule of integration itself: numerical dissipation
-    double external  = 0.; ///< work of supports, and change of the loads in time: -(f_new - f)'(u + u_new)/2
-    double transfer  = 0.; ///< change by a new mesh
-    double residual  = 0.;
+    double external =
+      0.; ///< work of supports, and change of the loads in time: -(f_new - f)'(u + u_new)/2
+    double transfer = 0.; ///< change by a new mesh
+    double residual = 0.;
   };
 
-  /** Accounts for every joule: balances the energies of consecutive states against the work that the scheme reports. */
+  /**
+   * Accounts for every joule: balances the energies of consecutive states against the work that
+   * the scheme reports.
+   */
   class EnergyLedger
   {
   public:
     /** Open the ledger with the initial state. `load`: f at its time, null without loads. */
     void open(const State &state, const Vector *load);
 
-    /** Take over a state that a new mesh has changed. What this did to the energy is booked with the next step. */
+    /**
+     * Take over a state that a new mesh has changed. What this did to the energy is booked with
+     * the next step.
+     */
     void transfer(const State &state, const Vector *load);
 
     /** Book a step. */

@@ -17,7 +17,10 @@ namespace signorini
     double velocity          = 0.; ///< norm of v - I v(t)
     double displacement_norm = 0.; ///< norm of I u(t)
     double velocity_norm     = 0.; ///< norm of I v(t)
-    /** (integral of squared errors so far / integral of squared norms so far)^(1/2), by the trapezoidal rule in time; at the start the values there. */
+    /**
+     * (integral of squared errors so far / integral of squared norms so far)^(1/2), by the
+     * trapezoidal rule in time; at the start the values there.
+     */
     double relative_displacement = 0.;
     double relative_velocity     = 0.;
   };

@@ -10,8 +10,9 @@
 namespace signorini
 {
   /**
-   * Friction at one contact node, to be shown to people: slips are lengths by which the surfaces have moved along each other,
-   * that is, entries of the state over the transmission of the node (like ContactSurface::distance()).
+   * Friction at one contact node, to be shown to people: slips are lengths by which the surfaces
+   * have moved along each other, that is, entries of the state over the transmission of the node
+   * (like ContactSurface::distance()).
    */
   template <int dim>
   struct FrictionReading
@@ -23,7 +24,10 @@ namespace signorini
     char                   status    = contact_status::open;
   };
 
-  /** All zero and open while the state knows no friction. @param k index into ContactSurface::nodes() */
+  /**
+   * All zero and open while the state knows no friction. @param k index into
+   * ContactSurface::nodes()
+   */
   template <int dim>
   FrictionReading<dim>
   friction_at(const ContactSurface<dim> &surface, const FrictionState &friction, unsigned int k);

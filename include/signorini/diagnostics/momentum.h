@@ -10,8 +10,9 @@
 namespace signorini
 {
   /**
-   * Linear momentum int rho v and angular momentum int rho X x v about the origin of the scene. X is the position in the
-   * reference configuration: of this quantity linear elasticity conserves every component in free motion.
+   * Linear momentum int rho v and angular momentum int rho X x v about the origin of the scene. X
+   * is the position in the reference configuration: of this quantity linear elasticity conserves
+   * every component in free motion.
    */
   struct Momentum
   {

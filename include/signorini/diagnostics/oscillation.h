@@ -7,8 +7,8 @@
 namespace signorini
 {
   /**
-   * How far a quantity that should rise and fall once oscillates: its total variation over twice its maximum. 1 for a single hump,
-   * the number of humps for equal ones.
+   * How far a quantity that should rise and fall once oscillates: its total variation over twice
+   * its maximum. 1 for a single hump, the number of humps for equal ones.
    */
   class TotalVariation
   {
@@ -22,8 +22,8 @@ namespace signorini
   };
 
   /**
-   * Amplitude of the alternating part of a sequence: the mean of |x_{n+1} - 2 x_n + x_{n-1}| / 4 over the values that are
-   * counted. A pure zigzag +a, -a gives a, a straight line 0.
+   * Amplitude of the alternating part of a sequence: the mean of |x_{n+1} - 2 x_n + x_{n-1}| / 4
+   * over the values that are counted. A pure zigzag +a, -a gives a, a straight line 0.
    */
   class Zigzag
   {

@@ -21,15 +21,20 @@ namespace signorini
     std::array<double, 3> tangential_force{}; ///< nodal force on the slave
     std::array<double, 3> slip{};             ///< since the start, relative to the other side
     double                slip_path = 0.;     ///< length of the way since the start
-    double                status    = 0.;     ///< of the node, see contact_status; 0 without friction
+    double                status    = 0.; ///< of the node, see contact_status; 0 without friction
   };
 
-  /** The contact node that is closest to a point of the reference configuration, on whichever process it lives. */
+  /**
+   * The contact node that is closest to a point of the reference configuration, on whichever
+   * process it lives.
+   */
   template <int dim>
   class Probe
   {
   public:
-    Probe(const ProbeDescription<dim> &description, const ContactSurface<dim> &surface, MPI_Comm communicator);
+    Probe(const ProbeDescription<dim> &description,
+          const ContactSurface<dim>   &surface,
+          MPI_Comm                     communicator);
 
     const std::string        &name() const { return probe_name; }
     const dealii::Point<dim> &position() const { return node_position; }

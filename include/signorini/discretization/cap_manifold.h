@@ -10,7 +10,10 @@
 
 namespace signorini
 {
-  /** A box with a cap, in its place: new vertices are means of old ones in the flat, unplaced box, which is the chart. */
+  /**
+   * A box with a cap, in its place: new vertices are means of old ones in the flat, unplaced box,
+   * which is the chart.
+   */
   template <int dim>
   class CapManifold : public dealii::ChartManifold<dim>
   {
@@ -18,8 +21,8 @@ namespace signorini
     explicit CapManifold(const BodyDescription<dim> &box);
 
     std::unique_ptr<dealii::Manifold<dim>> clone() const override;
-    dealii::Point<dim>                     pull_back(const dealii::Point<dim> &point) const override;
-    dealii::Point<dim>                     push_forward(const dealii::Point<dim> &point) const override;
+    dealii::Point<dim> pull_back(const dealii::Point<dim> &point) const override;
+    dealii::Point<dim> push_forward(const dealii::Point<dim> &point) const override;
 
   private:
     Cap<dim>       cap;

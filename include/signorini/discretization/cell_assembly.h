@@ -31,8 +31,9 @@ namespace signorini
     ElasticMatrices<dim>     &sum;
 
     // Of the cell with hanging nodes that is being added.
-    std::vector<unsigned int> nodes;  ///< that it couples, ascending
-    std::vector<unsigned int> places; ///< in the sum, of the couplings of `nodes`, row by row; of the upper triangle
+    std::vector<unsigned int> nodes; ///< that it couples, ascending
+    std::vector<unsigned int>
+      places; ///< in the sum, of the couplings of `nodes`, row by row; of the upper triangle
     std::array<std::vector<std::pair<unsigned int, double>>, n_vertices>
       parts; ///< of its vertices, by place in `nodes`
 

@@ -15,14 +15,14 @@ namespace signorini
   class Discretization;
 
   /**
-   * Which nodes the cells of this process couple, hanging nodes resolved. Cells count as they come among the active cells
-   * that this process owns.
+   * Which nodes the cells of this process couple, hanging nodes resolved. Cells count as they come
+   * among the active cells that this process owns.
    */
   template <int dim>
   class CellCouplings
   {
   public:
-    using Part                               = std::pair<unsigned int, double>; ///< a local node and its weight
+    using Part = std::pair<unsigned int, double>; ///< a local node and its weight
     static constexpr unsigned int n_vertices = 1u << dim;
 
     explicit CellCouplings(const Discretization<dim> &discretization);
@@ -31,11 +31,17 @@ namespace signorini
     const LocalNodes &nodes() const { return local_nodes; }
 
     /** Local nodes at the vertices of a cell. */
-    const unsigned int *vertices(const unsigned int cell) const { return &cell_vertices[n_vertices * cell]; }
+    const unsigned int *vertices(const unsigned int cell) const
+    {
+      return &cell_vertices[n_vertices * cell];
+    }
 
     bool has_hanging_nodes(const unsigned int cell) const { return is_resolved[cell]; }
 
-    /** Local nodes that a cell with these vertices couples, ascending: its vertices, those that hang replaced. */
+    /**
+     * Local nodes that a cell with these vertices couples, ascending: its vertices, those that
+     * hang replaced.
+     */
     void coupled_nodes(const unsigned int *vertices, std::vector<unsigned int> &nodes) const;
 
     /** What a vertex is made of: itself, or the nodes that it hangs between and their weights. */
@@ -54,7 +60,10 @@ namespace signorini
     std::vector<unsigned int> parts_start; ///< by local node
     std::vector<Part>         all_parts;
 
-    bool is_hanging(const unsigned int node) const { return all_parts[parts_start[node]].first != node; }
+    bool is_hanging(const unsigned int node) const
+    {
+      return all_parts[parts_start[node]].first != node;
+    }
     void number_nodes(const Discretization<dim> &discretization);
   };
 } // namespace signorini

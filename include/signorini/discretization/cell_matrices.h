@@ -15,7 +15,10 @@
 
 namespace signorini
 {
-  /** Consistent mass and stiffness of one cell: of the pairs (a, b) of its vertices with a <= b, row by row. */
+  /**
+   * Consistent mass and stiffness of one cell: of the pairs (a, b) of its vertices with a <= b,
+   * row by row.
+   */
   template <int dim>
   struct CellMatrix
   {
@@ -24,7 +27,8 @@ namespace signorini
     static constexpr unsigned int n_pairs    = n_vertices * (n_vertices + 1) / 2;
 
     std::array<double, n_pairs> mass;
-    std::array<Block, n_pairs>  stiffness; ///< rows are components at a, columns those at b; column by column
+    std::array<Block, n_pairs>
+      stiffness; ///< rows are components at a, columns those at b; column by column
 
     /** Place of the pair (a, b), a <= b. */
     static constexpr unsigned int pair(const unsigned int a, const unsigned int b)
@@ -34,7 +38,10 @@ namespace signorini
   };
 
 
-  /** Mass and stiffness of a cell as multiples of those of a congruent one. Valid until the next matrix is asked for. */
+  /**
+   * Mass and stiffness of a cell as multiples of those of a congruent one. Valid until the next
+   * matrix is asked for.
+   */
   template <int dim>
   struct ScaledCellMatrix
   {
@@ -49,12 +56,14 @@ namespace signorini
 
 
   /**
-   * Mass and stiffness of single cells, also of cells that are not active. Cells of the same shape and material are computed
-   * once: with edges t times as long the mass is t^dim, the stiffness t^(dim-2) times as large. Shapes are compared up to the
-   * round-off of the vertices; translations and changes of size make no difference, rotations do. Cells whose map is not
-   * linear along each edge of the reference cell are kept by their CellId, because quadrature is expensive there: 3 kB per cell in 3d,
-   * 0.5 kB in 2d, and never more than the given number of cells; what is beyond is computed whenever it is asked for. So the matrices survive
-   * a change of the mesh. Not for several threads.
+   * Mass and stiffness of single cells, also of cells that are not active. Cells of the same shape
+   * and material are computed once: with edges t times as long the mass is t^dim, the stiffness
+   * t^(dim-2) times as large. Shapes are compared up to the round-off of the vertices; translations
+   * and changes of size make no difference, rotations do. Cells whose map is not linear along each
+   * edge of the reference cell are kept by their CellId, because quadrature is expensive there: 3
+   * kB per cell in 3d, 0.5 kB in 2d, and never more than the given number of cells; what is beyond
+   * is computed whenever it is asked for. So the matrices survive a change of the mesh. Not for
+   * several threads.
    */
   template <int dim>
   class CellMatrices
@@ -74,7 +83,10 @@ namespace signorini
     /** Of a cell that is not artificial. */
     ScaledCellMatrix<dim> of(const Cell &cell) const;
 
-    /** To be called when the mesh has changed: if space gets scarce, drop what was not used since the last call. */
+    /**
+     * To be called when the mesh has changed: if space gets scarce, drop what was not used since
+     * the last call.
+     */
     void forget_unused();
 
     /** Number of matrices that are kept. */
@@ -83,7 +95,10 @@ namespace signorini
   private:
     static constexpr unsigned int n_vertices = CellMatrix<dim>::n_vertices;
 
-    /** A cell without place and size: material, and all vertices seen from the first one, divided by the length of the diagonal. */
+    /**
+     * A cell without place and size: material, and all vertices seen from the first one, divided
+     * by the length of the diagonal.
+     */
     struct Shape
     {
       unsigned int                              material;
@@ -102,12 +117,12 @@ namespace signorini
       unsigned int    last_mesh; ///< that used it, see forget_unused()
     };
 
-    std::vector<Material> materials; ///< by material id
-    const dealii::Mapping<dim>                                          &mapping;
-    const bool                                                           all_straight;
-    const std::size_t                                                    capacity;
-    const dealii::FE_Q<dim>                                              scalar_fe;
-    mutable dealii::FEValues<dim>                                        fe_values;
+    std::vector<Material>         materials; ///< by material id
+    const dealii::Mapping<dim>   &mapping;
+    const bool                    all_straight;
+    const std::size_t             capacity;
+    const dealii::FE_Q<dim>       scalar_fe;
+    mutable dealii::FEValues<dim> fe_values;
     mutable std::unordered_multimap<std::size_t, std::pair<Shape, Kept>> shapes;
     mutable std::unordered_map<dealii::CellId, Kept, CellIdHash<dim>>    curved_cells;
     mutable std::unordered_map<dealii::types::coarse_cell_id, bool>

@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * The coarse mesh of one body in its place, with the boundary ids of its shape. Manifolds, which say where refinement puts
-   * new vertices, are attached: round surfaces stay round.
+   * The coarse mesh of one body in its place, with the boundary ids of its shape. Manifolds, which
+   * say where refinement puts new vertices, are attached: round surfaces stay round.
    */
   template <int dim>
   void make_coarse_mesh(const BodyDescription<dim> &body, dealii::Triangulation<dim> &mesh);

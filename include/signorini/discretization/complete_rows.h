@@ -10,12 +10,14 @@
 namespace signorini
 {
   /**
-   * Sum the contributions of all processes: each sends what it has for the rows of others in one round of messages; in a
-   * second one the owners return the finished rows of ghosts. Collective.
+   * Sum the contributions of all processes: each sends what it has for the rows of others in one
+   * round of messages; in a second one the owners return the finished rows of ghosts. Collective.
    * @param contributions  upper triangle over `nodes` from the cells of this process
    * @param nodes          owned nodes, and those of others that its cells write to
-   * @param change         of the mass, in owned rows, both triangles; `mass_changes` tells whether any process has one
-   * @param result         pattern with all ghosts, and values; the consistent mass is kept beside a changed one
+   * @param change         of the mass, in owned rows, both triangles; `mass_changes` tells whether
+   * any process has one
+   * @param result         pattern with all ghosts, and values; the consistent mass is kept beside a
+   * changed one
    */
   template <int dim>
   void complete_rows(const ElasticMatrices<dim> &contributions,
@@ -27,8 +29,8 @@ namespace signorini
 
   /** The partitioner of vectors with dim entries per node. Collective. */
   template <int dim>
-  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> make_partitioner(const LocalNodes &nodes,
-                                                                              MPI_Comm          communicator);
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+  make_partitioner(const LocalNodes &nodes, MPI_Comm communicator);
 } // namespace signorini
 
 #endif

@@ -16,23 +16,26 @@
 namespace signorini
 {
   /**
-   * Q1 displacements, hanging nodes and matrices of all bodies on one state of the mesh: build another one when the cells
-   * have changed.
+   * Q1 displacements, hanging nodes and matrices of all bodies on one state of the mesh: build
+   * another one when the cells have changed.
    *
-   * A node is a vertex with dim consecutive degrees of freedom. Vectors live on the nodes of `matrices().pattern`: owned
-   * ones first, then ghosts. Hanging nodes are eliminated: their entries in vectors are zero but for
-   * interpolate_hanging_nodes().
+   * A node is a vertex with dim consecutive degrees of freedom. Vectors live on the nodes of
+   * `matrices().pattern`: owned ones first, then ghosts. Hanging nodes are eliminated: their
+   * entries in vectors are zero but for interpolate_hanging_nodes().
    */
   template <int dim>
   class Discretization
   {
   public:
-    /** Numbers the degrees of freedom and assembles mass and stiffness. The mesh must outlive the object. Collective. */
+    /**
+     * Numbers the degrees of freedom and assembles mass and stiffness. The mesh must outlive the
+     * object. Collective.
+     */
     explicit Discretization(const Mesh<dim> &mesh);
 
     /**
-     * Assemble anew with changes of the mass of the time discretisation, see assemble_matrices(). New couplings enter the
-     * pattern: vectors made before are of no use then. Collective.
+     * Assemble anew with changes of the mass of the time discretisation, see assemble_matrices().
+     * New couplings enter the pattern: vectors made before are of no use then. Collective.
      */
     void change_mass(const MassChange &change);
 
@@ -57,7 +60,8 @@ namespace signorini
     Vector make_vector() const { return Vector(elastic_matrices.pattern.partitioner); }
 
     /** Nodal interpolation of expressions given per body (empty: zero), hanging nodes left zero. */
-    Vector interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body, double time = 0.) const;
+    Vector interpolate(const std::vector<std::array<std::string, dim>> &expressions_by_body,
+                       double                                           time = 0.) const;
 
     /** Copy with ghosts for output: hanging nodes filled by interpolation. */
     Vector interpolate_hanging_nodes(const Vector &vector) const;

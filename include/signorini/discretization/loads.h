@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * A vector as a function of time, evaluated once if it does not depend on time. The two latest times are kept: the end of
-   * a step is the start of the next.
+   * A vector as a function of time, evaluated once if it does not depend on time. The two latest
+   * times are kept: the end of a step is the start of the next.
    */
   class VectorInTime
   {

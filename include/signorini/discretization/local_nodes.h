@@ -11,7 +11,10 @@
 
 namespace signorini
 {
-  /** Local numbers of nodes: first the owned ones, which are consecutive, then ghosts by their global number. */
+  /**
+   * Local numbers of nodes: first the owned ones, which are consecutive, then ghosts by their
+   * global number.
+   */
   struct LocalNodes
   {
     dealii::types::global_dof_index              first_owned = 0;
@@ -31,7 +34,8 @@ namespace signorini
       if (owns(global))
         return global - first_owned;
       const auto found = std::lower_bound(ghosts.begin(), ghosts.end(), global);
-      return found != ghosts.end() && *found == global ? n_owned + (found - ghosts.begin()) : size();
+      return found != ghosts.end() && *found == global ? n_owned + (found - ghosts.begin())
+                                                       : size();
     }
 
     dealii::types::global_dof_index global(const unsigned int local) const

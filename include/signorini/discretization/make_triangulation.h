@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * Mesh all bodies as disconnected parts of one triangulation. Material id: index of the body; boundary ids: those of the
-   * shape (a face belongs to the body of its cell).
+   * Mesh all bodies as disconnected parts of one triangulation. Material id: index of the body;
+   * boundary ids: those of the shape (a face belongs to the body of its cell).
    */
   template <int dim>
   void make_triangulation(const std::vector<BodyDescription<dim>>           &bodies,

@@ -10,8 +10,12 @@
 
 namespace signorini
 {
-  /** What is added to entries of the mass: (global row node, global column node) -> change. Both triangles. */
-  using MassChange = std::map<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>, double>;
+  /**
+   * What is added to entries of the mass: (global row node, global column node) -> change. Both
+   * triangles.
+   */
+  using MassChange =
+    std::map<std::pair<dealii::types::global_dof_index, dealii::types::global_dof_index>, double>;
 } // namespace signorini
 
 #endif

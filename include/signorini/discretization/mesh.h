@@ -14,8 +14,8 @@
 namespace signorini
 {
   /**
-   * The bodies and their mesh; lives as long as the run. The cells may change, and what is numbered on them is then built
-   * anew (Discretization); geometry and the matrices of single cells survive.
+   * The bodies and their mesh; lives as long as the run. The cells may change, and what is numbered
+   * on them is then built anew (Discretization); geometry and the matrices of single cells survive.
    */
   template <int dim>
   class Mesh
@@ -25,15 +25,18 @@ namespace signorini
 
     /**
      * Collective.
-     * @param changes whether the cells are going to change; then the bodies keep the geometry of their uniform
-     *                refinements, see MeshGeometry
+     * @param changes whether the cells are going to change; then the bodies keep the geometry of
+     * their uniform refinements, see MeshGeometry
      */
     Mesh(std::vector<BodyDescription<dim>> bodies,
          MPI_Comm                          communicator,
          CellGeometry                      cells   = CellGeometry::linear,
          bool                              changes = false);
 
-    /** Refine and coarsen the cells that are flagged, and share them among the processes. Collective. */
+    /**
+     * Refine and coarsen the cells that are flagged, and share them among the processes.
+     * Collective.
+     */
     void carry_out_flags();
 
     /** To be called when vertices were moved. Collective. */
@@ -77,8 +80,8 @@ namespace signorini
     mutable FunctionCache<dim>              functions;
 
     /**
-     * Move hanging vertices of round bodies onto the straight edges and faces of their coarser neighbours: the mesh has no
-     * gaps then, and the elements represent every linear function.
+     * Move hanging vertices of round bodies onto the straight edges and faces of their coarser
+     * neighbours: the mesh has no gaps then, and the elements represent every linear function.
      */
     void straighten_hanging_vertices();
   };

@@ -18,20 +18,26 @@ namespace signorini
   /**
    * The maps from the reference cell to the cells of a mesh, of degree 1 or 2.
    *
-   * A mesh that changes during a run has to fill the same body at all times, or a body would gain and lose mass: there each cell is a part
-   * of its ancestor in the base mesh (the uniformly refined one that a scene starts from), with the map of this ancestor. Spaces on
-   * finer meshes then contain those on coarser ones. Meshes that stay have the finer geometry, every cell with a map of its own.
+   * A mesh that changes during a run has to fill the same body at all times, or a body would gain
+   * and lose mass: there each cell is a part of its ancestor in the base mesh (the uniformly
+   * refined one that a scene starts from), with the map of this ancestor. Spaces on finer meshes
+   * then contain those on coarser ones. Meshes that stay have the finer geometry, every cell with a
+   * map of its own.
    */
   template <int dim>
   class MeshGeometry
   {
   public:
     /**
-     * @param base_levels per body the refinement level of the base mesh; empty: every cell has a map of its own
+     * @param base_levels per body the refinement level of the base mesh; empty: every cell has a
+     * map of its own
      */
     MeshGeometry(unsigned int degree, std::vector<unsigned int> base_levels);
 
-    /** To be called whenever the mesh has changed. Moves vertices of cells beyond the base mesh to where they belong. */
+    /**
+     * To be called whenever the mesh has changed. Moves vertices of cells beyond the base mesh to
+     * where they belong.
+     */
     void update(dealii::parallel::distributed::Triangulation<dim> &triangulation);
 
     const dealii::MappingQ<dim> &mapping() const { return cached_mapping; }

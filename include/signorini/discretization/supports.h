@@ -13,7 +13,10 @@
 
 namespace signorini
 {
-  /** Dirichlet conditions: which components of which owned nodes are prescribed, and their values in time. */
+  /**
+   * Dirichlet conditions: which components of which owned nodes are prescribed, and their values
+   * in time.
+   */
   template <int dim>
   class Supports
   {
@@ -28,7 +31,10 @@ namespace signorini
     const std::map<unsigned int, Components> &nodes() const { return prescribed; }
 
     /** Displacement prescribed by a condition for a component at a point. */
-    double value(unsigned int condition, const dealii::Point<dim> &point, unsigned int component, double time) const;
+    double value(unsigned int              condition,
+                 const dealii::Point<dim> &point,
+                 unsigned int              component,
+                 double                    time) const;
 
   private:
     std::map<unsigned int, Components>                        prescribed;

@@ -12,8 +12,9 @@ namespace signorini
 {
   /** Support points of the map of a cell, one after another. */
   template <int dim>
-  std::vector<dealii::Point<dim>> support_points(const dealii::MappingQ<dim> &mapping,
-                                                 const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
+  std::vector<dealii::Point<dim>>
+  support_points(const dealii::MappingQ<dim>                                     &mapping,
+                 const typename dealii::Triangulation<dim>::active_cell_iterator &cell)
   {
     // The mapping shows them to those who derive from it.
     struct Access : public dealii::MappingQ<dim>
@@ -26,7 +27,8 @@ namespace signorini
   template <int dim>
   const double *numbers(const std::vector<dealii::Point<dim>> &points)
   {
-    static_assert(sizeof(dealii::Point<dim>) == dim * sizeof(double), "points are arrays of numbers");
+    static_assert(sizeof(dealii::Point<dim>) == dim * sizeof(double),
+                  "points are arrays of numbers");
     return &points[0][0];
   }
 

@@ -12,17 +12,17 @@ namespace signorini
   using VertexValues = std::vector<double>;
 
   /**
-   * Products of a Q1 function on one cell with the shape functions of this cell: what the cell contributes to M v, int rho v.phi. The cell need not be
-   * active.
+   * Products of a Q1 function on one cell with the shape functions of this cell: what the cell
+   * contributes to M v, int rho v.phi. The cell need not be active.
    */
   template <int dim>
-  VertexValues mass_moments(const Discretization<dim>                                &discretization,
+  VertexValues mass_moments(const Discretization<dim> &discretization,
                             const typename dealii::Triangulation<dim>::cell_iterator &cell,
                             const VertexValues                                       &values);
 
   /** What the cell contributes to A u, int sigma(u) : eps(phi). */
   template <int dim>
-  VertexValues stiffness_moments(const Discretization<dim>                                &discretization,
+  VertexValues stiffness_moments(const Discretization<dim> &discretization,
                                  const typename dealii::Triangulation<dim>::cell_iterator &cell,
                                  const VertexValues                                       &values);
 } // namespace signorini

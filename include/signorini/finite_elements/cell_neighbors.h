@@ -4,8 +4,8 @@
 #ifndef signorini_finite_elements_cell_neighbors_h
 #define signorini_finite_elements_cell_neighbors_h
 
-#include <signorini/finite_elements/point_table.h>
 #include <signorini/discretization/discretization.h>
+#include <signorini/finite_elements/point_table.h>
 
 namespace signorini
 {
@@ -15,22 +15,27 @@ namespace signorini
   {
     using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-    Cell                                cell;
-    std::array<unsigned int, 1u << dim> nodes; ///< numbers in CellNeighbors::partitioner, in the order of the vertices
-    unsigned int                        index; ///< active_cell_index
-    unsigned int                        body;
-    bool                                owned;
+    Cell cell;
+    std::array<unsigned int, 1u << dim>
+                 nodes; ///< numbers in CellNeighbors::partitioner, in the order of the vertices
+    unsigned int index; ///< active_cell_index
+    unsigned int body;
+    bool         owned;
   };
 
-  /** A face between two cells of which one is owned. The second cell is as large as the first or larger. */
+  /**
+   * A face between two cells of which one is owned. The second cell is as large as the first or
+   * larger.
+   */
   template <int dim>
   struct InnerFace
   {
-    std::array<unsigned int, 2>  cells;   ///< numbers of local cells
-    std::array<unsigned char, 2> faces;   ///< numbers in the cells
-    int                          subface; ///< of the second cell, at which vertex of its face; -1: the whole face
-    std::array<unsigned char, GaussTables<dim>::n_subfaces> points; ///< the second's number of each point of the first
-    double                                                  size; ///< of the first's face: diameter, scaled to the edge
+    std::array<unsigned int, 2>  cells; ///< numbers of local cells
+    std::array<unsigned char, 2> faces; ///< numbers in the cells
+    int subface; ///< of the second cell, at which vertex of its face; -1: the whole face
+    std::array<unsigned char, GaussTables<dim>::n_subfaces>
+           points; ///< the second's number of each point of the first
+    double size;   ///< of the first's face: diameter, scaled to the edge
   };
 
   template <int dim>
@@ -42,8 +47,10 @@ namespace signorini
   };
 
   /**
-   * The cells of this process and what is next to them, in arrays, so that sums over cells and faces neither walk through the mesh nor look up degrees of
-   * freedom. Refers to one mesh. Vectors have values at all nodes of these cells, hanging ones included: local entry dim * node + component.
+   * The cells of this process and what is next to them, in arrays, so that sums over cells and
+   * faces neither walk through the mesh nor look up degrees of freedom. Refers to one mesh. Vectors
+   * have values at all nodes of these cells, hanging ones included: local entry dim * node +
+   * component.
    */
   template <int dim>
   class CellNeighbors
@@ -63,7 +70,10 @@ namespace signorini
     /** Like Discretization::interpolate_hanging_nodes(). Collective. */
     Vector interpolate_hanging_nodes(const Vector &vector) const;
 
-    /** Sum up what processes have added at nodes, hanging ones give theirs to their masters, and become zero. First components only. Collective. */
+    /**
+     * Sum up what processes have added at nodes, hanging ones give theirs to their masters, and
+     * become zero. First components only. Collective.
+     */
     void sum_over_processes(Vector &sums) const;
 
     /** The values of a vector at the vertices of a cell, dim for each. */
@@ -82,7 +92,7 @@ namespace signorini
     };
 
     std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner;
-    std::vector<HangingNode>                                   hanging_nodes; ///< those with known masters
+    std::vector<HangingNode> hanging_nodes; ///< those with known masters
 
     void find_cells();
     void find_hanging_nodes();

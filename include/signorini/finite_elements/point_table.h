@@ -20,7 +20,10 @@ namespace signorini
   template <int dim>
   using FourMatrices = std::array<FourVectors<dim>, dim>;
 
-  /** Values and derivatives of the Lagrange polynomials of the reference cell at four points, in deal.II's order of the polynomials. */
+  /**
+   * Values and derivatives of the Lagrange polynomials of the reference cell at four points, in
+   * deal.II's order of the polynomials.
+   */
   template <int dim>
   class PointTable
   {
@@ -35,11 +38,13 @@ namespace signorini
     /** sum_k numbers[k] phi_k, component by component; there are dim numbers per polynomial. */
     FourVectors<dim> values(const double *numbers) const;
 
-    /** Derivatives of that: entry [c][d] is the derivative of component c in reference direction d. */
+    /** Derivatives of that: entry [c][d] is the derivative of component c in reference direction d.
+     */
     FourMatrices<dim> gradients(const double *numbers) const;
 
     /** Second derivatives: entry [c][pair(a, b)]. */
-    std::array<std::array<FourNumbers, n_pairs>, dim> second_derivatives(const double *numbers) const;
+    std::array<std::array<FourNumbers, n_pairs>, dim>
+    second_derivatives(const double *numbers) const;
 
     static constexpr unsigned int pair(const unsigned int a, const unsigned int b)
     {
@@ -54,8 +59,8 @@ namespace signorini
 
 
   /**
-   * Gauss points with two per direction: on a face one per vertex, in the order of the vertices of the cell. In 2d a face has two points, and the
-   * other two lanes repeat them.
+   * Gauss points with two per direction: on a face one per vertex, in the order of the vertices of
+   * the cell. In 2d a face has two points, and the other two lanes repeat them.
    */
   template <int dim>
   struct GaussTables
@@ -69,14 +74,18 @@ namespace signorini
     /** The tables of a degree, made once. */
     static const GaussTables &of_degree(unsigned int degree);
 
-    std::vector<PointTable<dim>> faces;    ///< by face
-    std::vector<PointTable<dim>> subfaces; ///< by face and subface, the subface at each vertex of the face
+    std::vector<PointTable<dim>> faces; ///< by face
+    std::vector<PointTable<dim>>
+      subfaces; ///< by face and subface, the subface at each vertex of the face
     std::vector<PointTable<dim>> interior; ///< all points of the cell
     /** By vertex of a face: its (bi)linear function at the points of the face. */
     std::array<FourNumbers, n_face_points> vertex_functions;
   };
 
-  /** The vertex of a cell at a vertex of a face; both in lexicographic order of the cell's own coordinates. */
+  /**
+   * The vertex of a cell at a vertex of a face; both in lexicographic order of the cell's own
+   * coordinates.
+   */
   template <int dim>
   constexpr unsigned int vertex_of_face(const unsigned int face, const unsigned int vertex)
   {

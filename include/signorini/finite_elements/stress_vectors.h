@@ -14,10 +14,13 @@ namespace signorini
   {
     FourVectors<dim> vector;  ///< sigma n
     FourNumbers      tension; ///< n.sigma n
-    FourNumbers      area;    ///< weights of the integral over the face; zero in lanes that repeat a point
+    FourNumbers area; ///< weights of the integral over the face; zero in lanes that repeat a point
   };
 
-  /** Stress vectors of a displacement on all faces of all local cells, computed once for both sides. */
+  /**
+   * Stress vectors of a displacement on all faces of all local cells, computed once for both
+   * sides.
+   */
   template <int dim>
   class StressVectors
   {

@@ -14,9 +14,9 @@ namespace signorini
    *
    *   bound(n) = min(constant + coefficient n, cap):
    *
-   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone; it asks for no normal force at all). Below
-   * the bound the node sticks; at the bound it slips, and the force is opposite to the slip. All are forces of a node,
-   * not stresses.
+   * Coulomb (coefficient alone), Coulomb with cap, Tresca (constant alone; it asks for no normal
+   * force at all). Below the bound the node sticks; at the bound it slips, and the force is
+   * opposite to the slip. All are forces of a node, not stresses.
    */
   struct FrictionLaw
   {
@@ -39,7 +39,10 @@ namespace signorini
     }
 
     /** The law of forces that are multiplied by a factor. */
-    FrictionLaw scaled(const double factor) const { return {coefficient, factor * constant, factor * cap}; }
+    FrictionLaw scaled(const double factor) const
+    {
+      return {coefficient, factor * constant, factor * cap};
+    }
   };
 } // namespace signorini
 

@@ -10,11 +10,17 @@
 
 namespace signorini
 {
-  /** The tangential components of a node: two in 3d; in 2d, or where a support holds one, the second is zero. */
+  /**
+   * The tangential components of a node: two in 3d; in 2d, or where a support holds one, the
+   * second is zero.
+   */
   using TangentVector = Eigen::Vector2d;
   using TangentMatrix = Eigen::Matrix2d;
 
-  /** What the solver knows of a closed contact node. Forces count as in K w + force = b: compression > 0, friction along the slip. */
+  /**
+   * What the solver knows of a closed contact node. Forces count as in K w + force = b:
+   * compression > 0, friction along the slip.
+   */
   struct NodeForces
   {
     double        normal     = 0.;                    ///< n
@@ -23,14 +29,14 @@ namespace signorini
   };
 
   /**
-   * Coulomb's law as one equation without inequality, C(s, t, n) = max(b, |y|) t - b y = 0 with y = t + c s and the bound b(n) of the law
-   * (Hueeber, Stadler and Wohlmuth, SIAM J. Sci. Comput. 30 (2008) 572-596). A node sticks if |y| <= b. A slipping one obeys, to first
-   * order,
+   * Coulomb's law as one equation without inequality, C(s, t, n) = max(b, |y|) t - b y = 0 with y =
+   * t + c s and the bound b(n) of the law (Hueeber, Stadler and Wohlmuth, SIAM J. Sci. Comput. 30
+   * (2008) 572-596). A node sticks if |y| <= b. A slipping one obeys, to first order,
    *
    *   t_new = force + stiffness (s_new - s) + coupling (n_new - n).
    *
-   * The derivative is modified where the force does not yet point along y, so that the node equation can always be solved for t_new;
-   * at a solution it is the exact one.
+   * The derivative is modified where the force does not yet point along y, so that the node
+   * equation can always be solved for t_new; at a solution it is the exact one.
    */
   struct SlipCondition
   {
@@ -43,13 +49,19 @@ namespace signorini
   bool sticks(const FrictionLaw &law, const NodeForces &node, double stiffness);
 
   /**
-   * The condition of a slipping node. Where the node would rather stick, only the direction of y counts.
+   * The condition of a slipping node. Where the node would rather stick, only the direction of y
+   * counts.
    * @param n_tangents with one, the direction of slip cannot turn
    */
-  SlipCondition
-  linearise_slip(const FrictionLaw &law, const NodeForces &node, double stiffness, unsigned int n_tangents);
+  SlipCondition linearise_slip(const FrictionLaw &law,
+                               const NodeForces  &node,
+                               double             stiffness,
+                               unsigned int       n_tangents);
 
-  /** The friction of a slipping node: of the size of the bound, along the slip, or along t where there is none. */
+  /**
+   * The friction of a slipping node: of the size of the bound, along the slip, or along t where
+   * there is none.
+   */
   TangentVector slip_force(const FrictionLaw &law, const NodeForces &node);
 } // namespace signorini
 

@@ -8,7 +8,10 @@
 
 namespace signorini
 {
-  /** The local nodes in the order of Cuthill and McKee (not reversed), every connected part from a peripheral node. */
+  /**
+   * The local nodes in the order of Cuthill and McKee (not reversed), every connected part from a
+   * peripheral node.
+   */
   std::vector<unsigned int> cuthill_mckee(const NodePattern &pattern);
 } // namespace signorini
 

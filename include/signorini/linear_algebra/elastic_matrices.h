@@ -10,7 +10,10 @@
 
 namespace signorini
 {
-  /** Matrix-vector products since the start, by matrix: the currency in which the cost of a step is measured. */
+  /**
+   * Matrix-vector products since the start, by matrix: the currency in which the cost of a step is
+   * measured.
+   */
   struct ProductCount
   {
     unsigned long stiffness = 0; ///< products with A
@@ -19,10 +22,11 @@ namespace signorini
   };
 
   /**
-   * Stiffness A and consistent mass M of all bodies on one pattern, in Cartesian components. A has a dim x dim block per
-   * pair of nodes, M one number, because the mass is the same in every direction. Both are symmetric, and only the upper
-   * triangle is stored: a product is limited by what it reads. Any combination a M + b A is applied in one pass without being
-   * stored, so that a new step size costs nothing.
+   * Stiffness A and consistent mass M of all bodies on one pattern, in Cartesian components. A has
+   * a dim x dim block per pair of nodes, M one number, because the mass is the same in every
+   * direction. Both are symmetric, and only the upper triangle is stored: a product is limited by
+   * what it reads. Any combination a M + b A is applied in one pass without being stored, so that a
+   * new step size costs nothing.
    */
   template <int dim>
   class ElasticMatrices
@@ -38,8 +42,14 @@ namespace signorini
     /** Owned nodes that a redistributed mass leaves without any, ascending. */
     std::vector<unsigned int> massless_nodes;
 
-    /** destination = (mass_factor M + stiffness_factor A) source. Exchanges the ghosts of the source. */
-    void apply(Vector &destination, const Vector &source, double mass_factor, double stiffness_factor) const;
+    /**
+     * destination = (mass_factor M + stiffness_factor A) source. Exchanges the ghosts of the
+     * source.
+     */
+    void apply(Vector       &destination,
+               const Vector &source,
+               double        mass_factor,
+               double        stiffness_factor) const;
 
     void apply_mass(Vector &destination, const Vector &source) const;
     /** The consistent mass, whatever the time discretisation uses. */
@@ -63,7 +73,8 @@ namespace signorini
 
   private:
     mutable ProductCount        count;
-    mutable std::vector<double> padded_source, padded_destination; ///< four numbers per node, see Lanes
+    mutable std::vector<double> padded_source,
+      padded_destination; ///< four numbers per node, see Lanes
 
     void apply_with(const std::vector<double> &mass_values,
                     Vector                    &destination,

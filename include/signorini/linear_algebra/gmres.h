@@ -12,11 +12,14 @@
 namespace signorini
 {
   /**
-   * GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869) for matrices that differ from a symmetric one in a few rows. The
-   * preconditioner P is symmetric, and residuals are measured by it as conjugate gradients do, (r' P^-1 r)^(1/2), in the free entries:
-   * tolerances mean the same, and for a symmetric matrix the iterates are close to those of conjugate gradients.
+   * GMRES (Saad and Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856-869) for matrices that differ
+   * from a symmetric one in a few rows. The preconditioner P is symmetric, and residuals are
+   * measured by it as conjugate gradients do, (r' P^-1 r)^(1/2), in the free entries: tolerances
+   * mean the same, and for a symmetric matrix the iterates are close to those of conjugate
+   * gradients.
    *
-   * As there, the preconditioner returns zero in held entries, and the residual is carried for all entries without further products.
+   * As there, the preconditioner returns zero in held entries, and the residual is carried for all
+   * entries without further products.
    */
   class Gmres
   {
@@ -45,7 +48,10 @@ namespace signorini
     double              norm_at_start = 0.;
     std::vector<Vector> basis, preconditioned; ///< v_j and P^-1 v_j, kept for the next solve
 
-    /** One cycle; P^-1 residual is in the first of `preconditioned`. @return iterations; `norm` is the estimated norm of the residual on exit */
+    /**
+     * One cycle; P^-1 residual is in the first of `preconditioned`. @return iterations; `norm` is
+     * the estimated norm of the residual on exit
+     */
     unsigned int cycle(const Operator &matrix,
                        const Operator &inverse_of_preconditioner,
                        Vector         &correction,

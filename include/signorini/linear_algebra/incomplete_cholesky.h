@@ -15,18 +15,22 @@
 namespace signorini
 {
   /**
-   * Incomplete Cholesky factor without fill, (D + L) D^-1 (D + L'), of a matrix with blocks per pair of nodes, in single
-   * precision: a preconditioner needs no more, and the sweeps run at the speed of memory.
+   * Incomplete Cholesky factor without fill, (D + L) D^-1 (D + L'), of a matrix with blocks per
+   * pair of nodes, in single precision: a preconditioner needs no more, and the sweeps run at the
+   * speed of memory.
    *
-   * `entry` is float for a block-scalar matrix (mass) and a dim x dim block for M + s A. Held entries are skipped *inside* the
-   * sweeps: the inverse of D_p is replaced by its pseudo-inverse on the free directions of node p. Nodes with contact are
-   * eliminated last, and therefore the sweeps with any active set are those of the factor of the masked matrix
-   * (up to the coupling among contact nodes): a change of the active set needs no new factor. Among each other the nodes are
-   * numbered by Cuthill and McKee, which serves the quality of the factor equally well on any number of processes
-   * (the reversed order is a little better on one process, and worse on two).
+   * `entry` is float for a block-scalar matrix (mass) and a dim x dim block for M + s A. Held
+   * entries are skipped *inside* the sweeps: the inverse of D_p is replaced by its pseudo-inverse
+   * on the free directions of node p. Nodes with contact are eliminated last, and therefore the
+   * sweeps with any active set are those of the factor of the masked matrix (up to the coupling
+   * among contact nodes): a change of the active set needs no new factor. Among each other the
+   * nodes are numbered by Cuthill and McKee, which serves the quality of the factor equally well on
+   * any number of processes (the reversed order is a little better on one process, and worse on
+   * two).
    *
-   * Several processes: each factors its owned nodes and one layer of ghosts; the local solutions are added with the weights
-   * of a partition of unity to the power 1/2 on both sides, which keeps the preconditioner symmetric.
+   * Several processes: each factors its owned nodes and one layer of ghosts; the local solutions
+   * are added with the weights of a partition of unity to the power 1/2 on both sides, which keeps
+   * the preconditioner symmetric.
    */
   template <int dim, int block_size>
   class IncompleteCholesky
@@ -56,22 +60,27 @@ namespace signorini
     using Entry    = std::array<float, block_size * block_size>; ///< column by column
     using Diagonal = std::array<float, dim * dim>;
 
-    const NodePattern         &pattern;
-    std::vector<unsigned int>  order;              ///< position in the elimination -> local node
-    std::vector<unsigned int>  row_start, columns; ///< strictly lower triangle by rows; positions instead of nodes
-    std::vector<Entry>         lower;              ///< L, with a spare entry at the end, see Lanes
-    std::vector<Entry>         pivots;             ///< D_p
-    std::vector<Diagonal>      inverse_pivots;     ///< pseudo-inverse on the free directions
-    std::vector<unsigned int>  position_of;        ///< local node -> position
-    std::vector<unsigned int>  held_positions;     ///< whose inverse pivot differs from the full one
-    std::vector<float>         weights;            ///< per position, root of the partition of unity
-    bool                       overlapping;
-    double                     matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
-    mutable std::vector<float> work, scattered;   ///< four numbers per position
-    mutable Vector             ghosted; ///< with the ghosts of the pattern, which may be more than those of the vectors
-    mutable unsigned long      applications = 0;
+    const NodePattern        &pattern;
+    std::vector<unsigned int> order; ///< position in the elimination -> local node
+    std::vector<unsigned int> row_start,
+      columns; ///< strictly lower triangle by rows; positions instead of nodes
+    std::vector<Entry>        lower;          ///< L, with a spare entry at the end, see Lanes
+    std::vector<Entry>        pivots;         ///< D_p
+    std::vector<Diagonal>     inverse_pivots; ///< pseudo-inverse on the free directions
+    std::vector<unsigned int> position_of;    ///< local node -> position
+    std::vector<unsigned int> held_positions; ///< whose inverse pivot differs from the full one
+    std::vector<float>        weights;        ///< per position, root of the partition of unity
+    bool                      overlapping;
+    double matrix_scale = 1.; ///< the factor is that of matrix_scale times the matrix
+    mutable std::vector<float> work, scattered; ///< four numbers per position
+    mutable Vector
+      ghosted; ///< with the ghosts of the pattern, which may be more than those of the vectors
+    mutable unsigned long applications = 0;
 
-    /** Where an entry of the lower triangle comes from: position in the upper triangle of the matrix, and whether it is turned. */
+    /**
+     * Where an entry of the lower triangle comes from: position in the upper triangle of the
+     * matrix, and whether it is turned.
+     */
     struct Origin
     {
       unsigned int position;
@@ -81,11 +90,14 @@ namespace signorini
 
     void build_pattern(const std::vector<unsigned int> &eliminate_last);
     /** @return false if a pivot is not positive definite. */
-    bool factor(const ElasticMatrices<dim> &matrices, double mass_factor, double stiffness_factor, double shift);
+    bool factor(const ElasticMatrices<dim> &matrices,
+                double                      mass_factor,
+                double                      stiffness_factor,
+                double                      shift);
     /** D_p as a block of all directions. */
     dealii::Tensor<2, dim> full_pivot(unsigned int position) const;
     void                   invert_pivot(unsigned int position);
-    void sweep() const;
+    void                   sweep() const;
   };
 } // namespace signorini
 

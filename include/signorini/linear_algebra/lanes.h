@@ -9,10 +9,10 @@
 namespace signorini
 {
   /**
-   * Four numbers in one register. The components of a node fill the first dim lanes; what the others
-   * hold is never used, so a column of a small block is loaded together with what follows it in
-   * memory. Arrays of blocks therefore end with one spare block. The attribute and the shuffles are
-   * extensions that GCC (12 or newer) and Clang share.
+   * Four numbers in one register. The components of a node fill the first dim lanes; what the
+   * others hold is never used, so a column of a small block is loaded together with what follows it
+   * in memory. Arrays of blocks therefore end with one spare block. The attribute and the shuffles
+   * are extensions that GCC (12 or newer) and Clang share.
    */
   template <typename Number>
   using Lanes __attribute__((vector_size(4 * sizeof(Number)))) = Number;
@@ -35,7 +35,10 @@ namespace signorini
     return sum;
   }
 
-  /** Set the lanes beyond the components of a node to zero, as block_transposed_product() wants them. */
+  /**
+   * Set the lanes beyond the components of a node to zero, as block_transposed_product() wants
+   * them.
+   */
   template <int dim, typename Number>
   inline Lanes<Number> without_spare_lanes(Lanes<Number> lanes)
   {

@@ -10,10 +10,14 @@
 
 namespace signorini
 {
-  /** For each locally owned entry whether it is held (1: fixed or in active contact) or free (0). */
+  /** For each locally owned entry whether it is held (1: fixed or in active contact) or free (0).
+   */
   using Mask = std::vector<char>;
 
-  /** Approximates the inverse of K restricted to the free entries, symmetric positive definite there. */
+  /**
+   * Approximates the inverse of K restricted to the free entries, symmetric positive definite
+   * there.
+   */
   class MaskedPreconditioner
   {
   public:
@@ -22,7 +26,10 @@ namespace signorini
     /** Which entries are held from now on. Cheap: no new factorisation. Collective. */
     virtual void set_mask(const Mask &mask) = 0;
 
-    /** destination = approximate inverse times source; zero in the held entries, whatever the source has there. */
+    /**
+     * destination = approximate inverse times source; zero in the held entries, whatever the
+     * source has there.
+     */
     virtual void vmult(Vector &destination, const Vector &source) const = 0;
   };
 } // namespace signorini

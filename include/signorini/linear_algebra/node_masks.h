@@ -10,8 +10,8 @@
 namespace signorini
 {
   /**
-   * A local node (owned or ghost) some of whose directions are held: the orthonormal frame of the node (row k: direction of
-   * its k-th entry) and which of its entries are held.
+   * A local node (owned or ghost) some of whose directions are held: the orthonormal frame of the
+   * node (row k: direction of its k-th entry) and which of its entries are held.
    */
   template <int dim>
   struct HeldNode

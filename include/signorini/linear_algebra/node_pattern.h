@@ -14,18 +14,21 @@
 namespace signorini
 {
   /**
-   * Which nodes are coupled: the upper triangle, diagonal included, in compressed rows over the nodes of this process. Rows and columns
-   * count local nodes, first the owned ones, then the ghosts, in the order of the partitioner, which numbers dim entries per
-   * node. So the row of an owned node ends with all its ghosts, and the rows of ghosts (which only overlapping preconditioners
-   * need) hold the couplings among ghosts. A hanging node, which is eliminated, has an empty row.
+   * Which nodes are coupled: the upper triangle, diagonal included, in compressed rows over the
+   * nodes of this process. Rows and columns count local nodes, first the owned ones, then the
+   * ghosts, in the order of the partitioner, which numbers dim entries per node. So the row of an
+   * owned node ends with all its ghosts, and the rows of ghosts (which only overlapping
+   * preconditioners need) hold the couplings among ghosts. A hanging node, which is eliminated, has
+   * an empty row.
    */
   struct NodePattern
   {
     unsigned int              n_owned = 0; ///< nodes of this process
     unsigned int              n_local = 0; ///< with ghosts
     std::vector<unsigned int> row_start;   ///< n_local + 1 entries
-    std::vector<unsigned int> columns;     ///< ascending within a row, which begins with its diagonal
-    std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner; ///< of vectors with dim entries per node
+    std::vector<unsigned int> columns; ///< ascending within a row, which begins with its diagonal
+    std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
+      partitioner; ///< of vectors with dim entries per node
 
     bool is_empty(const unsigned int node) const { return row_start[node] == row_start[node + 1]; }
   };

@@ -20,7 +20,7 @@ namespace signorini
     static constexpr unsigned int n_vertices = 1u << dim;
 
     std::array<dealii::types::global_dof_index, n_vertices>
-                                                nodes; ///< in deal.II's order; `hanging` where a vertex is no node
+      nodes; ///< in deal.II's order; `hanging` where a vertex is no node
     std::array<dealii::Point<dim>, n_vertices>  vertices;
     std::array<double, n_vertices * n_vertices> mass; ///< element matrix of the consistent mass
 
@@ -36,9 +36,10 @@ namespace signorini
   };
 
   /**
-   * Two layers of cells at the possible contact boundary, all that a redistribution of mass has to know: the cells at the nodes that lose
-   * their mass, and the cells at the other nodes of those. The same on every process (memory of the size of the contact
-   * surface), in an order that does not depend on the number of processes.
+   * Two layers of cells at the possible contact boundary, all that a redistribution of mass has to
+   * know: the cells at the nodes that lose their mass, and the cells at the other nodes of those.
+   * The same on every process (memory of the size of the contact surface), in an order that does
+   * not depend on the number of processes.
    */
   template <int dim>
   struct ContactStrip
@@ -48,7 +49,8 @@ namespace signorini
 
     using Node = dealii::types::global_dof_index;
 
-    std::map<Node, dealii::Tensor<1, dim>> massless; ///< contact nodes of all processes, with normals out of the body
+    std::map<Node, dealii::Tensor<1, dim>>
+      massless; ///< contact nodes of all processes, with normals out of the body
     std::vector<StripCell<dim>>            cells;
     std::map<Node, dealii::Point<dim>>     positions;     ///< of all nodes of the cells
     std::map<Node, std::set<unsigned int>> cells_of_node; ///< indices into `cells`
@@ -56,7 +58,8 @@ namespace signorini
     bool is_massless(const Node node) const { return massless.count(node) > 0; }
 
   private:
-    void find_massless_nodes(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
+    void find_massless_nodes(const Discretization<dim> &discretization,
+                             const ContactSurface<dim> &surface);
     /** Bring the cells of all processes into their order, and note where their nodes are. */
     void index_cells();
   };

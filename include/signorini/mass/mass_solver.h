@@ -9,8 +9,9 @@
 namespace signorini
 {
   /**
-   * Solution with a mass that leaves some nodes without any, by conjugate gradients with the diagonal as preconditioner: a handful of
-   * iterations, whatever the mesh. Needed once per run, so that nothing faster is called for.
+   * Solution with a mass that leaves some nodes without any, by conjugate gradients with the
+   * diagonal as preconditioner: a handful of iterations, whatever the mesh. Needed once per run, so
+   * that nothing faster is called for.
    */
   template <int dim>
   class MassSolver
@@ -23,8 +24,9 @@ namespace signorini
     Vector solve(const Vector &force) const;
 
     /**
-     * Estimate of the smallest eigenvalue of D^-1 M~ on the free entries, D the diagonal of M~ (between 1/8 and 1 for the consistent mass of
-     * bricks): positive if and only if M~ is positive definite there. Minus infinity if a diagonal entry is not positive. Collective.
+     * Estimate of the smallest eigenvalue of D^-1 M~ on the free entries, D the diagonal of M~
+     * (between 1/8 and 1 for the consistent mass of bricks): positive if and only if M~ is positive
+     * definite there. Minus infinity if a diagonal entry is not positive. Collective.
      */
     double smallest_ratio() const;
 

@@ -9,15 +9,18 @@
 namespace signorini
 {
   /**
-   * Mass redistribution by constrained minimisation (Khenous, Laborde and Renard 2008; Krause and Walloth 2012, section 3.3): among all
-   * symmetric matrices with the couplings of M and empty rows at contact nodes the one that is closest to M and keeps total mass, centre of
-   * gravity and tensor of inertia of each body. Changes are measured relative to the size of the entry,
+   * Mass redistribution by constrained minimisation (Khenous, Laborde and Renard 2008; Krause and
+   * Walloth 2012, section 3.3): among all symmetric matrices with the couplings of M and empty rows
+   * at contact nodes the one that is closest to M and keeps total mass, centre of gravity and
+   * tensor of inertia of each body. Changes are measured relative to the size of the entry,
    *
-   *   minimise sum_ij (M~_ij - M_ij)^2 / M_ij,   hence   M~_ij = M_ij (1 + q(x_i, x_j)) between nodes with mass,
+   *   minimise sum_ij (M~_ij - M_ij)^2 / M_ij,   hence   M~_ij = M_ij (1 + q(x_i, x_j)) between
+   * nodes with mass,
    *
-   * with a symmetric polynomial q, linear in each point, whose few coefficients follow from the constraints. (Without the weights the matrix of a
-   * ball is indefinite.) It is positive definite if the matrix of the coefficients of 1 + q is, by Schur's product theorem; else look
-   * at smallest_mass_ratio().
+   * with a symmetric polynomial q, linear in each point, whose few coefficients follow from the
+   * constraints. (Without the weights the matrix of a ball is indefinite.) It is positive definite
+   * if the matrix of the coefficients of 1 + q is, by Schur's product theorem; else look at
+   * smallest_mass_ratio().
    *
    * Collective. Replaces matrices.mass and keeps the consistent one in matrices.standard_mass.
    * @throws UserError if all nodes of a body are contact nodes

@@ -9,11 +9,12 @@
 namespace signorini
 {
   /**
-   * Sums of the contributions of all processes in the rows that this one owns. Collective; every process sees all contributions, which come from the
-   * contact surface alone.
+   * Sums of the contributions of all processes in the rows that this one owns. Collective; every
+   * process sees all contributions, which come from the contact surface alone.
    */
   template <int dim>
-  MassChange sum_of_owned_rows(const MassChange &contributions, const dealii::Utilities::MPI::Partitioner &partitioner);
+  MassChange sum_of_owned_rows(const MassChange                          &contributions,
+                               const dealii::Utilities::MPI::Partitioner &partitioner);
 } // namespace signorini
 
 #endif

@@ -11,8 +11,9 @@
 namespace signorini
 {
   /**
-   * The symmetric products of linear functions at two points, relative to an origin and in units of a length; at one point they are a basis of the
-   * quadratic functions. Sums of them over the entries of a mass matrix are total mass, first moments and inertia.
+   * The symmetric products of linear functions at two points, relative to an origin and in units of
+   * a length; at one point they are a basis of the quadratic functions. Sums of them over the
+   * entries of a mass matrix are total mass, first moments and inertia.
    */
   template <int dim>
   struct QuadraticMoments

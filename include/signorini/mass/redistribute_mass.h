@@ -10,13 +10,15 @@
 namespace signorini
 {
   /**
-   * Give the time discretisation the mass that is asked for, if that has no entries at contact nodes (redistributed, or zero
-   * on contact boundary). The consistent mass stays in matrices().standard_mass. With two bodies the nodes of the slave lose
-   * their mass, to others of the same body. Vectors made before are of no use afterwards.
+   * Give the time discretisation the mass that is asked for, if that has no entries at contact
+   * nodes (redistributed, or zero on contact boundary). The consistent mass stays in
+   * matrices().standard_mass. With two bodies the nodes of the slave lose their mass, to others of
+   * the same body. Vectors made before are of no use afterwards.
    *
    * Collective.
    * @return a sentence about the mass for the user, empty if nothing was changed
-   * @throws UserError if there are no contact nodes, too few nodes behind them, or the result is not positive definite
+   * @throws UserError if there are no contact nodes, too few nodes behind them, or the result is
+   * not positive definite
    */
   template <int dim>
   std::string redistribute_mass(Discretization<dim>       &discretization,

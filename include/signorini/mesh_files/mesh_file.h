@@ -13,14 +13,18 @@
 namespace signorini
 {
   /**
-   * Read a mesh of quadrilaterals (2d) or hexahedra (3d) with its boundary ids: Gmsh (.msh), Abaqus (.inp), UCD (.inp, .ucd)
-   * or VTK (.vtk). Vertices that no cell uses are left out.
-   * @throws UserError that begins with the path, if there is no mesh in the file on which elasticity can be computed.
+   * Read a mesh of quadrilaterals (2d) or hexahedra (3d) with its boundary ids: Gmsh (.msh), Abaqus
+   * (.inp), UCD (.inp, .ucd) or VTK (.vtk). Vertices that no cell uses are left out.
+   * @throws UserError that begins with the path, if there is no mesh in the file on which
+   * elasticity can be computed.
    */
   template <int dim>
   void read_mesh_file(const std::string &path, dealii::Triangulation<dim> &mesh);
 
-  /** What the description of a body keeps of the mesh in a file. @throws UserError like read_mesh_file(). */
+  /**
+   * What the description of a body keeps of the mesh in a file. @throws UserError like
+   * read_mesh_file().
+   */
   template <int dim>
   MeshFile<dim> describe_mesh_file(const std::string &path);
 } // namespace signorini

@@ -29,22 +29,28 @@ namespace signorini
   };
 
   /**
-   * Read a file, tell its format by its extension and content, and check what deal.II's readers take for granted: the file
-   * ends where it should, and what it refers to exists. @throws MeshFileError
+   * Read a file, tell its format by its extension and content, and check what deal.II's readers
+   * take for granted: the file ends where it should, and what it refers to exists. @throws
+   * MeshFileError
    */
   MeshText read_mesh_text(const std::string &path);
 
   /**
-   * The mesh of an Abaqus input file in UCD format. A face of the surface (`*SURFACE`, of elements or element sets) whose
-   * name contains the digits of a number gets this number as boundary id, all others 0. @throws MeshFileError
+   * The mesh of an Abaqus input file in UCD format. A face of the surface (`*SURFACE`, of elements
+   * or element sets) whose name contains the digits of a number gets this number as boundary id,
+   * all others 0. @throws MeshFileError
    */
   std::string abaqus_to_ucd(const std::string &text);
 
-  /** Refuse a text in UCD format with missing lines, or with cells and faces of vertices that do not exist. */
+  /**
+   * Refuse a text in UCD format with missing lines, or with cells and faces of vertices that do
+   * not exist.
+   */
   void check_ucd(const std::string &text);
   /**
-   * Number and place, in words, of a hexahedron that lists its vertices in the other direction of rotation than most in a
-   * text in UCD format; empty if there is none. deal.II refuses such meshes without telling which cell it is.
+   * Number and place, in words, of a hexahedron that lists its vertices in the other direction of
+   * rotation than most in a text in UCD format; empty if there is none. deal.II refuses such meshes
+   * without telling which cell it is.
    */
   std::string find_inverted_hexahedron(const std::string &ucd);
   /** The same as check_ucd() for a legacy VTK file. */

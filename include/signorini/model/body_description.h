@@ -36,8 +36,8 @@ namespace signorini
   };
 
   /**
-   * A condition on one boundary id: expressions in x, y, z, t, one per component. An empty expression (or a "-") leaves this
-   * component free (Dirichlet) or zero (traction).
+   * A condition on one boundary id: expressions in x, y, z, t, one per component. An empty
+   * expression (or a "-") leaves this component free (Dirichlet) or zero (traction).
    */
   template <int dim>
   struct BoundaryCondition
@@ -47,8 +47,8 @@ namespace signorini
   };
 
   /**
-   * What the scene needs to know of a mesh from a file: the name of the file, and the vertices on each of its boundaries, as
-   * they stand in the file.
+   * What the scene needs to know of a mesh from a file: the name of the file, and the vertices on
+   * each of its boundaries, as they stand in the file.
    */
   template <int dim>
   struct MeshFile
@@ -76,7 +76,8 @@ namespace signorini
                                                     {BodyShape::file, "file"}};
   };
 
-  /** Section `Bodies/<name>`: shape, mesh, material, initial state, loads and supports of one body. */
+  /** Section `Bodies/<name>`: shape, mesh, material, initial state, loads and supports of one body.
+   */
   template <int dim>
   struct BodyDescription
   {
@@ -86,22 +87,23 @@ namespace signorini
     // The shape before it is placed.
     dealii::Point<dim>            centre; ///< ball, cylinder
     double                        radius = 1.;
-    double                        length = 2.;                ///< cylinder: full length, centred at `centre`
-    unsigned int                  axis   = dim - 1;           ///< cylinder: direction of the axis, 0, 1, 2
+    double                        length = 2.;      ///< cylinder: full length, centred at `centre`
+    unsigned int                  axis   = dim - 1; ///< cylinder: direction of the axis, 0, 1, 2
     dealii::Point<dim>            lower_corner, upper_corner; ///< box
     std::array<unsigned int, dim> repetitions;                ///< box: coarse cells per direction
-    double                        cap_radius   = 0.;     ///< box: radius of the bulging face; 0: all faces are flat
-    dealii::types::boundary_id    cap_boundary = 0;      ///< box: the face that bulges
-    MeshFile<dim>                 mesh_file;             ///< file
-    Placement<dim>                placement;             ///< from the shape as described to its place in space
-    unsigned int                  refinements       = 0; ///< uniform refinements
-    unsigned int                  local_refinements = 0; ///< further refinements of the cells selected below
-    std::string                   refine_where;          ///< expression in x, y, z of the cell centre; > 0 selects
+    double cap_radius = 0.; ///< box: radius of the bulging face; 0: all faces are flat
+    dealii::types::boundary_id cap_boundary = 0; ///< box: the face that bulges
+    MeshFile<dim>              mesh_file;        ///< file
+    Placement<dim>             placement; ///< from the shape as described to its place in space
+    unsigned int               refinements = 0; ///< uniform refinements
+    unsigned int local_refinements         = 0; ///< further refinements of the cells selected below
+    std::string  refine_where; ///< expression in x, y, z of the cell centre; > 0 selects
 
     Material                     material;
     std::array<std::string, dim> initial_displacement; ///< expressions in x, y, z
     std::array<std::string, dim> initial_velocity;
-    std::array<std::string, dim> body_force; ///< force per *mass* (f of the paper's rho f), expressions in x, y, z, t
+    std::array<std::string, dim>
+      body_force; ///< force per *mass* (f of the paper's rho f), expressions in x, y, z, t
     std::vector<BoundaryCondition<dim>> dirichlet; ///< prescribed displacement
     std::vector<BoundaryCondition<dim>> traction;  ///< prescribed stress vector
   };

@@ -11,21 +11,25 @@
 namespace signorini
 {
   /**
-   * The boundary ids of a shape. Box: deal.II's colours 0..2*dim-1 (0, 1: x-, x+; 2, 3: y-, y+; ...); ball: 0;
-   * cylinder: 0 mantle, 1 bottom, 2 top; file: those of the file.
+   * The boundary ids of a shape. Box: deal.II's colours 0..2*dim-1 (0, 1: x-, x+; 2, 3: y-, y+;
+   * ...); ball: 0; cylinder: 0 mantle, 1 bottom, 2 top; file: those of the file.
    */
   template <int dim>
   std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &body);
 
   /** A few points on one boundary of the body in its place, for trying expressions. */
   template <int dim>
-  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body, dealii::types::boundary_id id);
+  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body,
+                                                  dealii::types::boundary_id  id);
 
   /** The centre of the body in its place and the points of all its boundaries. */
   template <int dim>
   std::vector<dealii::Point<dim>> sample_points(const BodyDescription<dim> &body);
 
-  /** The centre of the shape before it is placed; that of a mesh from a file is the centre of its bounding box. */
+  /**
+   * The centre of the shape before it is placed; that of a mesh from a file is the centre of its
+   * bounding box.
+   */
   template <int dim>
   dealii::Point<dim> centre_of_shape(const BodyDescription<dim> &body);
 

@@ -28,29 +28,40 @@ namespace signorini
                                                        {FrictionKind::tresca, "tresca"}};
   };
 
-  /** The law of friction of a pair, see FrictionLaw. Coefficient and bound are expressions in x, y, z of the reference configuration. */
+  /**
+   * The law of friction of a pair, see FrictionLaw. Coefficient and bound are expressions in x, y,
+   * z of the reference configuration.
+   */
   struct FrictionDescription
   {
     FrictionKind law         = FrictionKind::coulomb;
     std::string  coefficient = "0"; ///< mu (coulomb)
     std::string  bound;             ///< largest tangential stress; empty: none (coulomb only)
 
-    /** Whether any node of the pair may bear tangential forces: false for coulomb with the coefficient 0. */
+    /**
+     * Whether any node of the pair may bear tangential forces: false for coulomb with the
+     * coefficient 0.
+     */
     bool any = false;
   };
 
-  /** One entry of `Contact/Pairs`: `slave : obstacle` or `slave : master`, each body with boundary ids in brackets or without. */
+  /**
+   * One entry of `Contact/Pairs`: `slave : obstacle` or `slave : master`, each body with boundary
+   * ids in brackets or without.
+   */
   struct PairDescription
   {
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
-    std::string                             name;                ///< as written in the scene
-    unsigned int                            slave;               ///< index into Scene::bodies
-    std::vector<dealii::types::boundary_id> slave_boundary_ids;  ///< empty: the whole boundary of the body
-    unsigned int                            obstacle = none;     ///< index into Scene::obstacles, or
-    unsigned int                            master   = none;     ///< index into Scene::bodies
-    std::vector<dealii::types::boundary_id> master_boundary_ids; ///< empty: the whole boundary of the body
-    FrictionDescription                     friction;
+    std::string  name;  ///< as written in the scene
+    unsigned int slave; ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id>
+                 slave_boundary_ids; ///< empty: the whole boundary of the body
+    unsigned int obstacle = none;    ///< index into Scene::obstacles, or
+    unsigned int master   = none;    ///< index into Scene::bodies
+    std::vector<dealii::types::boundary_id>
+                        master_boundary_ids; ///< empty: the whole boundary of the body
+    FrictionDescription friction;
 
     bool of_two_bodies() const { return master != none; }
   };

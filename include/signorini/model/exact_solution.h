@@ -9,7 +9,10 @@
 
 namespace signorini
 {
-  /** Section `Exact solution`: expressions in x, y, z, t, per component; empty displacement: none given. */
+  /**
+   * Section `Exact solution`: expressions in x, y, z, t, per component; empty displacement: none
+   * given.
+   */
   template <int dim>
   struct ExactSolutionDescription
   {

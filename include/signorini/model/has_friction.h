@@ -13,7 +13,8 @@ namespace signorini
   /** Whether contact nodes of any pair may bear tangential forces. */
   inline bool has_friction(const std::vector<PairDescription> &pairs)
   {
-    return std::any_of(pairs.begin(), pairs.end(), [](const PairDescription &pair) { return pair.friction.any; });
+    return std::any_of(
+      pairs.begin(), pairs.end(), [](const PairDescription &pair) { return pair.friction.any; });
   }
 } // namespace signorini
 

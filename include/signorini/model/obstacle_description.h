@@ -34,15 +34,17 @@ namespace signorini
   template <int dim>
   struct ObstacleDescription
   {
-    std::string            name;
-    ObstacleShape          shape = ObstacleShape::plane;
-    dealii::Point<dim>     point;           ///< plane: a point of its surface; cylinder: a point of its axis
-    dealii::Tensor<1, dim> normal;          ///< plane: points out of the obstacle, towards the bodies (any length > 0)
-    dealii::Point<dim>     centre;          ///< sphere
-    double                 radius = 1.;     ///< sphere, cylinder
-    dealii::Tensor<1, dim> axis;            ///< cylinder (3d): direction of its axis
-    bool                   bodies_inside = false; ///< sphere, cylinder: the bodies are inside (a hollow obstacle)
-    std::string            signed_distance;       ///< function: expression in x, y, z; positive where the bodies may be
+    std::string        name;
+    ObstacleShape      shape = ObstacleShape::plane;
+    dealii::Point<dim> point; ///< plane: a point of its surface; cylinder: a point of its axis
+    dealii::Tensor<1, dim>
+      normal; ///< plane: points out of the obstacle, towards the bodies (any length > 0)
+    dealii::Point<dim>     centre;      ///< sphere
+    double                 radius = 1.; ///< sphere, cylinder
+    dealii::Tensor<1, dim> axis;        ///< cylinder (3d): direction of its axis
+    bool bodies_inside = false; ///< sphere, cylinder: the bodies are inside (a hollow obstacle)
+    std::string
+      signed_distance; ///< function: expression in x, y, z; positive where the bodies may be
   };
 } // namespace signorini
 

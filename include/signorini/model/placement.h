@@ -11,7 +11,10 @@
 
 namespace signorini
 {
-  /** The rigid motion x -> c + Q (x - c) + v that takes a shape as it is described to its place in space. */
+  /**
+   * The rigid motion x -> c + Q (x - c) + v that takes a shape as it is described to its place in
+   * space.
+   */
   template <int dim>
   class Placement
   {
@@ -23,8 +26,8 @@ namespace signorini
     Placement();
 
     /**
-     * Rotation by @p degrees about @p centre (3d: about the x axis first, then y, then z, axes of space through the centre),
-     * then translation.
+     * Rotation by @p degrees about @p centre (3d: about the x axis first, then y, then z, axes of
+     * space through the centre), then translation.
      */
     Placement(const std::array<double, n_angles> &degrees,
               const dealii::Point<dim>           &centre,
@@ -32,7 +35,10 @@ namespace signorini
 
     bool is_identity() const { return !rotates && translation.norm() == 0.; }
 
-    /** Where a point of the shape comes to lie. Without a motion this is the point itself, to the last digit. */
+    /**
+     * Where a point of the shape comes to lie. Without a motion this is the point itself, to the
+     * last digit.
+     */
     dealii::Point<dim> place(const dealii::Point<dim> &point) const;
     /** The point of the shape that came to lie here; inverse of place(). */
     dealii::Point<dim> pull_back(const dealii::Point<dim> &point) const;

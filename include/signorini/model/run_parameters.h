@@ -32,8 +32,9 @@ namespace signorini
   {
     PreconditionerKind preconditioner = PreconditionerKind::automatic;
     /**
-     * Solutions are accepted when their error in the energy norm of the velocity is below `tolerance` times the root of the
-     * largest energy of the run so far; the energy ledger then closes to this accuracy.
+     * Solutions are accepted when their error in the energy norm of the velocity is below
+     * `tolerance` times the root of the largest energy of the run so far; the energy ledger then
+     * closes to this accuracy.
      */
     double       tolerance                     = 2e-11;
     unsigned int maximum_active_set_iterations = 50; ///< before the guaranteed fallback takes over
@@ -43,7 +44,8 @@ namespace signorini
   /** Section `Output`. */
   struct OutputParameters
   {
-    unsigned int vtu_every     = 0; ///< write fields every so many steps; 0: only the first and the last
+    unsigned int vtu_every =
+      0; ///< write fields every so many steps; 0: only the first and the last
     bool         vtu           = true;
     unsigned int history_every = 1;
   };

@@ -24,11 +24,14 @@ namespace signorini
   double von_mises(const Stress &stress);
 
   /**
-   * The mean stress of each locally owned cell, in the order of the active cells of this process (zero for others).
-   * @param displacement with ghosts and hanging nodes, see Discretization::interpolate_hanging_nodes()
+   * The mean stress of each locally owned cell, in the order of the active cells of this process
+   * (zero for others).
+   * @param displacement with ghosts and hanging nodes, see
+   * Discretization::interpolate_hanging_nodes()
    */
   template <int dim>
-  std::vector<Stress> cell_stress(const Discretization<dim> &discretization, const Vector &displacement);
+  std::vector<Stress> cell_stress(const Discretization<dim> &discretization,
+                                  const Vector              &displacement);
 } // namespace signorini
 
 #endif

@@ -13,17 +13,25 @@
 namespace signorini
 {
   /**
-   * A table of comma-separated numbers with a header line. Every row is on the disk before write_row() returns, so that
-   * nothing is lost when the program is killed. Doubles are written with 17 significant digits and can be read back
-   * without loss; whole numbers appear as integers.
+   * A table of comma-separated numbers with a header line. Every row is on the disk before
+   * write_row() returns, so that nothing is lost when the program is killed. Doubles are written
+   * with 17 significant digits and can be read back without loss; whole numbers appear as integers.
    */
   class CsvTable
   {
   public:
-    /** Collective; the first process replaces the file. @throws RunError on all processes if that is not possible. */
-    CsvTable(const std::string &path, const std::vector<std::string> &column_names, MPI_Comm communicator);
+    /**
+     * Collective; the first process replaces the file. @throws RunError on all processes if that
+     * is not possible.
+     */
+    CsvTable(const std::string              &path,
+             const std::vector<std::string> &column_names,
+             MPI_Comm                        communicator);
 
-    /** Collective; the values of the first process count. @throws RunError on all processes if the disk is full. */
+    /**
+     * Collective; the values of the first process count. @throws RunError on all processes if the
+     * disk is full.
+     */
     void write_row(const std::vector<double> &values);
 
   private:

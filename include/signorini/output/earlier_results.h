@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * Remove what an earlier run left in an output directory (tables, fields, pictures of ours), so that nothing old stands beside the new
-   * results. Other files stay. Collective.
+   * Remove what an earlier run left in an output directory (tables, fields, pictures of ours), so
+   * that nothing old stands beside the new results. Other files stay. Collective.
    */
   void remove_earlier_results(const std::string &directory, MPI_Comm communicator);
 } // namespace signorini

@@ -11,9 +11,11 @@
 namespace signorini
 {
   /**
-   * Pictures of the motion for Paraview: `volume.pvd` with displacement and velocity (nodes), body, stress_xx, ..., von_mises and
-   * subdomain and, on meshes that change, error_indicator (cells), and `surface.pvd` with the contact surface, see SurfacePatches. The stress of a cell is its mean
-   * stress; in 2d (plane strain) stress_zz is part of it. A scene without contact pairs has no surface series.
+   * Pictures of the motion for Paraview: `volume.pvd` with displacement and velocity (nodes), body,
+   * stress_xx, ..., von_mises and subdomain and, on meshes that change, error_indicator (cells),
+   * and `surface.pvd` with the contact surface, see SurfacePatches. The stress of a cell is its
+   * mean stress; in 2d (plane strain) stress_zz is part of it. A scene without contact pairs has no
+   * surface series.
    */
   template <int dim>
   class FieldOutput

@@ -13,8 +13,9 @@
 namespace signorini
 {
   /**
-   * Moments of one kind of field: `fields/<name>_<step>.pvtu` with one piece per process, and `<name>.pvd` in the folder above,
-   * which names the moments written so far and is valid at any time.
+   * Moments of one kind of field: `fields/<name>_<step>.pvtu` with one piece per process, and
+   * `<name>.pvd` in the folder above, which names the moments written so far and is valid at any
+   * time.
    */
   class FieldSeries
   {
@@ -22,7 +23,8 @@ namespace signorini
     /** Collective. Makes the folders, and removes the .pvd that an earlier run may have left. */
     FieldSeries(const std::string &directory, const std::string &name, MPI_Comm communicator);
 
-    /** Write one moment. Collective. @throws RunError on all processes if a file cannot be written. */
+    /** Write one moment. Collective. @throws RunError on all processes if a file cannot be written.
+     */
     template <int dim, int spacedim>
     void write(dealii::DataOutInterface<dim, spacedim> &data, unsigned int step, double time);
 

@@ -19,14 +19,14 @@ namespace signorini
   /** One row of history.csv: what is known about a state and about the step that led to it. */
   struct HistoryRow
   {
-    const State   &state;
-    double         step_size = 0.;
-    unsigned long  cells = 0, dofs = 0;
-    Energy         energy;                       ///< with the mass of the scheme
-    double         standard_kinetic_energy = 0.; ///< with the consistent mass
-    EnergyBooking  booking;
-    Momentum       momentum;
-    double         angular_momentum_drift = 0.; ///< |change of the angular momentum since the start|
+    const State  &state;
+    double        step_size = 0.;
+    unsigned long cells = 0, dofs = 0;
+    Energy        energy;                       ///< with the mass of the scheme
+    double        standard_kinetic_energy = 0.; ///< with the consistent mass
+    EnergyBooking booking;
+    Momentum      momentum;
+    double        angular_momentum_drift = 0.; ///< |change of the angular momentum since the start|
     ContactSummary contact;
     StepReport     report;
     ProductCount   products; ///< matrix-vector products of this step
@@ -34,7 +34,10 @@ namespace signorini
     ErrorNorms     errors; ///< written only if the scene has an exact solution
   };
 
-  /** The table history.csv, and probe_<name>.csv for each probe, with slip if there is friction. All functions are collective. */
+  /**
+   * The table history.csv, and probe_<name>.csv for each probe, with slip if there is friction.
+   * All functions are collective.
+   */
   template <int dim>
   class History
   {

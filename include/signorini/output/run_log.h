@@ -15,29 +15,34 @@
 namespace signorini
 {
   /**
-   * What a run tells its user: on the screen (unless quiet) and in `log.txt`, by the first process only. On a terminal the
-   * progress is one line that is updated in place; elsewhere (under mpirun, too) and in the log it is a line every tenth
-   * of the steps.
+   * What a run tells its user: on the screen (unless quiet) and in `log.txt`, by the first process
+   * only. On a terminal the progress is one line that is updated in place; elsewhere (under mpirun,
+   * too) and in the log it is a line every tenth of the steps.
    */
   class RunLog
   {
   public:
     /**
-     * Makes the output directory and begins a new log with program, date and number of processes. Collective.
+     * Makes the output directory and begins a new log with program, date and number of processes.
+     * Collective.
      * @throws RunError on all processes
      */
     RunLog(const std::string &directory, bool quiet, MPI_Comm communicator);
     RunLog(const RunLog &) = delete;
     ~RunLog();
 
-    /** Keep a copy of the scene: as it was read, and with all defaults. Collective. @throws RunError on all processes. */
+    /**
+     * Keep a copy of the scene: as it was read, and with all defaults. Collective. @throws
+     * RunError on all processes.
+     */
     void copy_scene(const std::string &original_text, const std::string &all_parameters) const;
 
     /** One or several lines of text, without the last end of line. */
     void message(const std::string &text);
 
     /**
-     * State of the run after a step. The time left is estimated from the time since this log was begun.
+     * State of the run after a step. The time left is estimated from the time since this log was
+     * begun.
      * @param n_steps  of the whole run, 0 if that is not known
      * @param fraction of the run that is done, 1 at the end
      */
@@ -49,10 +54,14 @@ namespace signorini
                   double       relative_energy_change,
                   unsigned int n_active);
 
-    /** For everything else, such as tables of timers. Written to log and screen; swallows everything on other processes. */
+    /**
+     * For everything else, such as tables of timers. Written to log and screen; swallows
+     * everything on other processes.
+     */
     std::ostream &stream();
 
-    /** Collective. @throws RunError on all processes if something of the log could not be written. */
+    /** Collective. @throws RunError on all processes if something of the log could not be written.
+     */
     void finish();
 
   private:
@@ -65,10 +74,10 @@ namespace signorini
     std::ofstream        log;
     std::unique_ptr<Tee> tee;
     std::ostream         both;
-    bool                 finished     = false; ///< the log says how the run ended
-    bool                 line_is_open = false; ///< the cursor stands behind the progress on a terminal
-    Clock::time_point    start, last_update;
-    int                  tenths = -1; ///< of the run, at the last line of the log
+    bool                 finished  = false; ///< the log says how the run ended
+    bool              line_is_open = false; ///< the cursor stands behind the progress on a terminal
+    Clock::time_point start, last_update;
+    int               tenths = -1; ///< of the run, at the last line of the log
 
     void        close_line();
     std::string time_left(double fraction) const;

@@ -30,7 +30,8 @@ namespace signorini
   };
 
   /**
-   * The contact nodes with partners that this process owns, is coupled with by the stiffness, or owns a partner of. Collective.
+   * The contact nodes with partners that this process owns, is coupled with by the stiffness, or
+   * owns a partner of. Collective.
    */
   template <int dim>
   std::vector<ContactRow<dim>> gather_contact_rows(const NodePattern             &pattern,
@@ -38,7 +39,8 @@ namespace signorini
 
   /** A block row of the full (not only upper) matrix: blocks, column by column, by global node. */
   template <int dim>
-  using BlockRow = std::vector<std::pair<dealii::types::global_dof_index, std::array<double, dim * dim>>>;
+  using BlockRow =
+    std::vector<std::pair<dealii::types::global_dof_index, std::array<double, dim * dim>>>;
 
   /** The rows of a M + b A for nodes (global) that other processes own. Collective. */
   template <int dim>

@@ -12,8 +12,9 @@
 namespace signorini
 {
   /**
-   * Smoothed aggregation multigrid (Trilinos ML) of a M + b A, for steps that are large compared with the cells. The matrix is
-   * not masked inside, only in front of and behind the cycle, which costs iterations under contact.
+   * Smoothed aggregation multigrid (Trilinos ML) of a M + b A, for steps that are large compared
+   * with the cells. The matrix is not masked inside, only in front of and behind the cycle, which
+   * costs iterations under contact.
    */
   template <int dim>
   class Multilevel : public MaskedPreconditioner

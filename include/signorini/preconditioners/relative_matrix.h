@@ -9,17 +9,18 @@
 namespace signorini
 {
   /**
-   * The entries of the matrix of two bodies in contact in relative coordinates, for preconditioners: S'(a M + b A)S with
+   * The entries of the matrix of two bodies in contact in relative coordinates, for
+   * preconditioners: S'(a M + b A)S with
    *
    *   u = S v,    u_p = v_p + Pi_p sum_l P_pl v_l at contact nodes,    u_p = v_p elsewhere
    *
-   * with the projector Pi_p onto the relative directions of the node (the transformation T without its rotations, so
-   * that blocks of nodes stay blocks). It couples the partners of contact nodes with the contact nodes, their
-   * neighbours and each other; elsewhere it is a M + b A.
+   * with the projector Pi_p onto the relative directions of the node (the transformation T without
+   * its rotations, so that blocks of nodes stay blocks). It couples the partners of contact nodes
+   * with the contact nodes, their neighbours and each other; elsewhere it is a M + b A.
    *
-   * The ghosts are those of the given matrices and, beyond, the nodes that this process is coupled with across the contact surface,
-   * so that a domain decomposition overlaps there, too, even if each body lives on a process of its own.
-   * Collective.
+   * The ghosts are those of the given matrices and, beyond, the nodes that this process is coupled
+   * with across the contact surface, so that a domain decomposition overlaps there, too, even if
+   * each body lives on a process of its own. Collective.
    * @return matrices whose `stiffness` is the sum and whose `mass` is zero
    */
   template <int dim>

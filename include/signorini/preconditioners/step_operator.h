@@ -9,7 +9,10 @@
 
 namespace signorini
 {
-  /** T'(a M + b A)T: mass and stiffness in contact coordinates. T is applied on the fly; it touches only contact nodes. */
+  /**
+   * T'(a M + b A)T: mass and stiffness in contact coordinates. T is applied on the fly; it touches
+   * only contact nodes.
+   */
   template <int dim>
   class StepOperator : public LinearOperator
   {
@@ -27,7 +30,8 @@ namespace signorini
     const ContactCoordinates<dim> &coordinates;
     const double                   mass_factor, stiffness_factor;
     mutable Vector                 cartesian;
-    mutable Vector                 known_diagonal; ///< once it was asked for: frictional solvers need it in every step
+    mutable Vector
+      known_diagonal; ///< once it was asked for: frictional solvers need it in every step
 
     void compute_diagonal(Vector &destination) const;
   };

@@ -15,7 +15,8 @@ namespace signorini
 {
   /**
    * Enter all statements into a handler in which every section and key of the scene is declared.
-   * @throws UserError for an unknown section or key and for a value that does not match its pattern.
+   * @throws UserError for an unknown section or key and for a value that does not match its
+   * pattern.
    */
   void apply_statements(const SceneText &text, dealii::ParameterHandler &prm);
 } // namespace signorini

@@ -28,9 +28,9 @@ namespace signorini
   };
 
   /**
-   * A .prm taken apart into statements, in the order of the file, overrides last. The syntax is that of deal.II's
-   * ParameterHandler; it is scanned here because a statement must remember its line, so that a check of values, which
-   * comes much later, can still name it.
+   * A .prm taken apart into statements, in the order of the file, overrides last. The syntax is
+   * that of deal.II's ParameterHandler; it is scanned here because a statement must remember its
+   * line, so that a check of values, which comes much later, can still name it.
    */
   struct SceneText
   {
@@ -38,11 +38,15 @@ namespace signorini
     std::string            original; ///< the file as it was read
     std::vector<Statement> statements;
 
-    /** The statement that decides on a key (the last one), or nullptr. An empty key asks for the section. */
+    /**
+     * The statement that decides on a key (the last one), or nullptr. An empty key asks for the
+     * section.
+     */
     const Statement *find(const std::vector<std::string> &section, const std::string &key) const;
   };
 
-  /** Read a file and append the overrides. @throws UserError if it cannot be read or is not a .prm. */
+  /** Read a file and append the overrides. @throws UserError if it cannot be read or is not a .prm.
+   */
   SceneText read_scene_text(const std::string &file_name, const std::vector<Override> &overrides);
 
   /** The statements of a stream; @p file_name is used for messages and to find included files. */

@@ -23,8 +23,8 @@ namespace dealii
 namespace signorini
 {
   /**
-   * The values of one section, after deal.II has checked keys and patterns. Whoever refuses a value does it with fail(),
-   * which adds the file, the line, the key and the value to the message.
+   * The values of one section, after deal.II has checked keys and patterns. Whoever refuses a value
+   * does it with fail(), which adds the file, the line, the key and the value to the message.
    */
   class SectionReader
   {
@@ -35,7 +35,10 @@ namespace signorini
     /** A section inside of this one. */
     SectionReader section(const std::string &name) const;
 
-    /** Whether file or overrides contain the key; without argument: the section itself or a key in it. */
+    /**
+     * Whether file or overrides contain the key; without argument: the section itself or a key in
+     * it.
+     */
     bool given(const std::string &key) const;
     bool given() const;
 
@@ -60,7 +63,10 @@ namespace signorini
     template <int dim>
     dealii::Point<dim> point(const std::string &key) const;
 
-    /** @throws UserError about a key and its value, or (empty key) about the section. @p message ends with a remedy. */
+    /**
+     * @throws UserError about a key and its value, or (empty key) about the section. @p message
+     * ends with a remedy.
+     */
     [[noreturn]] void fail(const std::string &key, const std::string &message) const;
 
   private:

@@ -9,7 +9,8 @@
 namespace signorini
 {
   /**
-   * Try to make the folder and to write a file in it; both are removed again. Call it on one process only.
+   * Try to make the folder and to write a file in it; both are removed again. Call it on one
+   * process only.
    * @throws UserError with the reason if results could not be written there.
    */
   void check_output_directory(const std::string &directory);

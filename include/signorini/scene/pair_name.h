@@ -28,7 +28,8 @@ namespace signorini
 
   /**
    * The list `Contact/Pairs`; @p in is the section Contact.
-   * @throws UserError for what is not a pair, for unknown names, and for contact of a body with itself.
+   * @throws UserError for what is not a pair, for unknown names, and for contact of a body with
+   * itself.
    */
   std::vector<PairName> parse_pair_names(const SectionReader            &in,
                                          const std::string              &list,

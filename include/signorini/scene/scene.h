@@ -19,7 +19,10 @@
 
 namespace signorini
 {
-  /** All that a scene file says, checked. Plain data: built by read_scene(), and taken apart by the simulation: nobody else sees it. */
+  /**
+   * All that a scene file says, checked. Plain data: built by read_scene(), and taken apart by the
+   * simulation: nobody else sees it.
+   */
   template <int dim>
   struct Scene
   {
@@ -35,9 +38,9 @@ namespace signorini
     ExactSolutionDescription<dim>         exact_solution;
     SolverParameters                      solver;
     OutputParameters                      output;
-    std::string                           original_text;  ///< the scene file as it was read
-    std::string                           all_parameters; ///< every key with the value used, as a .prm
-    StepSizeParameters                    step_sizes;
+    std::string                           original_text; ///< the scene file as it was read
+    std::string        all_parameters; ///< every key with the value used, as a .prm
+    StepSizeParameters step_sizes;
   };
 } // namespace signorini
 

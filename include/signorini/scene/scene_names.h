@@ -4,8 +4,8 @@
 #ifndef signorini_scene_scene_names_h
 #define signorini_scene_scene_names_h
 
-#include <signorini/scene/pair_name.h>
 #include <signorini/prm/scene_text.h>
+#include <signorini/scene/pair_name.h>
 
 #include <string>
 #include <vector>
@@ -20,8 +20,8 @@ namespace signorini
   };
 
   /**
-   * First pass over a scene: only the lists `Names` and `Pairs`, which decide which subsections exist. Brings the names of
-   * the subsections of `Contact` into the normal form.
+   * First pass over a scene: only the lists `Names` and `Pairs`, which decide which subsections
+   * exist. Brings the names of the subsections of `Contact` into the normal form.
    * @throws UserError for empty, double, strange and unknown names.
    */
   SceneNames read_scene_names(SceneText &text);

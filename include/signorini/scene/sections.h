@@ -4,9 +4,9 @@
 #ifndef signorini_scene_sections_h
 #define signorini_scene_sections_h
 
+#include <signorini/prm/section_reader.h>
 #include <signorini/scene/scene.h>
 #include <signorini/scene/scene_names.h>
-#include <signorini/prm/section_reader.h>
 
 namespace dealii
 {
@@ -15,9 +15,10 @@ namespace dealii
 
 namespace signorini
 {
-  // A declare_ and a parse_ function per section, in the order in which a scene tells its story. declare_ says which keys
-  // exist, with default, pattern and description; parse_ checks what a pattern cannot and returns plain data. The handler
-  // is inside of the section when declare_ is called, and the reader when parse_ is called.
+  // A declare_ and a parse_ function per section, in the order in which a scene tells its story.
+  // declare_ says which keys exist, with default, pattern and description; parse_ checks what a
+  // pattern cannot and returns plain data. The handler is inside of the section when declare_ is
+  // called, and the reader when parse_ is called.
 
   void           declare_time(dealii::ParameterHandler &prm);
   TimeParameters parse_time(const SectionReader &in);
@@ -25,7 +26,7 @@ namespace signorini
   // More keys of the section Time.
   void declare_scheme_parameters(dealii::ParameterHandler &prm);
   /** Needs the name of the scheme. */
-  void parse_scheme_parameters(const SectionReader &in, TimeParameters &time);
+  void               parse_scheme_parameters(const SectionReader &in, TimeParameters &time);
   void               declare_step_sizes(dealii::ParameterHandler &prm);
   StepSizeParameters parse_step_sizes(const SectionReader &in, const TimeParameters &time);
 
@@ -63,8 +64,9 @@ namespace signorini
   // The part of a pair's section; expressions are tried at points of the slave.
   void declare_friction(dealii::ParameterHandler &prm);
   template <int dim>
-  FrictionDescription
-  parse_friction(const SectionReader &in, const std::string &scheme, const std::vector<dealii::Point<dim>> &points);
+  FrictionDescription parse_friction(const SectionReader                   &in,
+                                     const std::string                     &scheme,
+                                     const std::vector<dealii::Point<dim>> &points);
 
   void declare_pair(dealii::ParameterHandler &prm);
   template <int dim>
@@ -85,8 +87,8 @@ namespace signorini
   template <int dim>
   void declare_exact_solution(dealii::ParameterHandler &prm);
   template <int dim>
-  ExactSolutionDescription<dim> parse_exact_solution(const SectionReader                     &in,
-                                                     const std::vector<BodyDescription<dim>> &bodies);
+  ExactSolutionDescription<dim>
+  parse_exact_solution(const SectionReader &in, const std::vector<BodyDescription<dim>> &bodies);
 
   void             declare_solver(dealii::ParameterHandler &prm);
   SolverParameters parse_solver(const SectionReader &in);

@@ -26,14 +26,18 @@ namespace signorini
                                                           {StepSizeControl::force, "force"}};
   };
 
-  /** Keys of section `Time`: how the size of steps follows the motion. Step size and end time are in TimeParameters. */
+  /**
+   * Keys of section `Time`: how the size of steps follows the motion. Step size and end time are
+   * in TimeParameters.
+   */
   struct StepSizeParameters
   {
     StepSizeControl control = StepSizeControl::fixed; ///< see doc/step_size.md
 
-    double tolerance = 1e-2; ///< accepted error of a step, relative to the norm of the motion, or to the largest force
-    double minimum   = 0.;   ///< zero: half the time of a wave through the smallest cell
-    double maximum   = 0.;   ///< zero: a tenth of the end time
+    double tolerance = 1e-2; ///< accepted error of a step, relative to the norm of the motion, or
+                             ///< to the largest force
+    double minimum = 0.;     ///< zero: half the time of a wave through the smallest cell
+    double maximum = 0.;     ///< zero: a tenth of the end time
 
     bool is_variable() const { return control != StepSizeControl::fixed; }
   };

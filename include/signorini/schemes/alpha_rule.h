@@ -37,7 +37,9 @@ namespace signorini
     Vector free_increment(const State &state, const Vector &acceleration, double step_size) const;
 
     /** tau [(1 - gamma) a + gamma a_new]. */
-    Vector velocity_change(const Vector &acceleration, const Vector &new_acceleration, double step_size) const;
+    Vector velocity_change(const Vector &acceleration,
+                           const Vector &new_acceleration,
+                           double        step_size) const;
 
     /** b of (M + s A) d = b, the balance multiplied by beta tau^2 / (1 - alpha_m). */
     Vector right_hand_side(DynamicalSystem &system,
@@ -53,8 +55,8 @@ namespace signorini
     double reaction_weight(double step_size) const;
 
     /**
-     * What the rule itself does to the energy in a step with known works of contact and supports: the mean velocity is not d/tau, and
-     * the forces are not the means of both ends.
+     * What the rule itself does to the energy in a step with known works of contact and supports:
+     * the mean velocity is not d/tau, and the forces are not the means of both ends.
      */
     static double work(DynamicalSystem  &system,
                        const State      &before,

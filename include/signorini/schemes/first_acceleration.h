@@ -15,7 +15,8 @@ namespace signorini
    * @param by_contact false: without @f$r@f$, for schemes in which contact forces are impulses and
    *                   no part of the acceleration
    */
-  inline Vector first_acceleration(DynamicalSystem &system, const State &state, const bool by_contact = true)
+  inline Vector
+  first_acceleration(DynamicalSystem &system, const State &state, const bool by_contact = true)
   {
     Vector force = system.make_vector();
     system.add_load(force, 1., state.time);

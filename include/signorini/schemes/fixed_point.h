@@ -13,9 +13,10 @@
 namespace signorini
 {
   /**
-   * Fixed points y = f(y) by the iteration of KINSOL (SUNDIALS) with Anderson acceleration, watched: the
-   * image that differs least from its origin is kept, and the iteration ends when the difference is as
-   * small as wanted, grows far beyond what it was, or has been computed often enough. Collective.
+   * Fixed points y = f(y) by the iteration of KINSOL (SUNDIALS) with Anderson acceleration,
+   * watched: the image that differs least from its origin is kept, and the iteration ends when the
+   * difference is as small as wanted, grows far beyond what it was, or has been computed often
+   * enough. Collective.
    */
   class FixedPoint
   {
@@ -28,8 +29,8 @@ namespace signorini
 
     struct Limits
     {
-      double       aim;                ///< a difference that ends the iteration
-      double       good_enough;        ///< a difference to be content with where round-off is in the way
+      double       aim;         ///< a difference that ends the iteration
+      double       good_enough; ///< a difference to be content with where round-off is in the way
       unsigned int maximum_iterations; ///< of one run
     };
 
@@ -42,8 +43,9 @@ namespace signorini
     }
 
     /**
-     * A vector with at least n entries on each process, all zero. One entry is there in any case, because
-     * KINSOL's operations on vectors want one on each process; an idle one has to stay zero.
+     * A vector with at least n entries on each process, all zero. One entry is there in any case,
+     * because KINSOL's operations on vectors want one on each process; an idle one has to stay
+     * zero.
      */
     static Vector make_unknowns(std::size_t n_owned, MPI_Comm communicator);
 

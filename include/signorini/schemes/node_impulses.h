@@ -16,12 +16,16 @@ namespace signorini
     bool                converged  = false; ///< if not, the impulses are not to be used
   };
 
-  /** The contact of one step as these equations see it: one number per contact node that this process owns. */
+  /**
+   * The contact of one step as these equations see it: one number per contact node that this
+   * process owns.
+   */
   struct NodeContact
   {
-    const std::vector<double> &force;    ///< Lambda_p >= 0, compression; nodes without a force get no impulse
-    const NormalGap           &gap;      ///< gamma_p at the start of the step, length
-    const NormalGap           &approach; ///< w_p = [v*].nu at its end, velocity without impulses
+    const std::vector<double>
+                    &force;    ///< Lambda_p >= 0, compression; nodes without a force get no impulse
+    const NormalGap &gap;      ///< gamma_p at the start of the step, length
+    const NormalGap &approach; ///< w_p = [v*].nu at its end, velocity without impulses
   };
 
   /**

@@ -17,13 +17,15 @@ namespace signorini
   /** Parameters of single schemes. */
   struct SchemeParameters
   {
-    double hht_alpha           = -0.1;  ///< hht-alpha: in [-1/3, 0]
-    double spectral_radius     = 0.8;   ///< generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]
-    double newmark_beta        = 0.5;   ///< khenous-laborde-renard: at least 1/4
-    double newmark_gamma       = 0.5;   ///< khenous-laborde-renard: in [1/2, 2 beta]
-    double reference_tolerance = 1e-8;  ///< reference: relative error per step of the integrator
-    bool   impulses_per_node   = false; ///< laursen-love: each contact node gets back what it has lost
-    bool   stop_sticking_nodes = true;  ///< schemes with a predictor: sticking nodes have no tangential velocity
+    double hht_alpha = -0.1; ///< hht-alpha: in [-1/3, 0]
+    double spectral_radius =
+      0.8; ///< generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]
+    double newmark_beta        = 0.5;  ///< khenous-laborde-renard: at least 1/4
+    double newmark_gamma       = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
+    double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
+    bool impulses_per_node = false; ///< laursen-love: each contact node gets back what it has lost
+    bool stop_sticking_nodes =
+      true; ///< schemes with a predictor: sticking nodes have no tangential velocity
   };
 
   /** What contact does to the energy of a scheme, whatever the mesh and the step size. */
@@ -48,25 +50,28 @@ namespace signorini
     std::string      name;    ///< in the scene
     std::string      summary; ///< one sentence
     EnergyLaw        energy;
-    bool             friction;      ///< knows friction
-    MasslessNodesAre massless;      ///< contact nodes without mass
-    std::string      why_refused;   ///< massless nodes: the reason, a clause after a colon or comma
-    bool             predictor;     ///< projects a predictor: `Predictor mass`, `Stop sticking nodes`
-    bool             impulses;      ///< gives impulses back: `Impulses`
-    bool             macro_elements;///< the redistributed mass is that of macro-elements unless another one is asked for
-    StepBalance      balance;
+    bool             friction;    ///< knows friction
+    MasslessNodesAre massless;    ///< contact nodes without mass
+    std::string      why_refused; ///< massless nodes: the reason, a clause after a colon or comma
+    bool             predictor;   ///< projects a predictor: `Predictor mass`, `Stop sticking nodes`
+    bool             impulses;    ///< gives impulses back: `Impulses`
+    bool macro_elements; ///< the redistributed mass is that of macro-elements unless another one is
+                         ///< asked for
+    StepBalance balance;
     /**
-     * How far before the end of a step the contact force belongs, as a part of the step: an expression in p, the value
-     * of the key `parameter` of section Time. The force of a step acts against the elastic forces of an instant, and
-     * it is that instant's: at its own instant its error has order 1.3 to 1.8 on parameters/manufactured_bar.prm
-     * (the kinks where contact begins and ends limit it), at others order 1.
+     * How far before the end of a step the contact force belongs, as a part of the step: an
+     * expression in p, the value of the key `parameter` of section Time. The force of a step acts
+     * against the elastic forces of an instant, and it is that instant's: at its own instant its
+     * error has order 1.3 to 1.8 on parameters/manufactured_bar.prm (the kinks where contact begins
+     * and ends limit it), at others order 1.
      */
-    std::string force_before_end;
-    std::string parameter;
+    std::string              force_before_end;
+    std::string              parameter;
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
-    bool        mean_velocity;  ///< velocities of contact nodes are means over the step
-    bool        changing_mesh;  ///< the mesh may change between steps
-    std::string own_tolerance;  ///< the key with which a scheme controls its own error; then steps have equal sizes
+    bool                     mean_velocity; ///< velocities of contact nodes are means over the step
+    bool                     changing_mesh; ///< the mesh may change between steps
+    std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
+                               ///< have equal sizes
     std::unique_ptr<TimeScheme> (*make)(const SchemeParameters &parameters);
 
     bool variable_step() const { return own_tolerance.empty(); }
@@ -76,7 +81,10 @@ namespace signorini
     }
   };
 
-  /** Every scheme there is, in the order of documents. The one place where names of schemes are written. */
+  /**
+   * Every scheme there is, in the order of documents. The one place where names of schemes are
+   * written.
+   */
   const std::vector<SchemeInfo> &scheme_table();
 
   /** The entry of a name. @throws UserError if there is none */
@@ -97,7 +105,8 @@ namespace signorini
   std::vector<std::string> scheme_names();
 
   /** The scheme of a name. @throws UserError if there is none */
-  std::unique_ptr<TimeScheme> make_time_scheme(const std::string &name, const SchemeParameters &parameters = {});
+  std::unique_ptr<TimeScheme> make_time_scheme(const std::string      &name,
+                                               const SchemeParameters &parameters = {});
 
   /** The table for people (a table of Markdown), and for programs (JSON). */
   void print_schemes(std::ostream &out);

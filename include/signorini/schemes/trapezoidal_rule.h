@@ -30,8 +30,10 @@ namespace signorini
       Vector      mass_correction; ///< M c
       SolveReport effort;
     };
-    ProjectedPredictor
-    project_predictor(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap);
+    ProjectedPredictor project_predictor(DynamicalSystem &system,
+                                         const State     &state,
+                                         double           step_size,
+                                         const NormalGap &gap);
 
     /** Solve for the increment, d.nu <= gap. @param further_reaction see IncrementProblem */
     IncrementSolution solve(DynamicalSystem &system,
@@ -44,13 +46,17 @@ namespace signorini
     /** 2/tau^2 times the reaction of supports on the increment. */
     double support_work(const IncrementSolution &solution, double step_size);
 
-    /** A step without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction. */
-    StepReport
-    finish_implicit(DynamicalSystem &system, State &state, double step_size, const IncrementSolution &solution);
+    /** A step without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction.
+     */
+    StepReport finish_implicit(DynamicalSystem         &system,
+                               State                   &state,
+                               double                   step_size,
+                               const IncrementSolution &solution);
 
     /**
-     * The complete state at the end of a step, u + d and v + velocity_change with the products M v and A u. The state at
-     * its start is not touched: schemes swap both when nothing can fail any more.
+     * The complete state at the end of a step, u + d and v + velocity_change with the products M v
+     * and A u. The state at its start is not touched: schemes swap both when nothing can fail any
+     * more.
      */
     State end_of_step(const DynamicalSystem &system,
                       const State           &start,

@@ -10,8 +10,8 @@
 namespace signorini
 {
   /**
-   * Refine and coarsen what is flagged, share the cells among the processes, and build everything anew on the new mesh; the
-   * energy of the motion is known there. Collective.
+   * Refine and coarsen what is flagged, share the cells among the processes, and build everything
+   * anew on the new mesh; the energy of the motion is known there. Collective.
    */
   template <int dim>
   void build_on_changed_mesh(Mesh<dim>                         &mesh,

@@ -16,8 +16,8 @@ namespace signorini
   double perturbation_of_velocities();
 
   /**
-   * The initial displacements and velocities of the bodies, without any force. Momentum and internal
-   * force are still zero. Collective.
+   * The initial displacements and velocities of the bodies, without any force. Momentum and
+   * internal force are still zero. Collective.
    */
   template <int dim>
   State initial_state(const Discretization<dim> &discretization);

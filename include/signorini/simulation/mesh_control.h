@@ -27,7 +27,10 @@ namespace signorini
     /** @throws UserError if the mesh that the run begins with has more cells than allowed */
     void check_first_mesh() const;
 
-    /** Flag cells by a step that was made on the present mesh; without any flag the mesh is good enough. Collective. */
+    /**
+     * Flag cells by a step that was made on the present mesh; without any flag the mesh is good
+     * enough. Collective.
+     */
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
     /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
@@ -39,7 +42,10 @@ namespace signorini
     /** How often a step may be repeated on a refined mesh. */
     unsigned int repetitions() const { return any() ? parameters.repetitions : 0; }
 
-    /** The mesh is going to change after a step. What is built on the next one is told to expect the same life. */
+    /**
+     * The mesh is going to change after a step. What is built on the next one is told to expect
+     * the same life.
+     */
     void mesh_changes(unsigned int step);
 
     /** Number of steps that will probably be made on the mesh that is built next. */

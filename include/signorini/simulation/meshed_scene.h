@@ -24,22 +24,25 @@ namespace signorini
   }
 
   /**
-   * All that is built on one state of the mesh, and built anew when the mesh changes, in the order in which one needs the
-   * other.
+   * All that is built on one state of the mesh, and built anew when the mesh changes, in the order
+   * in which one needs the other.
    */
   template <int dim>
   struct MeshedScene
   {
-    /** Collective. @param mesh_life_time see SystemParameters @throws UserError see ContactSurface, redistribute_mass() */
+    /**
+     * Collective. @param mesh_life_time see SystemParameters @throws UserError see ContactSurface,
+     * redistribute_mass()
+     */
     MeshedScene(const Mesh<dim>     &mesh,
                 const Scene<dim>    &scene,
                 unsigned int         mesh_life_time,
                 dealii::TimerOutput &timer);
 
-    Discretization<dim>       discretization;
-    Supports<dim>             supports;
-    ContactSurface<dim>       surface;
-    std::string               mass_note; ///< what became of the mass, if that is not the consistent one
+    Discretization<dim> discretization;
+    Supports<dim>       supports;
+    ContactSurface<dim> surface;
+    std::string         mass_note; ///< what became of the mass, if that is not the consistent one
     ContactCoordinates<dim>   coordinates;
     Loads<dim>                loads;
     ElasticContactSystem<dim> system;

@@ -12,7 +12,10 @@
 
 namespace signorini
 {
-  /** Watches the motion: evaluates all diagnostics after each step, writes the tables, and sums up at the end. */
+  /**
+   * Watches the motion: evaluates all diagnostics after each step, writes the tables, and sums up
+   * at the end.
+   */
   template <int dim>
   class Observation
   {
@@ -32,7 +35,10 @@ namespace signorini
     /** Kinetic and elastic energy. */
     double energy_of_motion() const { return ledger.current().kinetic + ledger.current().elastic; }
 
-    /** Change of the total energy since the start, relative to the initial one (to that of the motion if that is tiny). */
+    /**
+     * Change of the total energy since the start, relative to the initial one (to that of the
+     * motion if that is tiny).
+     */
     double relative_energy_change() const;
 
     /** Writing of fields does not count as time of the run. */
@@ -57,18 +63,22 @@ namespace signorini
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count
 
-    double largest_energy = 0., largest_change = 0., largest_residual = 0., largest_penetration = 0., deepest = 0.,
-           farthest_sliding = 0., impulse = 0.;
+    double largest_energy = 0., largest_change = 0., largest_residual = 0.,
+           largest_penetration = 0., deepest = 0., farthest_sliding = 0., impulse = 0.;
     double        work_friction = 0., transferred = 0.;
     unsigned int  n_mesh_changes = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
     unsigned int  most_sticking = 0, most_slipping = 0;
     double        standard_change  = 0.; ///< change of the total energy with the consistent mass
-    unsigned int  n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0; ///< of laursen-love, per node
-    double        first_contact = -1., last_contact = -1.;
-    ErrorNorms    latest_errors;
+    unsigned int  n_impulse_solves = 0, n_impulse_iterations = 0,
+                 n_common_impulses = 0; ///< of laursen-love, per node
+    double     first_contact = -1., last_contact = -1.;
+    ErrorNorms latest_errors;
 
-    void write(const State &state, const StepReport &report, const EnergyBooking &booking, double step_size);
+    void write(const State         &state,
+               const StepReport    &report,
+               const EnergyBooking &booking,
+               double               step_size);
     /** What makes the results doubtful, in words; empty if nothing does. */
     std::string warnings() const;
     /** The energy that changes are compared with. */

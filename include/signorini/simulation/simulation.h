@@ -17,13 +17,17 @@
 namespace signorini
 {
   /**
-   * A run of one scene. Owns the nouns and orders the verbs, nothing else. All functions are collective.
+   * A run of one scene. Owns the nouns and orders the verbs, nothing else. All functions are
+   * collective.
    */
   template <int dim>
   class Simulation
   {
   public:
-    /** Builds the mesh. @param quiet no output on the screen. The scene must outlive the simulation. */
+    /**
+     * Builds the mesh. @param quiet no output on the screen. The scene must outlive the
+     * simulation.
+     */
     Simulation(const Scene<dim> &scene, MPI_Comm communicator, bool quiet);
 
     /**
@@ -47,7 +51,7 @@ namespace signorini
 
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;
-    MeshChange                        flags;                        ///< what the latest step wants of the mesh
+    MeshChange                        flags; ///< what the latest step wants of the mesh
     bool                              mesh_has_just_changed = true; ///< since the latest step
 
     /** Matrices, contact surface, system, initial state. */
@@ -55,7 +59,10 @@ namespace signorini
     void set_initial_state();
     /** Refine the mesh of the initial state as far as the indicator wants it. */
     void adapt_initial_mesh();
-    /** The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a refined one. */
+    /**
+     * The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a
+     * refined one.
+     */
     AcceptedStep advance(TimeStepping &stepping, Observation<dim> &observation);
     AcceptedStep advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */

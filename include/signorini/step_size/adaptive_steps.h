@@ -43,12 +43,19 @@ namespace signorini
     {
       double tolerance; ///< relative
       double first;     ///< size of the first step
-      /** Sizes are not below, but those of the halves of a doubled step and of the last two of the run; 0: see wave_part */
+      /**
+       * Sizes are not below, but those of the halves of a doubled step and of the last two of the
+       * run; 0: see wave_part
+       */
       double minimum;
       double maximum;
       double end_time;
-      double wave_part = 0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
-      /** The time that a wave takes through the smallest cell of the present mesh. Empty: there are no cells. */
+      double wave_part =
+        0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
+      /**
+       * The time that a wave takes through the smallest cell of the present mesh. Empty: there are
+       * no cells.
+       */
       std::function<double()> shortest_wave_time = {};
     };
 
@@ -71,10 +78,11 @@ namespace signorini
     int                                 lowest   = 0;    ///< on this mesh
     bool                                new_mesh = true; ///< since the last step
     int                                 level    = 0;    ///< of the next step
-    unsigned int                        rest     = 0;    ///< steps that are not to be followed by a longer one
-    std::optional<TakenStep> waiting; ///< the second half of a doubled step, when the first one has been handed out
-    unsigned int             n_accepted = 0, n_rejected = 0, n_solved = 0;
-    double                   smallest_size = 0., largest_size = 0.; ///< accepted so far
+    unsigned int rest = 0; ///< steps that are not to be followed by a longer one
+    std::optional<TakenStep>
+      waiting; ///< the second half of a doubled step, when the first one has been handed out
+    unsigned int n_accepted = 0, n_rejected = 0, n_solved = 0;
+    double       smallest_size = 0., largest_size = 0.; ///< accepted so far
 
     double       minimum() const;
     void         approach(double touch);

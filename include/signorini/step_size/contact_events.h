@@ -9,7 +9,10 @@
 
 namespace signorini
 {
-  /** What the contact nodes of this process do in a state: open, or pressed; with friction slipping or sticking. */
+  /**
+   * What the contact nodes of this process do in a state: open, or pressed; with friction slipping
+   * or sticking.
+   */
   ActiveSet contact_statuses(const DynamicalSystem &system, const State &state);
 
   /** Whether a contact node is pressed, on any process. Collective. */
@@ -19,9 +22,9 @@ namespace signorini
   bool differ(const ActiveSet &a, const ActiveSet &b, const Vector &like);
 
   /**
-   * The time until the first contact node touches if all keep their velocity. Infinity if that is beyond the horizon, or if nodes are
-   * pressed already: then there is no flight. Nodes that would enter by less than round-off within the horizon do not count.
-   * Collective.
+   * The time until the first contact node touches if all keep their velocity. Infinity if that is
+   * beyond the horizon, or if nodes are pressed already: then there is no flight. Nodes that would
+   * enter by less than round-off within the horizon do not count. Collective.
    */
   double time_to_touch(const DynamicalSystem &system, const State &state, double horizon);
 } // namespace signorini

@@ -28,10 +28,14 @@ namespace signorini
     {
     }
 
-    StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
-    void      accept(const State &start, const StepTrial &trial) override;
+    StepTrial
+    attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
+    void accept(const State &start, const StepTrial &trial) override;
 
-    /** Errors in the energy norm are relative to this, the square root of the largest energy of the motion so far. */
+    /**
+     * Errors in the energy norm are relative to this, the square root of the largest energy of the
+     * motion so far.
+     */
     double unit(const State &start, const State &end) const;
 
   private:

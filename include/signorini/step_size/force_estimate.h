@@ -39,14 +39,15 @@ namespace signorini
     {
     }
 
-    StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
+    StepTrial
+    attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
     void      accept(const State &start, const StepTrial &trial) override;
     StepRules rules() const override;
 
   private:
     EmbeddedEstimate motion;
     const double     unit;
-    double           largest_force = 0., largest_energy = 0., largest_elastic_energy = 0.; ///< so far
+    double largest_force = 0., largest_energy = 0., largest_elastic_energy = 0.; ///< so far
 
     double largest_expected_force(const State &start, const State &end) const;
   };

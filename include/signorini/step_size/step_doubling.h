@@ -9,12 +9,13 @@
 namespace signorini
 {
   /**
-   * The span in one step and in two halves; the two halves are kept, and their distance from the single step in the energy norm is the
-   * estimate of the error. Nothing is extrapolated: across changes of contact that has no meaning, and the energy of the half steps is
-   * accounted for exactly.
+   * The span in one step and in two halves; the two halves are kept, and their distance from the
+   * single step in the energy norm is the estimate of the error. Nothing is extrapolated: across
+   * changes of contact that has no meaning, and the energy of the half steps is accounted for
+   * exactly.
    *
-   * Without contact one step is enough if the embedded estimate, which is free, is content with it; undeformed flight never needs
-   * more.
+   * Without contact one step is enough if the embedded estimate, which is free, is content with it;
+   * undeformed flight never needs more.
    */
   class StepDoubling : public StepEstimate
   {
@@ -25,8 +26,12 @@ namespace signorini
     {
     }
 
-    StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
-    void      accept(const State &start, const StepTrial &trial) override { single.accept(start, trial); }
+    StepTrial
+    attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
+    void accept(const State &start, const StepTrial &trial) override
+    {
+      single.accept(start, trial);
+    }
 
   private:
     TimeScheme      &scheme;

@@ -16,15 +16,19 @@ namespace signorini
     double     step_size;
   };
 
-  /** One or several steps that are to be accepted or rejected together, and the estimate of their error. */
+  /**
+   * One or several steps that are to be accepted or rejected together, and the estimate of their
+   * error.
+   */
   struct StepTrial
   {
     std::vector<TakenStep> steps;
-    double                 error = 0.;   ///< estimate, relative to what the motion or its forces have been so far
-    double       exponent        = 1.;   ///< the step size goes with this power of the error: 1/p for an error O(tau^p)
-    bool         is_known        = true; ///< false: nothing to compare with, no error is known
-    bool         is_flight       = false; ///< no contact at start and end
-    unsigned int n_solved        = 0;     ///< steps that were computed, those thrown away included
+    double error = 0.; ///< estimate, relative to what the motion or its forces have been so far
+    double exponent =
+      1.; ///< the step size goes with this power of the error: 1/p for an error O(tau^p)
+    bool         is_known  = true;  ///< false: nothing to compare with, no error is known
+    bool         is_flight = false; ///< no contact at start and end
+    unsigned int n_solved  = 0;     ///< steps that were computed, those thrown away included
   };
 
   /** Write into each state of a trial what its step has changed, see LastStep. */
@@ -33,11 +37,12 @@ namespace signorini
   /** What a kind of errors means for the choice of the next size. */
   struct StepRules
   {
-    double       content           = 0.;  ///< part of the tolerance below which a longer step is tried, anyway
+    double       content = 0.; ///< part of the tolerance below which a longer step is tried, anyway
     double       content_in_flight = 0.5; ///< the same for steps without contact
     unsigned int rest              = 8;   ///< steps after a rejection that are not lengthened
-    double       smallest_part     = 0.;  ///< of the first size: the default of the smallest size is not below
-    bool flight_is_free = false; ///< no contact, no error: flight takes the longest steps that do not miss the touch
+    double smallest_part = 0.; ///< of the first size: the default of the smallest size is not below
+    bool   flight_is_free =
+      false; ///< no contact, no error: flight takes the longest steps that do not miss the touch
   };
 
   /**
@@ -54,9 +59,13 @@ namespace signorini
      * From a state over a span of time. The state is not touched.
      * @param tolerance relative errors below are as good as none
      */
-    virtual StepTrial attempt(DynamicalSystem &system, const State &start, double span, double tolerance) = 0;
+    virtual StepTrial
+    attempt(DynamicalSystem &system, const State &start, double span, double tolerance) = 0;
 
-    /** The steps of a trial from this state count: what is kept for the next estimate follows them. Numbers only, no vectors: the mesh may change. */
+    /**
+     * The steps of a trial from this state count: what is kept for the next estimate follows them.
+     * Numbers only, no vectors: the mesh may change.
+     */
     virtual void accept(const State & /*start*/, const StepTrial & /*trial*/) {}
 
     virtual StepRules rules() const { return {}; }

@@ -23,7 +23,10 @@ namespace signorini
   public:
     virtual ~TimeStepping() = default;
 
-    /** The state one accepted step later. If an exception leaves, the state is as it was. Collective. */
+    /**
+     * The state one accepted step later. If an exception leaves, the state is as it was.
+     * Collective.
+     */
     virtual AcceptedStep advance(DynamicalSystem &system, State &state) = 0;
 
     /** The part of the run that is done: 1 at its end. */
@@ -31,7 +34,10 @@ namespace signorini
 
     bool finished(const State &state) const { return fraction_done(state) >= 1.; }
 
-    /** The mesh has changed: keep no vectors, and nothing that depends on the size of cells. The next step is the next one all the same. */
+    /**
+     * The mesh has changed: keep no vectors, and nothing that depends on the size of cells. The
+     * next step is the next one all the same.
+     */
     virtual void forget() {}
 
     /** The step that was handed out last does not count: it is repeated on another mesh. */
@@ -57,7 +63,10 @@ namespace signorini
       return {scheme.advance(system, state, step_size), step_size};
     }
 
-    double fraction_done(const State &state) const override { return static_cast<double>(state.step) / n_steps; }
+    double fraction_done(const State &state) const override
+    {
+      return static_cast<double>(state.step) / n_steps;
+    }
 
   private:
     TimeScheme        &scheme;

@@ -11,8 +11,9 @@
 namespace signorini
 {
   /**
-   * What a bound of an increment may be exceeded by: nothing that matters, neither to the size of the bodies nor to the motion of the step,
-   * which may be very slow; but more than the round-off of the gap.
+   * What a bound of an increment may be exceeded by: nothing that matters, neither to the size of
+   * the bodies nor to the motion of the step, which may be very slow; but more than the round-off
+   * of the gap.
    */
   inline double bound_tolerance(const Vector &increment, const double body_size)
   {

@@ -24,8 +24,8 @@ namespace signorini
   };
 
   /**
-   * Elastic bodies, their contact and the solver, as a time scheme sees them. The only place where discretisation, contact,
-   * inequalities and time meet.
+   * Elastic bodies, their contact and the solver, as a time scheme sees them. The only place where
+   * discretisation, contact, inequalities and time meet.
    */
   template <int dim>
   class ElasticContactSystem : public DynamicalSystem,
@@ -42,15 +42,21 @@ namespace signorini
                          const SystemParameters        &parameters,
                          dealii::TimerOutput           &timer);
 
-    Vector      make_vector() const override { return discretization.make_vector(); }
-    void        apply_mass(Vector &destination, const Vector &source) const override;
-    void        apply_stiffness(Vector &destination, const Vector &source) const override;
-    void        add_load(Vector &destination, double factor, double time) override;
-    NormalGap   normal_gap(const Vector &displacement) const override { return surface.normal_gap(displacement); }
-    NormalGap   relative_normal(const Vector &motion) const override { return surface.relative_normal(motion); }
-    double      length() const override { return discretization.mesh().body_size(); }
-    void        solve(const IncrementProblem &problem, IncrementSolution &solution) override;
-    Vector      solve_mass(const Vector &force) override { return mass_problems.solve(force); }
+    Vector    make_vector() const override { return discretization.make_vector(); }
+    void      apply_mass(Vector &destination, const Vector &source) const override;
+    void      apply_stiffness(Vector &destination, const Vector &source) const override;
+    void      add_load(Vector &destination, double factor, double time) override;
+    NormalGap normal_gap(const Vector &displacement) const override
+    {
+      return surface.normal_gap(displacement);
+    }
+    NormalGap relative_normal(const Vector &motion) const override
+    {
+      return surface.relative_normal(motion);
+    }
+    double       length() const override { return discretization.mesh().body_size(); }
+    void         solve(const IncrementProblem &problem, IncrementSolution &solution) override;
+    Vector       solve_mass(const Vector &force) override { return mass_problems.solve(force); }
     Capabilities capabilities() override { return {this, this, this, this}; }
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
@@ -68,7 +74,8 @@ namespace signorini
     const ContactCoordinates<dim> &coordinates;
     Loads<dim>                    &loads;
     const SystemParameters         parameters;
-    dealii::TimerOutput           &timer; ///< one section per part of a step, so that work that was skipped can be seen
+    dealii::TimerOutput
+      &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
     double                                    energy_scale = 0.;
     StepMatrices<dim>                         step_matrices;
@@ -78,38 +85,50 @@ namespace signorini
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
 
-    Vector normal_forces(const std::vector<double> &forces) const override;
+    Vector      normal_forces(const std::vector<double> &forces) const override;
     SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double           step_size,
                         Vector          &correction,
                         Vector          &mass_correction) override
     {
-      return mass_problems.project(free_increment, bounds, step_size, energy_scale, correction, mass_correction);
+      return mass_problems.project(
+        free_increment, bounds, step_size, energy_scale, correction, mass_correction);
     }
     SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      Vector          &correction,
                                      Vector          &mass_correction) override
     {
-      return mass_problems.stop_relative_motion(velocity, held, energy_scale, correction, mass_correction);
+      return mass_problems.stop_relative_motion(
+        velocity, held, energy_scale, correction, mass_correction);
     }
 
     std::vector<unsigned int> massless_entries() const override;
 
-    SolveReport equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
+    SolveReport
+    equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
     bool   supports_move(double start_time, double end_time) const override;
     void   stop_at_supports(Vector &velocity) const override;
     Vector support_part(const Vector &forces) const override;
 
-    /** The velocity goes on, and contact is where it was: where no increments are known, on a new mesh or with a new size of steps. */
+    /**
+     * The velocity goes on, and contact is where it was: where no increments are known, on a new
+     * mesh or with a new size of steps.
+     */
     void guess_from_start(const IncrementProblem &problem, Vector &increment);
+
+    /** A node that the first guess drives into the obstacle is expected to touch. */
+    void expect_contact(const Vector &increment, const NormalGap &bounds);
 
     /** What is left to go to the prescribed displacements, per supported entry. */
     std::vector<double> prescribed_increments(const IncrementProblem &problem) const;
 
-    /** Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times the scale of energy. */
+    /**
+     * Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times
+     * the scale of energy.
+     */
     double solver_tolerance(const StepMatrix<dim>     &matrix,
                             double                     step_size,
                             const Vector              &right_hand_side,

@@ -13,17 +13,22 @@
 namespace signorini
 {
   /**
-   * First guess for the increment of the next step: among all combinations of the last increments the one that is closest to the
-   * solution in the norm of K (Fischer, Comput. Methods Appl. Mech. Engrg. 163 (1998) 193-204). Better than any polynomial
-   * through them, because the motion decides on the weights. In undeformed flight it is exact.
+   * First guess for the increment of the next step: among all combinations of the last increments
+   * the one that is closest to the solution in the norm of K (Fischer, Comput. Methods Appl. Mech.
+   * Engrg. 163 (1998) 193-204). Better than any polynomial through them, because the motion decides
+   * on the weights. In undeformed flight it is exact.
    *
-   * It costs a few scalar products and no product with K: K d = b - s is known from the solve, s being the residual with the
-   * forces that hold constraints. The forces of the new step are extrapolated.
+   * It costs a few scalar products and no product with K: K d = b - s is known from the solve, s
+   * being the residual with the forces that hold constraints. The forces of the new step are
+   * extrapolated.
    */
   class IncrementForecast
   {
   public:
-    /** The guess for the right-hand side b. @return false if nothing is known; the increment is not changed then */
+    /**
+     * The guess for the right-hand side b. @return false if nothing is known; the increment is not
+     * changed then
+     */
     bool guess(const Vector &right_hand_side, Vector &increment);
 
     /** Remember a solved step: K increment = right_hand_side - residual. */

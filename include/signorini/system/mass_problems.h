@@ -14,8 +14,9 @@
 namespace signorini
 {
   /**
-   * Everything that is solved with the mass matrix alone: projections of increments and velocities, and accelerations. Operator and
-   * preconditioner are made when they are first needed, and live as long as the mesh. The functions are those of DynamicalSystem.
+   * Everything that is solved with the mass matrix alone: projections of increments and velocities,
+   * and accelerations. Operator and preconditioner are made when they are first needed, and live as
+   * long as the mesh. The functions are those of DynamicalSystem.
    */
   template <int dim>
   class MassProblems
@@ -28,7 +29,8 @@ namespace signorini
                  const MassParameters          &mass_parameters,
                  dealii::TimerOutput           &timer);
 
-    /** @param energy_scale of the motion: the kinetic energy of an error is small compared with it */
+    /** @param energy_scale of the motion: the kinetic energy of an error is small compared with it
+     */
     SolveReport project(const Vector    &free_increment,
                         const NormalGap &bounds,
                         double           step_size,
@@ -60,8 +62,12 @@ namespace signorini
 
     void prepare();
     /** The projection node by node with the lumped mass: obstacles only. */
-    SolveReport project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);
-    /** The entries `fixed` of `vector`; zero elsewhere. All others hold the error of the solver only. */
+    SolveReport
+    project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);
+    /**
+     * The entries `fixed` of `vector`; zero elsewhere. All others hold the error of the solver
+     * only.
+     */
     void keep_only(const std::vector<unsigned int> &fixed, Vector &vector) const;
   };
 } // namespace signorini

@@ -10,8 +10,9 @@
 namespace signorini
 {
   /**
-   * The static contact problem of the nodes without mass when all others stand still: minimise 1/2 u'Au - f'u over their displacements under the
-   * condition of non-penetration. It has a solution that depends continuously on the motion of the others (Khenous, Laborde and Renard 2008), and
+   * The static contact problem of the nodes without mass when all others stand still: minimise 1/2
+   * u'Au - f'u over their displacements under the condition of non-penetration. It has a solution
+   * that depends continuously on the motion of the others (Khenous, Laborde and Renard 2008), and
    * makes the mass-redistributed problem an ordinary differential equation.
    */
   template <int dim>
@@ -24,13 +25,15 @@ namespace signorini
                         const SolverParameters        &parameters);
 
     /**
-     * @param displacement  u: that of nodes with mass is given, that of the others a first guess and then the solution
+     * @param displacement  u: that of nodes with mass is given, that of the others a first guess
+     * and then the solution
      * @param load          f
      * @param energy_scale  accepted errors are 1e-24 of this in energy
      * @param contact_force nodal forces on the bodies, r
      * Collective.
      */
-    SolveReport solve(Vector &displacement, const Vector &load, double energy_scale, Vector &contact_force);
+    SolveReport
+    solve(Vector &displacement, const Vector &load, double energy_scale, Vector &contact_force);
 
   private:
     const Discretization<dim>            &discretization;

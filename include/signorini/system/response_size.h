@@ -10,8 +10,9 @@
 namespace signorini
 {
   /**
-   * About the norm of the solution of K x = b in the norm of K, with some entries prescribed: what a system at rest is going to do, as a scale for
-   * accepted errors. Sets the mask of the preconditioner. Collective.
+   * About the norm of the solution of K x = b in the norm of K, with some entries prescribed: what
+   * a system at rest is going to do, as a scale for accepted errors. Sets the mask of the
+   * preconditioner. Collective.
    */
   double response_size(const LinearOperator            &matrix,
                        MaskedPreconditioner            &preconditioner,

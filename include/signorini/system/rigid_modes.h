@@ -16,17 +16,19 @@ namespace signorini
   };
 
   /**
-   * The rigid motions of all bodies (translations and infinitesimal rotations of each), orthonormal in the mass matrix.
-   * Keeps three vectors for each: 9 per body in 2d, 18 in 3d.
+   * The rigid motions of all bodies (translations and infinitesimal rotations of each), orthonormal
+   * in the mass matrix. Keeps three vectors for each: 9 per body in 2d, 18 in 3d.
    */
   template <int dim>
   class RigidModes
   {
   public:
-    RigidModes(const Discretization<dim> &discretization, const ContactCoordinates<dim> &coordinates);
+    RigidModes(const Discretization<dim>     &discretization,
+               const ContactCoordinates<dim> &coordinates);
 
     /**
-     * An orthonormal basis of the motions that leave some entries at rest: of the rigid motions that nothing holds.
+     * An orthonormal basis of the motions that leave some entries at rest: of the rigid motions
+     * that nothing holds.
      * @param entries of contact coordinates, on this process
      * Collective.
      */

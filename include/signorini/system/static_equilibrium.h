@@ -17,14 +17,15 @@ namespace signorini
    *
    *   A u + M a = f + r,   u.nu <= g, r and friction as ever,
    *
-   * where a is the acceleration of the rigid motions that nothing holds (supports, closed nodes, sticking nodes), and u has
-   * no part in them. A block that slides on a plane thus starts with the shear that decelerates it, and a body in free fall
-   * without deformation. The slip of friction is the relative tangential displacement from the undeformed bodies or, where
-   * the initial velocity has one, along its tangential part.
+   * where a is the acceleration of the rigid motions that nothing holds (supports, closed nodes,
+   * sticking nodes), and u has no part in them. A block that slides on a plane thus starts with the
+   * shear that decelerates it, and a body in free fall without deformation. The slip of friction is
+   * the relative tangential displacement from the undeformed bodies or, where the initial velocity
+   * has one, along its tangential part.
    *
-   * Found by proximal steps: u_new is the equilibrium with the additional term sigma M (u_new - u), which makes the problem
-   * definite, and a takes what drives the free motions. With sigma small compared with the lowest eigenvalue of the bodies a
-   * few steps do.
+   * Found by proximal steps: u_new is the equilibrium with the additional term sigma M (u_new - u),
+   * which makes the problem definite, and a takes what drives the free motions. With sigma small
+   * compared with the lowest eigenvalue of the bodies a few steps do.
    */
   template <int dim>
   class StaticEquilibrium
@@ -36,7 +37,8 @@ namespace signorini
                       const SolverParameters        &parameters);
 
     /**
-     * Put displacement, contact force and friction of the state to the equilibrium; the velocity is only read. Collective.
+     * Put displacement, contact force and friction of the state to the equilibrium; the velocity is
+     * only read. Collective.
      * @return number of proximal steps
      * @throws RunError if no equilibrium is found
      */

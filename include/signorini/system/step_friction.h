@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * Between the friction of contact nodes and the problem of a step: laws in the scale of its matrix, forces and slip from
-   * its solution.
+   * Between the friction of contact nodes and the problem of a step: laws in the scale of its
+   * matrix, forces and slip from its solution.
    */
   template <int dim>
   class StepFriction
@@ -25,22 +25,26 @@ namespace signorini
     bool any() const { return has_friction; }
 
     /**
-     * The friction of the bounded entries of a step. Tresca's friction acts at nodes that touch when the step begins.
+     * The friction of the bounded entries of a step. Tresca's friction acts at nodes that touch
+     * when the step begins.
      * @param factor   reactions per nodal force
      * @param bounds   of the step
      * @param touching distance below which a node touches
      * @param further_reaction  see IncrementProblem; null: none
      */
-    Friction of_step(double factor, const NormalGap &bounds, double touching, const Vector *further_reaction) const;
+    Friction of_step(double           factor,
+                     const NormalGap &bounds,
+                     double           touching,
+                     const Vector    *further_reaction) const;
 
     /**
      * The friction in a solution.
      * @param status    of the solver
      * @param increment, residual in contact coordinates
-     * @param pressed_from_elsewhere whether the laws contain a further reaction; an open node that it entitles to friction is
-     *                  reported as closed
-     * @param solution  gets friction_reaction (in contact coordinates), friction_work, slip (Cartesian), slip_length, and status
-     *                  (open, slip or stick)
+     * @param pressed_from_elsewhere whether the laws contain a further reaction; an open node that
+     * it entitles to friction is reported as closed
+     * @param solution  gets friction_reaction (in contact coordinates), friction_work, slip
+     * (Cartesian), slip_length, and status (open, slip or stick)
      */
     void extract(const Friction    &friction,
                  const ActiveSet   &status,

@@ -4,8 +4,8 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
-#include <signorini/system/increment_forecast.h>
 #include <signorini/preconditioners/preconditioners.h>
+#include <signorini/system/increment_forecast.h>
 
 #include <deal.II/base/timer.h>
 
@@ -13,7 +13,10 @@
 
 namespace signorini
 {
-  /** What belongs to one M + s A: the product, its preconditioner, and the increments that were its solutions. */
+  /**
+   * What belongs to one M + s A: the product, its preconditioner, and the increments that were its
+   * solutions.
+   */
   template <int dim>
   struct StepMatrix
   {
@@ -22,9 +25,9 @@ namespace signorini
     std::unique_ptr<MaskedPreconditioner> preconditioner;
     IncrementForecast                     forecast;
     /** Of the preconditioner; automatic: there is none yet. */
-    PreconditionerKind                    kind     = PreconditionerKind::automatic;
-    unsigned int                          last_use = 0; ///< counted in solutions
-    unsigned int                          n_uses   = 0;
+    PreconditionerKind kind     = PreconditionerKind::automatic;
+    unsigned int       last_use = 0; ///< counted in solutions
+    unsigned int       n_uses   = 0;
   };
 
   /** What decides about the preconditioner of a step. */
@@ -36,8 +39,9 @@ namespace signorini
   };
 
   /**
-   * The matrices of the step sizes that are in use: the latest few. Steps that are doubled come with two sizes in turn, and sizes that
-   * are halved and doubled come back; only a new one costs a preconditioner.
+   * The matrices of the step sizes that are in use: the latest few. Steps that are doubled come
+   * with two sizes in turn, and sizes that are halved and doubled come back; only a new one costs a
+   * preconditioner.
    */
   template <int dim>
   class StepMatrices
@@ -48,7 +52,10 @@ namespace signorini
                  const PreconditionerChoice    &preconditioner,
                  dealii::TimerOutput           &timer);
 
-    /** The matrix of a factor s; valid until the next call. @param step_size decides about the preconditioner */
+    /**
+     * The matrix of a factor s; valid until the next call. @param step_size decides about the
+     * preconditioner
+     */
     StepMatrix<dim> &get(double stiffness_factor, double step_size);
 
     /** Of the last matrix; empty if there was none. */

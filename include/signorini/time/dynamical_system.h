@@ -13,7 +13,10 @@
 
 namespace signorini
 {
-  /** Distances gamma = g - u.nu of the contact nodes that this process owns; also bounds for normal increments. */
+  /**
+   * Distances gamma = g - u.nu of the contact nodes that this process owns; also bounds for normal
+   * increments.
+   */
   using NormalGap = std::vector<double>;
 
   /**
@@ -30,26 +33,40 @@ namespace signorini
     double           stiffness_factor; ///< s, tau^2/4 for the trapezoidal rule
     const Vector    &right_hand_side;  ///< b
     const NormalGap &bounds;
-    const State     &start; ///< the motion before the step: what supports are measured from, and a first guess
-    double           step_size;
-    double           force_factor; ///< > 0: nodal forces times this are reactions, tau^2/2 for the trapezoidal rule
-    /** Reactions of contact besides those of this problem in the step, to which friction is entitled, too; or null. */
+    const State
+      &start; ///< the motion before the step: what supports are measured from, and a first guess
+    double step_size;
+    double force_factor; ///< > 0: nodal forces times this are reactions, tau^2/2 for the
+                         ///< trapezoidal rule
+    /**
+     * Reactions of contact besides those of this problem in the step, to which friction is
+     * entitled, too; or null.
+     */
     const Vector *further_reaction = nullptr;
   };
 
-  /** The increment and the generalised forces that hold the constraints, all in Cartesian components. */
+  /**
+   * The increment and the generalised forces that hold the constraints, all in Cartesian
+   * components.
+   */
   struct IncrementSolution
   {
     Vector increment;        ///< d
-    Vector contact_reaction; ///< (K d - b) in the contact entries: compression has a negative normal component
+    Vector contact_reaction; ///< (K d - b) in the contact entries: compression has a negative
+                             ///< normal component
     Vector support_reaction; ///< (K d - b) in the entries of supports
-    /** The contact reaction as one number per contact node that this process owns, compression < 0; zero where open. */
+    /**
+     * The contact reaction as one number per contact node that this process owns, compression < 0;
+     * zero where open.
+     */
     std::vector<double> normal_reaction;
     std::vector<double> slip_length; ///< length of `slip` per contact node; empty without friction
-    ActiveSet           status;      ///< per contact node: open, slip or stick; empty without friction
-    Vector      friction_reaction;   ///< like the contact reaction, in tangential directions; empty without friction
-    Vector      slip;                ///< relative tangential increments of closed contact nodes; empty without friction
-    double      friction_work = 0.;  ///< friction_reaction times increment, exactly zero where nodes stick
+    ActiveSet           status; ///< per contact node: open, slip or stick; empty without friction
+    Vector friction_reaction;   ///< like the contact reaction, in tangential directions; empty
+                                ///< without friction
+    Vector slip; ///< relative tangential increments of closed contact nodes; empty without friction
+    double friction_work =
+      0.; ///< friction_reaction times increment, exactly zero where nodes stick
     SolveReport effort;
   };
 
@@ -94,7 +111,10 @@ namespace signorini
   public:
     virtual ~NodalImpulses() = default;
 
-    /** The nodal forces f of forces along the normals of the contact nodes: f.w = sum of force times [w].nu. */
+    /**
+     * The nodal forces f of forces along the normals of the contact nodes: f.w = sum of force
+     * times [w].nu.
+     */
     virtual Vector normal_forces(const std::vector<double> &forces) const = 0;
   };
 
@@ -149,10 +169,10 @@ namespace signorini
 
 
   /**
-   * All that every time scheme sees of the bodies. It knows no mesh, no obstacle and no solver; a mass on a spring is a
-   * realisation of twenty lines (tests/time/bouncing_mass.h). What only some schemes need is in interfaces of its own:
-   * a scheme asks for them, and a system offers them, or the scene is refused before it runs (see
-   * check_capabilities()).
+   * All that every time scheme sees of the bodies. It knows no mesh, no obstacle and no solver; a
+   * mass on a spring is a realisation of twenty lines (tests/time/bouncing_mass.h). What only some
+   * schemes need is in interfaces of its own: a scheme asks for them, and a system offers them, or
+   * the scene is refused before it runs (see check_capabilities()).
    */
   class DynamicalSystem
   {
@@ -181,7 +201,10 @@ namespace signorini
     /** The unit of length for tolerances: the size of the bodies. */
     virtual double length() const = 0;
 
-    /** Solve the inequality of a step. `solution` is overwritten; the system keeps its own history for first guesses. */
+    /**
+     * Solve the inequality of a step. `solution` is overwritten; the system keeps its own history
+     * for first guesses.
+     */
     virtual void solve(const IncrementProblem &problem, IncrementSolution &solution) = 0;
 
     /** None, unless a system says otherwise. */

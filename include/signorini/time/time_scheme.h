@@ -9,7 +9,10 @@
 
 namespace signorini
 {
-  /** What happened in a step: effort, and the exact work of each constraint by the energy identity of the scheme. */
+  /**
+   * What happened in a step: effort, and the exact work of each constraint by the energy identity
+   * of the scheme.
+   */
   struct StepReport
   {
     SolveReport corrector;
@@ -18,9 +21,9 @@ namespace signorini
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
     double      work_friction  = 0.; ///< change of energy by friction
     double      work_support   = 0.; ///< work of the reactions at prescribed displacements
-    double      work_scheme    = 0.; ///< change of energy by the rule of integration: numerical dissipation
-    unsigned int impulse_iterations = 0;     ///< laursen-love, per node: of the coupled equations
-    bool         common_impulses    = false; ///< they had no solution; the common factor was taken instead
+    double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
+    unsigned int impulse_iterations = 0; ///< laursen-love, per node: of the coupled equations
+    bool common_impulses = false; ///< they had no solution; the common factor was taken instead
   };
 
   /** The balance of forces of a step, as error indicators see it. */

@@ -15,13 +15,15 @@ namespace signorini
   /**
    * The strictly convex problem of every step,
    *
-   *   minimise 1/2 x'K x - b'x   subject to   x_i <= g_i (bounded entries),   x_j = d_j (fixed entries).
+   *   minimise 1/2 x'K x - b'x   subject to   x_i <= g_i (bounded entries),   x_j = d_j (fixed
+   * entries).
    *
-   * Its conditions of optimality with the residual s = b - K x: s_i = 0 in free entries; in bounded entries s_i >= 0,
-   * x_i <= g_i, s_i (g_i - x_i) = 0 (s_i is the multiplier); in fixed entries s_j is minus the reaction.
-   * With friction there is no function to minimise: the force t = s_t of a closed node, with the normal force n = s_i, has |t| <= b(n), and
-   * |t| = b(n) along the slip where the slip is not zero (Coulomb's law; a quasi-variational inequality).
-   * All indices are local; a process lists the entries that it owns.
+   * Its conditions of optimality with the residual s = b - K x: s_i = 0 in free entries; in bounded
+   * entries s_i >= 0, x_i <= g_i, s_i (g_i - x_i) = 0 (s_i is the multiplier); in fixed entries s_j
+   * is minus the reaction. With friction there is no function to minimise: the force t = s_t of a
+   * closed node, with the normal force n = s_i, has |t| <= b(n), and |t| = b(n) along the slip
+   * where the slip is not zero (Coulomb's law; a quasi-variational inequality). All indices are
+   * local; a process lists the entries that it owns.
    */
   struct ConstrainedProblem
   {
@@ -32,11 +34,17 @@ namespace signorini
     const std::vector<double>       &upper_bounds; ///< one per bounded entry; infinity: free
     const std::vector<unsigned int> &fixed_entries;
     const std::vector<double>       &fixed_values;
-    /** Accepted error in the norm of K, see ConjugateGradients. Absolute; the caller knows the scale of energy. */
+    /**
+     * Accepted error in the norm of K, see ConjugateGradients. Absolute; the caller knows the
+     * scale of energy.
+     */
     double tolerance;
     /** A bound counts as violated beyond this. Absolute, a length. */
     double bound_tolerance;
-    /** Friction in the tangential entries of the bounded nodes, which are neither bounded nor fixed; empty: none. */
+    /**
+     * Friction in the tangential entries of the bounded nodes, which are neither bounded nor
+     * fixed; empty: none.
+     */
     const Friction &friction = no_friction;
 
     static inline const Friction no_friction = {};

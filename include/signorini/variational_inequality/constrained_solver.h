@@ -22,20 +22,24 @@ namespace signorini
                    const Vector             &solution,
                    const Vector             &residual);
 
-  /** Solves a ConstrainedProblem to its tolerance or throws; never returns an unconverged answer. */
+  /** Solves a ConstrainedProblem to its tolerance or throws; never returns an unconverged answer.
+   */
   class ConstrainedSolver
   {
   public:
     virtual ~ConstrainedSolver() = default;
 
     /**
-     * @param active   on entry a guess (one per bounded entry), on exit the entries held at their bound
+     * @param active   on entry a guess (one per bounded entry), on exit the entries held at their
+     * bound
      * @param solution on entry a guess, on exit the solution
      * @param residual on exit b - K x in all entries: the multipliers in the active ones
      * @throws RunError if the method fails
      */
-    virtual SolveReport
-    solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual) = 0;
+    virtual SolveReport solve(const ConstrainedProblem &problem,
+                              ActiveSet                &active,
+                              Vector                   &solution,
+                              Vector                   &residual) = 0;
   };
 } // namespace signorini
 

@@ -12,25 +12,33 @@
 
 namespace signorini
 {
-  /** Friction at a bounded entry: the tangential entries of its node and their law. No entries: none. */
+  /**
+   * Friction at a bounded entry: the tangential entries of its node and their law. No entries:
+   * none.
+   */
   struct FrictionNode
   {
     std::vector<unsigned int> entries; ///< at most two
-    FrictionLaw               law;     ///< of multipliers, that is of forces in the scale of the matrix
-    TangentVector             past = TangentVector::Zero(); ///< slip that happened before: the slip is past + x_t
+    FrictionLaw               law; ///< of multipliers, that is of forces in the scale of the matrix
+    TangentVector             past =
+      TangentVector::Zero(); ///< slip that happened before: the slip is past + x_t
   };
 
   /** One per bounded entry; empty if there is no friction at all. */
   using Friction = std::vector<FrictionNode>;
 
-  /** The slip and the multipliers of a node. @param residual b - K x @param normal bounded entry of the node, and whether it is closed */
+  /**
+   * The slip and the multipliers of a node. @param residual b - K x @param normal bounded entry of
+   * the node, and whether it is closed
+   */
   inline NodeForces node_forces(const FrictionNode &node,
                                 const unsigned int  normal,
                                 const bool          closed,
                                 const Vector       &solution,
                                 const Vector       &residual)
   {
-    NodeForces result{closed ? residual.local_element(normal) : 0., TangentVector::Zero(), node.past};
+    NodeForces result{
+      closed ? residual.local_element(normal) : 0., TangentVector::Zero(), node.past};
     for (unsigned int j = 0; j < node.entries.size(); ++j)
       {
         result.tangential[j] = residual.local_element(node.entries[j]);

@@ -11,10 +11,12 @@
 namespace signorini
 {
   /**
-   * Semismooth Newton method for contact with Coulomb friction: the primal-dual active set method, in which closed nodes also stick or slip.
-   * Open nodes are free; sticking ones are held in all entries; slipping ones are held along the normal, and along the tangents they
-   * obey their linearised law, which makes these rows of the matrix unsymmetric (SlipSystem). Nothing is penalised or regularised. Without
-   * slip the linear systems are symmetric and solved by conjugate gradients.
+   * Semismooth Newton method for contact with Coulomb friction: the primal-dual active set method,
+   * in which closed nodes also stick or slip. Open nodes are free; sticking ones are held in all
+   * entries; slipping ones are held along the normal, and along the tangents they obey their
+   * linearised law, which makes these rows of the matrix unsymmetric (SlipSystem). Nothing is
+   * penalised or regularised. Without slip the linear systems are symmetric and solved by conjugate
+   * gradients.
    *
    * If statuses come back or the iterations are used up, TrescaFixedPoint finishes the work.
    */
@@ -26,8 +28,10 @@ namespace signorini
     {
     }
 
-    SolveReport
-    solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual) override;
+    SolveReport solve(const ConstrainedProblem &problem,
+                      ActiveSet                &status,
+                      Vector                   &solution,
+                      Vector                   &residual) override;
 
   private:
     /** Of the error in a linear solve, while statuses still change. */
@@ -42,20 +46,26 @@ namespace signorini
     std::vector<double>      stiffness; ///< of each node: the mean of the diagonal over its entries
 
     /** Put the fixed and held entries to their values and compute the residual. */
-    void start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual);
+    void
+    start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual);
     /** The semismooth Newton update of the statuses. @return number of changes on all processes */
-    unsigned int
-    update(const ConstrainedProblem &problem, ActiveSet &status, const Vector &solution, const Vector &residual) const;
+    unsigned int update(const ConstrainedProblem &problem,
+                        ActiveSet                &status,
+                        const Vector             &solution,
+                        const Vector             &residual) const;
     /** Move entries that are held from now on to their values and update the residual. */
-    void hold(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution, Vector &residual);
+    void hold(const ConstrainedProblem &problem,
+              const ActiveSet          &status,
+              Vector                   &solution,
+              Vector                   &residual);
     void set_mask(const ConstrainedProblem &problem, const ActiveSet &status);
     void linearise(const ConstrainedProblem &problem,
                    const ActiveSet          &status,
                    const Vector             &solution,
                    const Vector             &residual);
     /**
-     * How accurately to solve a linear system: roughly while statuses change; when they have settled, as far as the linearised laws are worth
-     * it; fully, if statuses came back.
+     * How accurately to solve a linear system: roughly while statuses change; when they have
+     * settled, as far as the linearised laws are worth it; fully, if statuses came back.
      */
     enum class Precision
     {

@@ -9,9 +9,10 @@
 namespace signorini
 {
   /**
-   * Modified proportioning with reduced gradient projections (MPRGP; Dostal and Schoeberl, Comput. Optim. Appl. 30 (2005)
-   * 23-43), scaled by the diagonal. Slower than the active set method, but its energy falls in every iteration and
-   * convergence is proved for every strictly convex problem with bounds, from any start.
+   * Modified proportioning with reduced gradient projections (MPRGP; Dostal and Schoeberl, Comput.
+   * Optim. Appl. 30 (2005) 23-43), scaled by the diagonal. Slower than the active set method, but
+   * its energy falls in every iteration and convergence is proved for every strictly convex problem
+   * with bounds, from any start.
    */
   class Mprgp : public ConstrainedSolver
   {
@@ -21,8 +22,10 @@ namespace signorini
     {
     }
 
-    SolveReport
-    solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual) override;
+    SolveReport solve(const ConstrainedProblem &problem,
+                      ActiveSet                &active,
+                      Vector                   &solution,
+                      Vector                   &residual) override;
 
   private:
     const unsigned int maximum_iterations;

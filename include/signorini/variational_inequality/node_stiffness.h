@@ -9,8 +9,8 @@
 namespace signorini
 {
   /**
-   * A number of the size of K for each bounded entry: the mean of the diagonal over the entry and the tangential entries of its node. It does
-   * not depend on the choice of the tangents.
+   * A number of the size of K for each bounded entry: the mean of the diagonal over the entry and
+   * the tangential entries of its node. It does not depend on the choice of the tangents.
    */
   inline std::vector<double> node_stiffness(const ConstrainedProblem &problem)
   {

@@ -11,14 +11,16 @@
 namespace signorini
 {
   /**
-   * Primal-dual active set method (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865-888), a semismooth Newton method:
-   * hold the active entries at their bounds, solve for the free ones, release entries with a negative multiplier, hold those
-   * beyond their bound, until nothing changes.
+   * Primal-dual active set method (Hintermueller, Ito, Kunisch, SIAM J. Optim. 13 (2003) 865-888),
+   * a semismooth Newton method: hold the active entries at their bounds, solve for the free ones,
+   * release entries with a negative multiplier, hold those beyond their bound, until nothing
+   * changes.
    *
-   * The matrix is never modified: held entries are masked in the preconditioner, which masks the search directions. While
-   * the set still changes, the linear systems are solved only roughly, and one iteration continues where the last one stopped.
-   * The method is known to cycle in rare cases; a set that comes back is detected, first answered by accurate linear solves, and
-   * then by Mprgp, which always converges.
+   * The matrix is never modified: held entries are masked in the preconditioner, which masks the
+   * search directions. While the set still changes, the linear systems are solved only roughly, and
+   * one iteration continues where the last one stopped. The method is known to cycle in rare cases;
+   * a set that comes back is detected, first answered by accurate linear solves, and then by Mprgp,
+   * which always converges.
    */
   class PrimalDualActiveSet : public ConstrainedSolver
   {
@@ -28,8 +30,10 @@ namespace signorini
     {
     }
 
-    SolveReport
-    solve(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual) override;
+    SolveReport solve(const ConstrainedProblem &problem,
+                      ActiveSet                &active,
+                      Vector                   &solution,
+                      Vector                   &residual) override;
 
   private:
     /** Of the error in a linear solve, while the set still changes. */
@@ -42,12 +46,18 @@ namespace signorini
     Mask                  mask;
 
     /** Put the fixed and the active entries to their values and compute the residual. */
-    void start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual);
+    void
+    start(const ConstrainedProblem &problem, ActiveSet &active, Vector &solution, Vector &residual);
     /** The semismooth Newton update of the set. @return number of changes on all processes */
-    unsigned int
-    update(const ConstrainedProblem &problem, ActiveSet &active, const Vector &solution, const Vector &residual) const;
+    unsigned int update(const ConstrainedProblem &problem,
+                        ActiveSet                &active,
+                        const Vector             &solution,
+                        const Vector             &residual) const;
     /** Move entries that have just become active to their bounds and update the residual. */
-    void hold(const ConstrainedProblem &problem, const ActiveSet &active, Vector &solution, Vector &residual);
+    void hold(const ConstrainedProblem &problem,
+              const ActiveSet          &active,
+              Vector                   &solution,
+              Vector                   &residual);
     void set_mask(const ConstrainedProblem &problem, const ActiveSet &active);
   };
 } // namespace signorini

@@ -10,13 +10,14 @@
 namespace signorini
 {
   /**
-   * The linear system of a Newton step in which some nodes slip: below the rows of K x + forces = b, the tangential rows of these nodes
-   * contain their linearised law (SlipCondition),
+   * The linear system of a Newton step in which some nodes slip: below the rows of K x + forces =
+   * b, the tangential rows of these nodes contain their linearised law (SlipCondition),
    *
    *   (K x)_t + t + Q dx_t + q dn = b_t,    dn = -(K dx)_n.
    *
-   * The matrix K is not modified; these rows get their terms behind each product. The preconditioner is that of K; directions that slip
-   * makes stiff (a small slip that is about to turn) are scaled down in it. Solved by GMRES.
+   * The matrix K is not modified; these rows get their terms behind each product. The
+   * preconditioner is that of K; directions that slip makes stiff (a small slip that is about to
+   * turn) are scaled down in it. Solved by GMRES.
    */
   class SlipSystem
   {
@@ -28,12 +29,18 @@ namespace signorini
      * @param node      must outlive the system
      * @param stiffness of the node in K, for the scaling
      */
-    void add(unsigned int normal, const FrictionNode &node, const SlipCondition &condition, double stiffness);
+    void add(unsigned int         normal,
+             const FrictionNode  &node,
+             const SlipCondition &condition,
+             double               stiffness);
 
     /** Agree with the other processes; to be called after the last add(). Collective. */
     void finish(MPI_Comm communicator);
 
-    /** Whether a node slips with friction, and whether the direction of a slip may turn, on any process. */
+    /**
+     * Whether a node slips with friction, and whether the direction of a slip may turn, on any
+     * process.
+     */
     bool any() const { return any_slip; }
     bool any_turning() const { return may_turn; }
 
@@ -49,8 +56,8 @@ namespace signorini
                                      unsigned int              maximum_iterations);
 
     /**
-     * The forces that the linearised laws gave in the last solve, in the order of add(). They are better than the residual in these rows, which
-     * also holds the error of a rough solve.
+     * The forces that the linearised laws gave in the last solve, in the order of add(). They are
+     * better than the residual in these rows, which also holds the error of a rough solve.
      */
     const std::vector<TangentVector> &forces() const { return law_forces; }
 
@@ -74,7 +81,8 @@ namespace signorini
 
   /** The tangential entries of a node. */
   TangentVector tangential_entries(const FrictionNode &node, const Vector &vector);
-  void          add_to_tangential_entries(const FrictionNode &node, const TangentVector &values, Vector &vector);
+  void
+  add_to_tangential_entries(const FrictionNode &node, const TangentVector &values, Vector &vector);
 } // namespace signorini
 
 #endif

@@ -12,11 +12,17 @@
 
 namespace signorini
 {
-  /** Remembers the sets of statuses that an active set method went through, over all processes, to notice when it runs in circles. */
+  /**
+   * Remembers the sets of statuses that an active set method went through, over all processes, to
+   * notice when it runs in circles.
+   */
   class StatusRecord
   {
   public:
-    /** @param like a vector of the problem: its communicator, and numbers of entries that tell processes apart */
+    /**
+     * @param like a vector of the problem: its communicator, and numbers of entries that tell
+     * processes apart
+     */
     explicit StatusRecord(const Vector &like)
       : like(like)
     {

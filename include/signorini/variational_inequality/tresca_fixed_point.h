@@ -10,10 +10,11 @@
 namespace signorini
 {
   /**
-   * Coulomb friction as a sequence of problems with given bounds: the bounds follow from the normal forces of the last problem, until they
-   * stand. Each problem is convex and solved by a method that cannot fail; the sequence converges linearly if the friction is not too strong, which
-   * small steps guarantee. Where it overshoots, as with strong friction at single nodes, the bounds go a part of the way only. Slower than
-   * FrictionalNewton; its solution is the same.
+   * Coulomb friction as a sequence of problems with given bounds: the bounds follow from the normal
+   * forces of the last problem, until they stand. Each problem is convex and solved by a method
+   * that cannot fail; the sequence converges linearly if the friction is not too strong, which
+   * small steps guarantee. Where it overshoots, as with strong friction at single nodes, the bounds
+   * go a part of the way only. Slower than FrictionalNewton; its solution is the same.
    */
   class TrescaFixedPoint : public ConstrainedSolver
   {
@@ -23,8 +24,10 @@ namespace signorini
     {
     }
 
-    SolveReport
-    solve(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual) override;
+    SolveReport solve(const ConstrainedProblem &problem,
+                      ActiveSet                &status,
+                      Vector                   &solution,
+                      Vector                   &residual) override;
 
   private:
     const unsigned int maximum_iterations;

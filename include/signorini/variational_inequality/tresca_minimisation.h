@@ -9,15 +9,16 @@
 namespace signorini
 {
   /**
-   * Contact with friction whose bounds b_k are given numbers (Tresca): the minimum of a convex function,
+   * Contact with friction whose bounds b_k are given numbers (Tresca): the minimum of a convex
+   * function,
    *
    *   J(x) = 1/2 x'K x - b'x + sum_k b_k |past_k + x_{k,t}|   subject to   x_i <= g_i,  x_j = d_j.
    *
-   * Two moves alternate, each with the exact minimum along its direction, so that J falls in every iteration and the
-   * method converges from any start (the idea of the truncated nonsmooth Newton multigrid method, Graeser and Sander,
-   * IMA J. Numer. Anal. 39 (2019) 454-481, without the multigrid): a proximal step with the diagonal of K, which
-   * decides what is held; and a Newton step of conjugate gradients in what is free, cut where it leaves the smooth
-   * piece.
+   * Two moves alternate, each with the exact minimum along its direction, so that J falls in every
+   * iteration and the method converges from any start (the idea of the truncated nonsmooth Newton
+   * multigrid method, Graeser and Sander, IMA J. Numer. Anal. 39 (2019) 454-481, without the
+   * multigrid): a proximal step with the diagonal of K, which decides what is held; and a Newton
+   * step of conjugate gradients in what is free, cut where it leaves the smooth piece.
    */
   class TrescaMinimisation
   {

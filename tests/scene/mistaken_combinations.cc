@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// Values that are right each for itself, but not together, are answered by a message that names one
+// of them, the other, and a remedy.
+
+#include "scene_file.h"
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+using namespace signorini::tests;
+
+namespace
+{
+  void expect(const std::vector<Override> &overrides, const std::vector<std::string> &words)
+  {
+    const TemporaryFile file(correct_scene());
+    expect_words(refusal(file.name, overrides), words);
+  }
+} // namespace
+
+TEST(Combinations, OfSchemes)
+{
+  expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},
+         {"Predictor mass = lumped", "Scheme = newmark", "Remove"});
+  expect({{"Time/Mass", "redistributed"}}, // the scheme is contact-stabilized
+         {"Mass = redistributed",
+          "makes no sense with Scheme = contact-stabilized",
+          "predictor",
+          "contact-implicit"});
+  expect(
+    {{"Time/Mass", "zero on contact boundary"}, {"Time/Scheme", "contact-stabilized-projected"}},
+    {"makes no sense", "predictor"});
+  expect({{"Time/Mass", "redistributed"}, {"Time/Scheme", "laursen-love"}},
+         {"makes no sense", "impulses"});
+  expect({{"Time/Mass", "redistributed"}, {"Time/Scheme", "hht-alpha"}},
+         {"makes no sense", "accelerations"});
+  expect({{"Time/Mass", "lumped"}, {"Time/Scheme", "khenous-laborde-renard"}},
+         {"Mass = lumped", "contact nodes without mass", "Remove"});
+  expect({{"Time/Mass redistribution", "minimisation"}, {"Time/Scheme", "newmark"}},
+         {"Mass redistribution = minimisation", "Mass = consistent", "redistributed"});
+  expect({{"Time/Newmark beta", "0.2"}},
+         {"Newmark beta = 0.2", "between 0.25 and 1", "not stable"});
+  expect({{"Time/Newmark gamma", "1.2"}}, {"Newmark gamma = 1.2", "Newmark beta", "not stable"});
+  expect({{"Time/Reference tolerance", "0"}}, {"Reference tolerance = 0", "between"});
+  expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "per node"}},
+         {"Impulses = per node", "Scheme = newmark", "Remove"});
+  expect({{"Time/Scheme", "newmark"}, {"Time/Stop sticking nodes", "false"}},
+         {"Stop sticking nodes = false", "Scheme = newmark", "Remove"});
+}
+
+TEST(Combinations, OfOtherValues)
+{
+  expect({{"Time/Start", "equilibrium"}, {"Bodies/box/Initial displacement", "0; 0; 0.1*x"}},
+         {"Bodies/box/Initial displacement = 0; 0; 0.1*x", "Time/Start = equilibrium", "Remove"});
+  expect({{"Contact/Pairs", ""}}, {"unknown section `Contact/ball : floor`"});
+  expect({{"Bodies/Names", "ball, box, cube"}}, {"Bodies/cube", "no subsection", "Add"});
+  expect({{"Obstacles/Names", "floor, pillar, wall"}}, {"Obstacles/wall", "no subsection", "Add"});
+  expect({{"Probes/Names", "south, north"}}, {"Probes/north/Point (not given)", "Add"});
+  expect({{"Bodies/ball/Shape", "cylinder"}, {"Bodies/ball/Length", "-1"}},
+         {"Length = -1", "positive"});
+  expect({{"Bodies/ball/Shape", "file"}}, {"Bodies/ball/File (not given)", "needs a mesh"});
+  expect({{"Bodies/box/Cap radius", "2"}}, {"Cap boundary (not given)", "0, 1, 2, 3, 4, 5"});
+  expect({{"Bodies/box/Cap radius", "2"}, {"Bodies/box/Cap boundary", "6"}},
+         {"Cap boundary = 6", "0, 1, 2, 3, 4, 5"});
+  // The face has edges of length 1, the opposite face is at distance 1: half of the diagonal
+  // counts.
+  expect({{"Bodies/box/Cap radius", "0.7071"}, {"Bodies/box/Cap boundary", "4"}},
+         {"Cap radius = 0.7071", "does not fit", "larger than 0.707107"});
+  // At distance 0.5 only, it would reach the opposite face: (0.5 + 0.25) / (2 * 0.5).
+  expect({{"Bodies/box/Cap radius", "0.74"},
+          {"Bodies/box/Cap boundary", "4"},
+          {"Bodies/box/Upper corner", "3, 1, 1"}},
+         {"Cap radius = 0.74", "larger than 0.75", "opposite face"});
+  expect({{"Obstacles/floor/Shape", "function"}},
+         {"Obstacles/floor/Signed distance (not given)", "Give one"});
+  expect({{"Exact solution/Displacement", "0; 0; 1"}},
+         {"Exact solution/Velocity (not given)", "both"});
+  expect({{"Exact solution/Velocity", "0; 0; 1"}},
+         {"Exact solution/Displacement (not given)", "both"});
+}
