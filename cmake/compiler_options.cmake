@@ -5,8 +5,8 @@
 
 include(CheckCXXCompilerFlag)
 
-# The flags of the options below that this compiler knows. PUBLIC, because Eigen aligns its memory by the widest
-# registers: all who include a header with a matrix in it have to agree about them.
+# The flags of the options below that this compiler knows. All targets get them, because Eigen
+# aligns its memory by the widest registers: who includes a header with a matrix has to agree.
 set(SIGNORINI_FLAGS "")
 set(candidates "")
 if(SIGNORINI_NATIVE)

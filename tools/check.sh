@@ -18,6 +18,9 @@ usage: ./dev check <kind> [ARGS]
   --perturb [ARGS]         all tests with initial velocities that differ by 1e-12, up and down
   --no-native [ARGS]       all tests, compiled for any processor
   --no-fma [ARGS]          all tests, compiled without fused multiply-add
+  --debug [ARGS]           the tests of single modules, with the assertions of deal.II
+  --clang                  compiles program and tests with Clang, warnings as errors
+  --format                 whether clang-format would change a source (version 14 is the reference)
                            (ARGS go to ctest: ./dev check --perturb -R step_size)
 END
 }
@@ -43,6 +46,8 @@ check_debian() {
 
 check_perturb() {
   local failed=0 part
+  cmake --preset release
+  cmake --build --preset release
   for part in 1e-12 -1e-12; do
     echo "./dev: all tests with initial velocities changed by $part of themselves"
     SIGNORINI_PERTURB=$part ctest --preset release -j2 "$@" || failed=1
@@ -58,10 +63,33 @@ check_no_fma() {
   build_and_test no-fma -DCMAKE_CXX_FLAGS=-ffp-contract=off -- "$@"
 }
 
+# Whole scenes would take ten times as long as in release, and show nothing more.
+check_debug() {
+  cmake --preset debug -DSIGNORINI_WARNINGS_AS_ERRORS=ON
+  cmake --build --preset debug
+  ctest --preset debug -j2 -LE "scenes|verification|style|plotting" "$@"
+}
+
+check_clang() {
+  cmake -S . -B build/check-clang -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_CXX_COMPILER=clang++ -DSIGNORINI_WARNINGS_AS_ERRORS=ON
+  cmake --build build/check-clang
+}
+
+check_format() {
+  local version
+  version=$(clang-format --version | grep -oE 'version [0-9]+')
+  if [[ $version != "version 14" ]]; then
+    echo "./dev: this is clang-format $version, which breaks lines at other places: not checked"
+    return
+  fi
+  git ls-files -z '*.h' '*.cc' | xargs -0 -r clang-format --dry-run -Werror
+}
+
 kind=${1:-}
 [[ $# -eq 0 ]] || shift
 case $kind in
-  --debian | --perturb | --no-native | --no-fma)
+  --debian | --perturb | --no-native | --no-fma | --debug | --clang | --format)
     function=check_${kind#--}
     "${function//-/_}" "$@"
     ;;
