@@ -82,23 +82,28 @@ namespace signorini
 
   std::string short_help()
   {
-    return "signorini: elastic bodies that hit rigid obstacles or each other.\n\n  signorini "
-           "scene.prm               run a scene; start with parameters/quick_start.prm\n  mpirun "
-           "-np 4 signorini scene.prm  the same on four processes\n  signorini "
-           "--help                  all options\n";
+    return "signorini: elastic bodies that hit rigid obstacles or each other.\n\n"
+           "  signorini scene.prm               run a scene; start with "
+           "parameters/quick_start.prm\n"
+           "  mpirun -np 4 signorini scene.prm  the same on four processes\n"
+           "  signorini --help                  all options\n";
   }
 
   std::string help()
   {
-    return "Usage: signorini [options] scene.prm\n\n  --set \"Section/Key=value\"  change a value "
-           "of the scene (repeatable, applied after the file)\n  --validate                 check "
-           "scene and physics, say what would run, and stop\n  --print-parameters         print "
-           "all keys of a scene with descriptions and defaults\n  --print-schemes[=json]     print "
-           "what is known about each time scheme, as a table or for programs\n  "
-           "--quiet                    no progress line\n  --version                  print the "
-           "version\n  --help                     print this text\n\nA first scene is "
-           "parameters/quick_start.prm.\nExit status: 0 done, 1 the run failed, 2 the command line "
-           "or the scene has a mistake.\n";
+    return "Usage: signorini [options] scene.prm\n\n"
+           "  --set \"Section/Key=value\"  change a value of the scene (repeatable, applied after "
+           "the file)\n"
+           "  --validate                 check scene and physics, say what would run, and stop\n"
+           "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
+           "  --print-schemes[=json]     print what is known about each time scheme, as a table or "
+           "for programs\n"
+           "  --quiet                    no progress line\n"
+           "  --version                  print the version\n"
+           "  --help                     print this text\n\n"
+           "A first scene is parameters/quick_start.prm.\n"
+           "Exit status: 0 done, 1 the run failed, 2 the command line or the scene has a "
+           "mistake.\n";
   }
 
   std::string version()

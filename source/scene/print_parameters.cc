@@ -43,8 +43,10 @@ namespace signorini
     declare_scene<3>(prm, {{"ball"}, {"floor"}, {"south_pole"}, {{"ball", {}, "floor", {}}}});
     set_example_values(prm);
     out << "# All keys of a scene, with descriptions and defaults, for one body, one obstacle and "
-           "one probe.\n# Lists of numbers are separated by commas, the components of expressions "
-           "by semicolons.\n# Units are the user's, consistently.\n#\n";
+           "one probe.\n"
+           "# Lists of numbers are separated by commas, the components of expressions by "
+           "semicolons.\n"
+           "# Units are the user's, consistently.\n#\n";
     prm.print_parameters(
       out, dealii::ParameterHandler::PRM | dealii::ParameterHandler::KeepDeclarationOrder);
   }

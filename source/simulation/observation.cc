@@ -191,8 +191,8 @@ namespace signorini
       text << "  warning: a step changed the energy by " << largest_residual / largest_energy
            << " of it without an explanation. "
            << (own_tolerance.empty()
-                 ? "The solver was not accurate enough, or the\n           scheme is at fault: do "
-                   "not trust this run, and report it.\n"
+                 ? "The solver was not accurate enough, or the\n"
+                   "           scheme is at fault: do not trust this run, and report it.\n"
                  : "Reduce `" + own_tolerance + "` or the step size.\n");
     if (deepest > 1e-2 * meshed->discretization.mesh().body_size())
       text << "  warning: by the true geometry a contact node was " << deepest

@@ -226,7 +226,8 @@ namespace signorini
                    || body.cap_radius > 0.;
           }))
       text << "  warning: on a mesh that changes, a round body keeps the facets of its initial "
-              "`Refinements`, however fine the mesh becomes.\n           Set `Mapping = curved`.\n";
+              "`Refinements`, however fine the mesh becomes.\n"
+              "           Set `Mapping = curved`.\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
            << perturbation_of_velocities() << " of themselves\n";
