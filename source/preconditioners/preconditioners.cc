@@ -152,8 +152,8 @@ namespace signorini
     if (kind == PreconditionerKind::ml)
       return std::make_unique<Multilevel<dim>>(
         matrices, coordinates, mass_factor, stiffness_factor);
-    Assert(name == "incomplete-cholesky",
-           dealii::ExcMessage("No preconditioner has this name: " + name));
+    Assert(kind == PreconditionerKind::incomplete_cholesky,
+           dealii::ExcMessage("`automatic` is to be decided before: choose_preconditioner()"));
     return std::make_unique<ContactIncompleteCholesky<dim, dim>>(
       matrices, coordinates, mass_factor, stiffness_factor);
   }
