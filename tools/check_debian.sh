@@ -65,7 +65,7 @@ run() {
   rm -rf "$root"
   cp -a "$cache/base$number/root" "$root"
   connect "$root"
-  copy_checkout "$root/root/signorini"
+  copy_checkout "$root/srv/signorini"
   mkdir -p "$cache/packages$number"
   echo "check_debian.sh: ./dev $1 in a fresh Debian $number, log in $log"
   unshare --mount --pid --fork bash -euc '
@@ -73,7 +73,7 @@ run() {
     mount --rbind /dev "$1/dev"
     mount --bind "$2" "$1/var/cache/apt/archives"
     mkdir -p "$2/partial"
-    exec chroot "$1" env -i "${@:4}" bash -c "cd /root/signorini && ./dev $3"
+    exec chroot "$1" env -i "${@:4}" bash -c "cd /srv/signorini && ./dev $3"
   ' bash "$root" "$cache/packages$number" "$1" "${environment[@]}" >"$log" 2>&1 || status=$?
   tail -n 15 "$log"
   echo "check_debian.sh: ./dev $1 in Debian $number: exit status $status, $((SECONDS - start)) s"
