@@ -24,10 +24,15 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 #: Scene: its bodies and its 100 steps.
-SCENES = {"geometry_a": (["ball"], []), "geometry_b_curved": (["upper", "lower"], ["Time/End time=0.05"])}
+SCENES = {
+    "geometry_a": (["ball"], []),
+    "geometry_b_curved": (["upper", "lower"], ["Time/End time=0.05"]),
+}
 #: Oblique throws with friction: the pair, and the keys of the throw.
-OBLIQUE = {"geometry_a": ("ball : plane", ["Bodies/ball/Initial velocity=1; 0; -2"]),
-           "geometry_b_curved": ("upper[4] : lower[5]", ["Bodies/upper/Initial velocity=1; 0.4; -2"])}
+OBLIQUE = {
+    "geometry_a": ("ball : plane", ["Bodies/ball/Initial velocity=1; 0; -2"]),
+    "geometry_b_curved": ("upper[4] : lower[5]", ["Bodies/upper/Initial velocity=1; 0.4; -2"]),
+}
 #: Sections of the timer table that are done once per mesh because of contact.
 SET_UP = ("mesh: contact surface", "step: preconditioner set-up")
 MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
@@ -35,7 +40,12 @@ MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("pro
 
 def run(executable, scene, processes, *settings):
     """The rows of history.csv of one run, numbers instead of texts, and the seconds of the set-up of contact."""
-    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    environment = dict(
+        os.environ,
+        OMP_NUM_THREADS="1",
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+    )
     with tempfile.TemporaryDirectory() as folder:
         command = [] if processes == 1 else ["mpirun", "--oversubscribe", "-np", str(processes)]
         command += [executable, str(ROOT / "parameters" / f"{scene}.prm"), "--quiet"]
@@ -43,10 +53,20 @@ def run(executable, scene, processes, *settings):
             command += ["--set", setting]
         subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
         with open(pathlib.Path(folder) / "history.csv", encoding="utf-8") as file:
-            rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+            rows = [
+                {key: float(value) for key, value in row.items()} for row in csv.DictReader(file)
+            ]
         log = (pathlib.Path(folder) / "log.txt").read_text(encoding="utf-8")
-        return rows, sum(float(re.search(re.escape(name) + r"\s*\|\s*\d+\s*\|.*?([\d.e-]+)s\s+\d+\s*\|\s*$", log,
-                                         re.MULTILINE)[1]) for name in SET_UP)
+        return rows, sum(
+            float(
+                re.search(
+                    re.escape(name) + r"\s*\|\s*\d+\s*\|.*?([\d.e-]+)s\s+\d+\s*\|\s*$",
+                    log,
+                    re.MULTILINE,
+                )[1]
+            )
+            for name in SET_UP
+        )
 
 
 def phases(history):
@@ -63,15 +83,20 @@ def mean(rows, column):
 def milliseconds(history, rows, average=statistics.median):
     """Time of the given steps; a single slow step of the machine does not count in the median."""
     time = {row["step"]: row["wall_time"] for row in history}
-    return 1e3 * average(time[row["step"]] - time[row["step"] - 1] for row in rows if row["step"] > 1)
+    return 1e3 * average(
+        time[row["step"]] - time[row["step"] - 1] for row in rows if row["step"] > 1
+    )
 
 
 def report(label, history, rows):
     products = ", ".join(f"{mean(rows, column):5.1f} {name}" for column, name in MATRICES)
     total = sum(mean(rows, column) for column, _ in MATRICES)
-    print(f"  {label:14}{milliseconds(history, rows):8.1f} ms  {mean(rows, 'linear_iterations'):5.1f} iterations "
-          f"in {mean(rows, 'active_set_iterations'):.1f} active sets, {mean(rows, 'predictor_iterations'):4.1f} in the predictor;  "
-          f"products: {products}; {total:.1f} in all")
+    print(
+        f"  {label:14}{milliseconds(history, rows):8.1f} ms  {mean(rows, 'linear_iterations'):5.1f}"
+        f" iterations in {mean(rows, 'active_set_iterations'):.1f} active sets,"
+        f" {mean(rows, 'predictor_iterations'):4.1f} in the predictor;  products: {products};"
+        f" {total:.1f} in all"
+    )
 
 
 def report_friction(executable, refinement):
@@ -81,12 +106,25 @@ def report_friction(executable, refinement):
         print(f"{scene}, refinement {refinement}, thrown obliquely:")
         cost = {}
         for coefficient in (0, 0.3):
-            history, _ = run(executable, scene, 1, *settings, *sizes, *throw, f"Contact/{pair}/Friction coefficient={coefficient}")
+            history, _ = run(
+                executable,
+                scene,
+                1,
+                *settings,
+                *sizes,
+                *throw,
+                f"Contact/{pair}/Friction coefficient={coefficient}",
+            )
             contact, _ = phases(history)
             report(f"friction {coefficient}", history, contact)
-            cost[coefficient] = (milliseconds(history, contact, statistics.fmean),
-                                 sum(mean(contact, column) for column, _ in MATRICES))
-        print(f"  friction / none: {cost[0.3][0] / cost[0][0]:.2f} in mean time, {cost[0.3][1] / cost[0][1]:.2f} in products\n")
+            cost[coefficient] = (
+                milliseconds(history, contact, statistics.fmean),
+                sum(mean(contact, column) for column, _ in MATRICES),
+            )
+        print(
+            f"  friction / none: {cost[0.3][0] / cost[0][0]:.2f} in mean time,"
+            f" {cost[0.3][1] / cost[0][1]:.2f} in products\n"
+        )
 
 
 def main():
@@ -97,20 +135,38 @@ def main():
         for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
             elapsed = {}
             for processes in (1, 2):
-                history, set_up = run(executable, scene, processes, *settings,
-                                      *(f"Bodies/{body}/Refinements={refinement}" for body in bodies))
+                history, set_up = run(
+                    executable,
+                    scene,
+                    processes,
+                    *settings,
+                    *(f"Bodies/{body}/Refinements={refinement}" for body in bodies),
+                )
                 contact, released = phases(history)
                 elapsed[processes] = history[-1]["wall_time"]
-                print(f"{scene}, refinement {refinement}, {history[0]['dofs']:.0f} dofs, {processes} process(es): "
-                      f"{history[-1]['step']:.0f} steps in {elapsed[processes]:.2f} s")
+                print(
+                    f"{scene}, refinement {refinement}, {history[0]['dofs']:.0f} dofs, {processes}"
+                    f" process(es): {history[-1]['step']:.0f} steps in {elapsed[processes]:.2f} s"
+                )
                 report("contact", history, contact)
                 report("after release", history, released)
-                print(f"  contact / after release: {milliseconds(history, contact) / milliseconds(history, released):.2f};  "
-                      f"set-up of contact and preconditioner: {100 * set_up / elapsed[processes]:.1f} % of the steps")
+                print(
+                    "  contact / after release:"
+                    f" {milliseconds(history, contact) / milliseconds(history, released):.2f}; "
+                    " set-up of contact and preconditioner:"
+                    f" {100 * set_up / elapsed[processes]:.1f} % of the steps"
+                )
             print(f"  two processes are {elapsed[1] / elapsed[2]:.2f} times as fast as one\n")
     for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
         report_friction(executable, refinement)
-    flight, _ = run(executable, "geometry_a", 1, "Bodies/ball/Refinements=3", "Bodies/ball/Centre=0, 0, 5", "Time/End time=0.1")
+    flight, _ = run(
+        executable,
+        "geometry_a",
+        1,
+        "Bodies/ball/Refinements=3",
+        "Bodies/ball/Centre=0, 0, 5",
+        "Time/End time=0.1",
+    )
     print("Undeformed flight, refinement 3:")
     report("flight", flight, flight[2:])
 

@@ -4,9 +4,9 @@
 
 """Checks that each module includes only headers of the modules below it: check_dependencies.py [ROOT].
 
-    check_dependencies.py --table      the table of modules in CONTRIBUTING.md
-    check_dependencies.py --picture    the picture of modules in doc/architecture.md
-    check_dependencies.py --write      puts both into these files; without it they are compared
+check_dependencies.py --table      the table of modules in CONTRIBUTING.md
+check_dependencies.py --picture    the picture of modules in doc/architecture.md
+check_dependencies.py --write      puts both into these files; without it they are compared
 """
 
 import pathlib
@@ -35,8 +35,11 @@ MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
 MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["preconditioners"] = MAY_USE["contact"] | {"contact"}
-MAY_USE["system"] = MAY_USE["mass"] | MAY_USE["variational_inequality"] | {
-    "mass", "variational_inequality", "preconditioners", "time"}
+MAY_USE["system"] = (
+    MAY_USE["mass"]
+    | MAY_USE["variational_inequality"]
+    | {"mass", "variational_inequality", "preconditioners", "time"}
+)
 MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
 MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics", "finite_elements"}
@@ -57,7 +60,9 @@ HOLDS = {
     "finite_elements": "kernels on cells and faces: moments, stress vectors, neighbours",
     "contact": "contact nodes, obstacles, search, mortar coupling, contact coordinates",
     "mass": "the mass without entries at contact nodes: its constructions, definiteness, solution",
-    "variational_inequality": "the bound-constrained problem and its solvers: algebra, no mesh, no time",
+    "variational_inequality": (
+        "the bound-constrained problem and its solvers: algebra, no mesh, no time"
+    ),
     "preconditioners": "preconditioners of a step, in contact coordinates",
     "system": "implements `DynamicalSystem`: the one place where the three chains meet",
     "adaptivity": "error indicators, which cells they change, the state on the new mesh",
@@ -78,12 +83,17 @@ def violations(root):
                 continue
             name, module = path.relative_to(root), path.parent.name
             if module not in MAY_USE:
-                found.append(f"{name}: the module {module} is not in the table of tools/{pathlib.Path(__file__).name}")
+                found.append(
+                    f"{name}: the module {module} is not in the table of"
+                    f" tools/{pathlib.Path(__file__).name}"
+                )
                 continue
             for used in INCLUDE.findall(path.read_text(encoding="utf-8")):
                 if used != module and used not in MAY_USE[module]:
                     allowed = ", ".join(sorted(MAY_USE[module])) or "no other module"
-                    found.append(f"{name} includes a header of {used}, but {module} may use only: {allowed}")
+                    found.append(
+                        f"{name} includes a header of {used}, but {module} may use only: {allowed}"
+                    )
     return found
 
 
@@ -138,7 +148,10 @@ def outdated(root, write):
         elif before != after and write:
             path.write_text(after, encoding="utf-8")
         elif before != after:
-            yield f"{file}: `{name}` does not say what is true. Run tools/check_dependencies.py --write."
+            yield (
+                f"{file}: `{name}` does not say what is true. Run tools/check_dependencies.py"
+                " --write."
+            )
 
 
 def main():

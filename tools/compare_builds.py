@@ -25,8 +25,15 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOLERANCE = 1e-10
 #: What counts effort, not motion.
-COUNTS = ("active_set_iterations", "linear_iterations", "predictor_iterations", "impulse_iterations",
-          "products_combined", "products_stiffness", "products_mass")
+COUNTS = (
+    "active_set_iterations",
+    "linear_iterations",
+    "predictor_iterations",
+    "impulse_iterations",
+    "products_combined",
+    "products_stiffness",
+    "products_mass",
+)
 #: Differences of round-off, and times.
 IGNORED = ("wall_time", "energy_residual", "energy_transfer")
 
@@ -35,10 +42,23 @@ def run(executable, scene, folder, overrides):
     """Run a scene; @return seconds."""
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    command = [executable, scene, "--quiet", "--set", f"Output directory={folder}", "--set", "Output/VTU=false"]
+    command = [
+        executable,
+        scene,
+        "--quiet",
+        "--set",
+        f"Output directory={folder}",
+        "--set",
+        "Output/VTU=false",
+    ]
     for override in overrides:
         command += ["--set", override]
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMP_NUM_THREADS="1")
+    environment = dict(
+        os.environ,
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        OMP_NUM_THREADS="1",
+    )
     start = time.time()
     result = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
     if result.returncode != 0:
@@ -66,10 +86,12 @@ def group(column):
 def scales(history):
     result = {}
     for column, values in history.items():
-        result[group(column)] = max(result.get(group(column), 0.), max(map(abs, values)))
-    impulse = sum(force * step for force, step in zip(history["contact_force"], history["step_size"]))
+        result[group(column)] = max(result.get(group(column), 0.0), max(map(abs, values)))
+    impulse = sum(
+        force * step for force, step in zip(history["contact_force"], history["step_size"])
+    )
     result["momentum"] = max(result["momentum"], impulse)
-    speed = 2 * result["energy"] / (result["momentum"] or 1.)
+    speed = 2 * result["energy"] / (result["momentum"] or 1.0)
     way = speed * history["time"][-1]
     for column in history:
         if "penetration" in column or column in ("sliding", "slip"):
@@ -84,8 +106,11 @@ def differences(before, after):
     for column in before:
         if column in COUNTS + IGNORED or column not in after:
             continue
-        size = scale[group(column)] or 1.
-        yield max((abs(a - b) / size, column, row) for row, (a, b) in enumerate(zip(before[column], after[column])))
+        size = scale[group(column)] or 1.0
+        yield max(
+            (abs(a - b) / size, column, row)
+            for row, (a, b) in enumerate(zip(before[column], after[column]))
+        )
 
 
 def compare(name, before, after, tolerance):
@@ -94,21 +119,32 @@ def compare(name, before, after, tolerance):
         print(f"{name}: {len(before['step'])} rows before, {len(after['step'])} after  DIFFERENT")
         return False
     part, column, row = max(differences(before, after))
-    counts = ", ".join(f"{count} {sum(before[count]):.0f} -> {sum(after[count]):.0f}"
-                       for count in COUNTS if count in before and count in after and sum(before[count]))
+    counts = ", ".join(
+        f"{count} {sum(before[count]):.0f} -> {sum(after[count]):.0f}"
+        for count in COUNTS
+        if count in before and count in after and sum(before[count])
+    )
     same = part <= tolerance
-    print(f"{name}: largest difference {part:.1e} ({column}, row {row}); {counts}{'' if same else '  DIFFERENT'}", flush=True)
+    print(
+        f"{name}: largest difference {part:.1e} ({column}, row {row});"
+        f" {counts}{'' if same else '  DIFFERENT'}",
+        flush=True,
+    )
     return same
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("what", choices=("record", "against"))
     parser.add_argument("first", help="record: the executable; against: the folder")
     parser.add_argument("second", help="record: the folder; against: the executable")
     parser.add_argument("scenes", nargs="*")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE", dest="overrides")
-    parser.add_argument("--no-run", action="store_true", help="against: compare what was run before")
+    parser.add_argument(
+        "--no-run", action="store_true", help="against: compare what was run before"
+    )
     parser.add_argument("--tolerance", type=float, default=TOLERANCE)
     arguments = parser.parse_args()
     scenes = arguments.scenes or sorted((ROOT / "parameters").glob("*.prm"))
@@ -124,7 +160,10 @@ def main():
         output = folder.resolve() / "again" / scene.stem
         if not arguments.no_run:
             run(executable, scene, output, arguments.overrides)
-        same = compare(scene.stem, read(folder / scene.stem), read(output), arguments.tolerance) and same
+        same = (
+            compare(scene.stem, read(folder / scene.stem), read(output), arguments.tolerance)
+            and same
+        )
     return 0 if same else 1
 
 

@@ -26,7 +26,7 @@ class Mesh:
         self.numbers, self.points, self.cells = {}, [], []
 
     def vertex(self, point):
-        key = tuple(round(x, 9) + 0. for x in point)
+        key = tuple(round(x, 9) + 0.0 for x in point)
         if key not in self.numbers:
             self.points.append(key)
             self.numbers[key] = len(self.points)
@@ -41,7 +41,7 @@ class Mesh:
 # --- anvil -----------------------------------------------------------------------------------------------------------
 
 ANVIL_CELLS = (6, 5, 5)
-ANVIL_HEIGHT, ANVIL_BOTTOM, ANVIL_TOP = 1., (1.2, 0.9), (0.8, 0.6)    # half widths in x and y
+ANVIL_HEIGHT, ANVIL_BOTTOM, ANVIL_TOP = 1.0, (1.2, 0.9), (0.8, 0.6)  # half widths in x and y
 ANVIL_GROUPS = {1: "bottom", 2: "top", 3: "sides"}
 
 
@@ -52,8 +52,11 @@ def anvil():
     def point(i, j, k):
         height = k / ANVIL_CELLS[2]
         wide = [low + height * (high - low) for low, high in zip(ANVIL_BOTTOM, ANVIL_TOP)]
-        return ((2 * i / ANVIL_CELLS[0] - 1) * wide[0], (2 * j / ANVIL_CELLS[1] - 1) * wide[1],
-                ANVIL_HEIGHT * (height - 1))
+        return (
+            (2 * i / ANVIL_CELLS[0] - 1) * wide[0],
+            (2 * j / ANVIL_CELLS[1] - 1) * wide[1],
+            ANVIL_HEIGHT * (height - 1),
+        )
 
     for k, j, i in itertools.product(*(range(n) for n in reversed(ANVIL_CELLS))):
         cell = mesh.cells[mesh.add_cell(lambda u, v, w: point(i + u, j + v, k + w)) - 1]
@@ -73,27 +76,43 @@ def face(cell, direction, side):
         step = [side] * 3
         step[first], step[second] = a, b
         return cell[CORNERS.index(tuple(step))]
+
     return [vertex(0, 0), vertex(1, 0), vertex(1, 1), vertex(0, 1)]
 
 
 def gmsh(mesh, faces):
-    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(ANVIL_GROUPS) + 1)]
-    lines += [f'2 {number} "{name}"' for number, name in ANVIL_GROUPS.items()] + ['3 1 "anvil"', "$EndPhysicalNames"]
+    lines = [
+        "$MeshFormat",
+        "2.2 0 8",
+        "$EndMeshFormat",
+        "$PhysicalNames",
+        str(len(ANVIL_GROUPS) + 1),
+    ]
+    lines += [f'2 {number} "{name}"' for number, name in ANVIL_GROUPS.items()] + [
+        '3 1 "anvil"',
+        "$EndPhysicalNames",
+    ]
     lines += ["$Nodes", str(len(mesh.points))]
-    lines += [f"{number} {x:.9g} {y:.9g} {z:.9g}" for number, (x, y, z) in enumerate(mesh.points, 1)]
+    lines += [
+        f"{number} {x:.9g} {y:.9g} {z:.9g}" for number, (x, y, z) in enumerate(mesh.points, 1)
+    ]
     lines += ["$EndNodes", "$Elements", str(len(faces) + len(mesh.cells))]
-    elements = [(3, group, corners) for group, corners in faces] + [(5, 1, cell) for cell in mesh.cells]
-    lines += [f"{number} {kind} 2 {group} {group} " + " ".join(map(str, corners))
-              for number, (kind, group, corners) in enumerate(elements, 1)]
+    elements = [(3, group, corners) for group, corners in faces] + [
+        (5, 1, cell) for cell in mesh.cells
+    ]
+    lines += [
+        f"{number} {kind} 2 {group} {group} " + " ".join(map(str, corners))
+        for number, (kind, group, corners) in enumerate(elements, 1)
+    ]
     return "\n".join(lines + ["$EndElements", ""])
 
 
 # --- hammer ----------------------------------------------------------------------------------------------------------
 
-CORE_CELLS = 4                                      # in both directions of the square core; as many on each side of the ring
-LENGTHS, RADII = (0., .25, .5, .75, 1., 1.25, 1.5), (.3, .45, .6, .6, .6, .6, .6)
-CORE_PART = 0.5                                     # half width of the core by the radius of the bar
-DOME_RADIUS = 1.
+CORE_CELLS = 4  # in both directions of the square core; as many on each side of the ring
+LENGTHS, RADII = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5), (0.3, 0.45, 0.6, 0.6, 0.6, 0.6, 0.6)
+CORE_PART = 0.5  # half width of the core by the radius of the bar
+DOME_RADIUS = 1.0
 HAMMER_SURFACES = ("FACE-1", "CONE-2", "MANTLE-3", "BACK-4")
 
 
@@ -119,7 +138,7 @@ def ring_point(n, outside):
 def along_the_bar(layer, section):
     """A point of the cross-section of radius 1 in its place. The dome recedes from the plane x = 0."""
     y, z = (RADII[layer] * c for c in section)
-    recession = DOME_RADIUS - math.sqrt(DOME_RADIUS**2 - y * y - z * z) if layer == 0 else 0.
+    recession = DOME_RADIUS - math.sqrt(DOME_RADIUS**2 - y * y - z * z) if layer == 0 else 0.0
     return LENGTHS[layer] + recession, y, z
 
 
@@ -130,10 +149,14 @@ def hammer():
     for layer in range(last + 1):
         elements = []
         for i, j in itertools.product(range(CORE_CELLS), repeat=2):
-            elements.append(mesh.add_cell(lambda u, v, w: along_the_bar(layer + w, core_point(i + u, j + v))))
+            elements.append(
+                mesh.add_cell(lambda u, v, w: along_the_bar(layer + w, core_point(i + u, j + v)))
+            )
         for n in range(4 * CORE_CELLS):
-            elements.append(mesh.add_cell(lambda u, v, w: along_the_bar(layer + w, ring_point(n + v, u == 1))))
-            surfaces["CONE-2" if LENGTHS[layer] < .5 else "MANTLE-3"].append((elements[-1], 4))
+            elements.append(
+                mesh.add_cell(lambda u, v, w: along_the_bar(layer + w, ring_point(n + v, u == 1)))
+            )
+            surfaces["CONE-2" if LENGTHS[layer] < 0.5 else "MANTLE-3"].append((elements[-1], 4))
         if layer == 0:
             surfaces["FACE-1"] += [(element, 1) for element in elements]
         if layer == last:
@@ -143,13 +166,17 @@ def hammer():
 
 def abaqus(mesh, surfaces):
     lines = ["*HEADING", "hammer", "** Written by tools/make_meshes.py", "*NODE, NSET=ALL"]
-    lines += [f"{number}, {x:.9g}, {y:.9g}, {z:.9g}" for number, (x, y, z) in enumerate(mesh.points, 1)]
+    lines += [
+        f"{number}, {x:.9g}, {y:.9g}, {z:.9g}" for number, (x, y, z) in enumerate(mesh.points, 1)
+    ]
     lines += ["*ELEMENT, TYPE=C3D8, ELSET=HAMMER"]
-    lines += [f"{number}, " + ", ".join(map(str, cell)) for number, cell in enumerate(mesh.cells, 1)]
+    lines += [
+        f"{number}, " + ", ".join(map(str, cell)) for number, cell in enumerate(mesh.cells, 1)
+    ]
     for name, faces in surfaces.items():
         numbers, kind = [str(element) for element, _ in faces], faces[0][1]
         lines += [f"*ELSET, ELSET={name}_S{kind}"]
-        lines += [", ".join(numbers[start:start + 16]) for start in range(0, len(numbers), 16)]
+        lines += [", ".join(numbers[start : start + 16]) for start in range(0, len(numbers), 16)]
         lines += [f"*SURFACE, TYPE=ELEMENT, NAME={name}", f"{name}_S{kind}, S{kind}"]
     return "\n".join(lines + [""])
 

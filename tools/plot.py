@@ -11,8 +11,10 @@ import sys
 try:
     from plotting import bodies, curves, style
 except ImportError as error:
-    sys.exit(f"plot.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio, "
-             "and run it with /usr/bin/python3 (./dev plot DIR does both).")
+    sys.exit(
+        f"plot.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio, "
+        "and run it with /usr/bin/python3 (./dev plot DIR does both)."
+    )
 
 from plotting.problem import Problem
 from plotting.tables import read_table
@@ -35,8 +37,11 @@ def plot_history(directory, pictures, problems):
     except Problem as problem:
         problems.append(problem)
         return None
-    for name, draw in (("energy", curves.energy), ("contact_force", curves.contact_force),
-                       ("momentum", curves.momentum)):
+    for name, draw in (
+        ("energy", curves.energy),
+        ("contact_force", curves.contact_force),
+        ("momentum", curves.momentum),
+    ):
         try:
             write(draw(history), pictures / f"{name}.png")
         except Problem as problem:
@@ -56,8 +61,9 @@ def plot_probes(directory, pictures, problems):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("directory", type=pathlib.Path, metavar="DIR",
-                        help="output directory of a run")
+    parser.add_argument(
+        "directory", type=pathlib.Path, metavar="DIR", help="output directory of a run"
+    )
     directory = parser.parse_args().directory
     if not directory.is_dir():
         sys.exit(f"plot.py: {directory} is not a directory. Give the 'Output directory' of a run.")

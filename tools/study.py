@@ -38,15 +38,36 @@ NAMES = ("krause-walloth", "bar-table", "adaptive")
 
 def parse():
     """The command line."""
-    parser = argparse.ArgumentParser(prog="study.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        prog="study.py", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("executable", metavar="EXECUTABLE")
     parser.add_argument("study", metavar="STUDY", help=f"a file, or one of {', '.join(NAMES)}")
-    parser.add_argument("folder", metavar="FOLDER", nargs="?", help="where results go (default: output/<name of the study>)")
-    parser.add_argument("--coarse", action="store_true", help="the cheap version, with the keys of [coarse]")
-    parser.add_argument("--jobs", type=int, metavar="N", help="runs at a time (default: 1, of a named study 2)")
-    parser.add_argument("--draw-only", action="store_true", help="no runs: tables, figures and page from the results in FOLDER")
-    parser.add_argument("--page", metavar="FILE.md", type=pathlib.Path,
-                        help="krause-walloth: a copy of the page, with its figures in the folder pictures next to it")
+    parser.add_argument(
+        "folder",
+        metavar="FOLDER",
+        nargs="?",
+        help="where results go (default: output/<name of the study>)",
+    )
+    parser.add_argument(
+        "--coarse", action="store_true", help="the cheap version, with the keys of [coarse]"
+    )
+    parser.add_argument(
+        "--jobs", type=int, metavar="N", help="runs at a time (default: 1, of a named study 2)"
+    )
+    parser.add_argument(
+        "--draw-only",
+        action="store_true",
+        help="no runs: tables, figures and page from the results in FOLDER",
+    )
+    parser.add_argument(
+        "--page",
+        metavar="FILE.md",
+        type=pathlib.Path,
+        help=(
+            "krause-walloth: a copy of the page, with its figures in the folder pictures next to it"
+        ),
+    )
     arguments = parser.parse_args()
     if arguments.jobs is not None and arguments.jobs < 1:
         parser.error("--jobs: give a number of 1 or more")
@@ -63,8 +84,12 @@ def study_of_a_file(arguments):
     tasks = runs.tasks(study, folder)
     reference_tasks, belongs = references.plan(study, tasks, folder)
     everything = reference_tasks + tasks
-    done = runs.read_all(everything) if arguments.draw_only else runs.run_all(arguments.executable, everything, arguments.jobs or 1)
-    results = done[len(reference_tasks):]
+    done = (
+        runs.read_all(everything)
+        if arguments.draw_only
+        else runs.run_all(arguments.executable, everything, arguments.jobs or 1)
+    )
+    results = done[len(reference_tasks) :]
     for number, result in enumerate(results):
         result.exact_force = study.exact_force
         result.reference = done[belongs[number]] if belongs else None
@@ -72,6 +97,7 @@ def study_of_a_file(arguments):
     tables.write(rows, folder / "table")
     if study.figure:
         from studies import scatter  # needs matplotlib, a table does not
+
         scatter.draw(study, results, folder / "figure.png")
     print(f"\n{tables.markdown(rows)}\n\n{folder / 'table.md'}")
     return all(done)
@@ -83,12 +109,15 @@ def main():
         instants.use(arguments.executable)
         if arguments.study == "krause-walloth":
             from studies import comparison  # needs matplotlib, a study of a file does not
+
             good = comparison.krause_walloth(arguments, ROOT)
         elif arguments.study == "bar-table":
             from studies import bar_table
+
             good = bar_table.bar_table(arguments, ROOT)
         elif arguments.study == "adaptive":
             from studies import adaptive
+
             good = adaptive.adaptive(arguments, ROOT)
         else:
             good = study_of_a_file(arguments)
@@ -96,9 +125,14 @@ def main():
         print(f"study.py: {mistake}", file=sys.stderr)
         sys.exit(2)
     except OSError as error:
-        sys.exit(f"study.py: {error.filename}: {error.strerror}. Name a folder that can be written.")
+        sys.exit(
+            f"study.py: {error.filename}: {error.strerror}. Name a folder that can be written."
+        )
     except ImportError as error:
-        sys.exit(f"study.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio, and run it with /usr/bin/python3 (./dev study does both).")
+        sys.exit(
+            f"study.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio, and"
+            " run it with /usr/bin/python3 (./dev study does both)."
+        )
     sys.exit(0 if good else 1)
 
 

@@ -18,10 +18,14 @@ from plotting import curves, fields, moments, solids  # noqa: E402
 from plotting.problem import Problem  # noqa: E402
 from plotting.tables import read_table  # noqa: E402
 
-HISTORY = ("time,kinetic_energy,elastic_energy,external_energy,total_energy,work_contact,"
-           "contact_force,active_nodes,momentum_x")
-UNIT_CUBE = numpy.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
-                         [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
+HISTORY = (
+    "time,kinetic_energy,elastic_energy,external_energy,total_energy,work_contact,"
+    "contact_force,active_nodes,momentum_x"
+)
+UNIT_CUBE = numpy.array(
+    [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]],
+    dtype=float,
+)
 
 
 def block_of_cubes(n):
@@ -36,18 +40,18 @@ def fields_of(points, cells, **cell_data):
 
 
 class Phases(unittest.TestCase):
-    time = numpy.arange(6.)
+    time = numpy.arange(6.0)
 
     def test_contact_begins_one_step_before_the_first_force(self):
-        force = numpy.array([0., 0., 3., 2., 0., 0.])
-        self.assertEqual(curves.contact_phases(self.time, force), [(1., 3.)])
+        force = numpy.array([0.0, 0.0, 3.0, 2.0, 0.0, 0.0])
+        self.assertEqual(curves.contact_phases(self.time, force), [(1.0, 3.0)])
 
     def test_several_impacts(self):
-        force = numpy.array([0., 3., 0., 0., 1., 1.])
-        self.assertEqual(curves.contact_phases(self.time, force), [(0., 1.), (3., 5.)])
+        force = numpy.array([0.0, 3.0, 0.0, 0.0, 1.0, 1.0])
+        self.assertEqual(curves.contact_phases(self.time, force), [(0.0, 1.0), (3.0, 5.0)])
 
     def test_none(self):
-        self.assertEqual(curves.contact_phases(self.time, 0. * self.time), [])
+        self.assertEqual(curves.contact_phases(self.time, 0.0 * self.time), [])
 
 
 class Skin(unittest.TestCase):
@@ -56,24 +60,26 @@ class Skin(unittest.TestCase):
         points, cells = block_of_cubes(3)
         skin = solids.boundary_faces(fields_of(points, cells), points)
         self.assertEqual(len(skin.cell), 54)
-        numpy.testing.assert_allclose(skin.normals.sum(axis=0), 0., atol=1e-12)
+        numpy.testing.assert_allclose(skin.normals.sum(axis=0), 0.0, atol=1e-12)
         outwards = numpy.einsum("ij,ij->i", skin.normals, skin.corners.mean(axis=1) - 1.5)
         numpy.testing.assert_allclose(outwards, 1.5)
 
     def test_touching_bodies_keep_their_faces(self):
-        points = numpy.concatenate([UNIT_CUBE, UNIT_CUBE + [0., 0., 1.]])
+        points = numpy.concatenate([UNIT_CUBE, UNIT_CUBE + [0.0, 0.0, 1.0]])
         cells = numpy.arange(16).reshape(2, 8)
-        for body, n_faces in (([0., 1.], 12), ([0., 0.], 10)):
+        for body, n_faces in (([0.0, 1.0], 12), ([0.0, 0.0], 10)):
             skin = solids.boundary_faces(fields_of(points, cells, body=numpy.array(body)), points)
             self.assertEqual(len(skin.cell), n_faces)
 
     def test_subdivision_of_a_bilinear_field(self):
         """The mean of the small faces is the mean of the field, the corners stay in place."""
-        faces, values = solids.subdivide(UNIT_CUBE[None, :4], numpy.array([[0., 0., 1.]]),
-                                         numpy.array([[0., 2., 6., 4.]]))
-        self.assertAlmostEqual(values.mean(), 3.)
-        numpy.testing.assert_allclose(2. * faces.corners.mean(axis=1)[:, 0]
-                                      + 4. * faces.corners.mean(axis=1)[:, 1], values)
+        faces, values = solids.subdivide(
+            UNIT_CUBE[None, :4], numpy.array([[0.0, 0.0, 1.0]]), numpy.array([[0.0, 2.0, 6.0, 4.0]])
+        )
+        self.assertAlmostEqual(values.mean(), 3.0)
+        numpy.testing.assert_allclose(
+            2.0 * faces.corners.mean(axis=1)[:, 0] + 4.0 * faces.corners.mean(axis=1)[:, 1], values
+        )
 
 
 class Files(unittest.TestCase):
@@ -83,8 +89,12 @@ class Files(unittest.TestCase):
         self.run = pathlib.Path(folder.name)
 
     def plot(self):
-        return subprocess.run([sys.executable, "-B", TOOLS / "plot.py", self.run],
-                              capture_output=True, text=True, check=False)
+        return subprocess.run(
+            [sys.executable, "-B", TOOLS / "plot.py", self.run],
+            capture_output=True,
+            text=True,
+            check=False,
+        )
 
     def pictures(self):
         return {path.name for path in (self.run / "pictures").glob("*.png")}
@@ -98,25 +108,42 @@ class Files(unittest.TestCase):
         points, cells = block_of_cubes(2)
         top = points[:, 2].max()
         for n in range(2):
-            data = {"displacement": 0. * points - [0., 0., n], "CPRESS": n * (top - points[:, 2])}
-            meshio.write(self.run / f"fields/volume_{n}.0.vtu",
-                         meshio.Mesh(points, [("hexahedron", cells)], data))
+            data = {
+                "displacement": 0.0 * points - [0.0, 0.0, n],
+                "CPRESS": n * (top - points[:, 2]),
+            }
+            meshio.write(
+                self.run / f"fields/volume_{n}.0.vtu",
+                meshio.Mesh(points, [("hexahedron", cells)], data),
+            )
             skin = solids.boundary_faces(fields_of(points, cells), points).corners.reshape(-1, 3)
-            data = {"displacement": 0. * skin - [0., 0., n], "CPRESS": n * (top - skin[:, 2])}
-            meshio.write(self.run / f"fields/surface_{n}.0.vtu", meshio.Mesh(
-                skin, [("quad", numpy.arange(len(skin)).reshape(-1, 4))], data))
+            data = {"displacement": 0.0 * skin - [0.0, 0.0, n], "CPRESS": n * (top - skin[:, 2])}
+            meshio.write(
+                self.run / f"fields/surface_{n}.0.vtu",
+                meshio.Mesh(skin, [("quad", numpy.arange(len(skin)).reshape(-1, 4))], data),
+            )
         for kind in ("volume", "surface"):
             for n in range(2):
                 (self.run / f"fields/{kind}_{n}.1.vtu").write_text(
-                    '<VTKFile><Piece NumberOfPoints="0" NumberOfCells="0" ></Piece></VTKFile>')
+                    '<VTKFile><Piece NumberOfPoints="0" NumberOfCells="0" ></Piece></VTKFile>'
+                )
                 (self.run / f"fields/{kind}_{n}.pvtu").write_text(
-                    f'<VTKFile><Piece Source="{kind}_{n}.0.vtu"/><Piece Source="{kind}_{n}.1.vtu"/></VTKFile>')
-            (self.run / f"{kind}.pvd").write_text("<VTKFile>" + "".join(
-                f'<DataSet timestep="{n}" file="fields/{kind}_{n}.pvtu"/>' for n in range(2)) + "</VTKFile>")
+                    f'<VTKFile><Piece Source="{kind}_{n}.0.vtu"/><Piece'
+                    f' Source="{kind}_{n}.1.vtu"/></VTKFile>'
+                )
+            (self.run / f"{kind}.pvd").write_text(
+                "<VTKFile>"
+                + "".join(
+                    f'<DataSet timestep="{n}" file="fields/{kind}_{n}.pvtu"/>' for n in range(2)
+                )
+                + "</VTKFile>"
+            )
 
     def test_half_a_row_is_skipped(self):
         self.write_history("0,1,0,0,1,0,0,0,2", "1,1,0,0,1,0,5,1,2", "2,1,0")
-        numpy.testing.assert_allclose(read_table(self.run / "history.csv")["contact_force"], [0., 5.])
+        numpy.testing.assert_allclose(
+            read_table(self.run / "history.csv")["contact_force"], [0.0, 5.0]
+        )
 
     def test_header_only(self):
         self.write_history()
@@ -142,15 +169,15 @@ class Files(unittest.TestCase):
         self.assertIn("bodies.png", self.pictures())
         start, end = moments.read_moments(self.run, read_table(self.run / "history.csv"))
         self.assertEqual(start.title, "start, time 0")
-        self.assertEqual(end.positions[:, 2].min(), -1.)
-        self.assertEqual(end.surface.at_cells("CPRESS").max(), 2.)
+        self.assertEqual(end.positions[:, 2].min(), -1.0)
+        self.assertEqual(end.surface.at_cells("CPRESS").max(), 2.0)
 
     def test_missing_and_broken_pieces(self):
         self.write_history("0,1,0,0,1,0,0,0,2")
         self.write_fields()
         piece = self.run / "fields/volume_1.0.vtu"
         whole = piece.read_bytes()
-        piece.write_bytes(whole[:len(whole) // 2])
+        piece.write_bytes(whole[: len(whole) // 2])
         self.assertRaises(Problem, fields.read_fields, self.run / "fields/volume_1.pvtu")
         piece.unlink()
         self.assertRaises(Problem, fields.read_fields, self.run / "fields/volume_1.pvtu")

@@ -28,8 +28,9 @@ def own_lines(text):
 class CommandLine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        version = subprocess.run([EXECUTABLE, "--version"], timeout=TIMEOUT, check=True,
-                                 capture_output=True, text=True)
+        version = subprocess.run(
+            [EXECUTABLE, "--version"], timeout=TIMEOUT, check=True, capture_output=True, text=True
+        )
         cls.libraries_are_silent = version.stderr == ""
 
     def setUp(self):
@@ -39,8 +40,14 @@ class CommandLine(unittest.TestCase):
 
     def call(self, *arguments, processes=1):
         mpirun = ["mpirun", "--oversubscribe", "-np", str(processes)] if processes > 1 else []
-        return subprocess.run(mpirun + [EXECUTABLE, *arguments], cwd=self.folder, timeout=TIMEOUT,
-                              capture_output=True, text=True, check=False)
+        return subprocess.run(
+            mpirun + [EXECUTABLE, *arguments],
+            cwd=self.folder,
+            timeout=TIMEOUT,
+            capture_output=True,
+            text=True,
+            check=False,
+        )
 
     def expect_nothing_else(self, stderr, own):
         """Where libraries are silent, every line is the program's own."""
@@ -55,15 +62,24 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(result.stderr.count("signorini: "), 1, result.stderr)
             for word in words:
                 self.assertIn(word, own[0])
-            for noise in ("Stacktrace", "An error occurred in line", "Message:", "terminate called"):
+            for noise in (
+                "Stacktrace",
+                "An error occurred in line",
+                "Message:",
+                "terminate called",
+            ):
                 self.assertNotIn(noise, result.stderr)
             if processes == 1:
                 self.expect_nothing_else(result.stderr, own)
             self.assertEqual(os.listdir(self.folder), [])
 
     def test_information(self):
-        for arguments, word in (([], "parameters/quick_start.prm"), (["--help"], "--validate"),
-                                (["--version"], "deal.II"), (["--print-parameters"], "set Step size")):
+        for arguments, word in (
+            ([], "parameters/quick_start.prm"),
+            (["--help"], "--validate"),
+            (["--version"], "deal.II"),
+            (["--print-parameters"], "set Step size"),
+        ):
             result = self.call(*arguments)
             self.assertEqual((result.returncode, own_lines(result.stderr)), (0, []), result.stderr)
             self.expect_nothing_else(result.stderr, [])
@@ -71,8 +87,14 @@ class CommandLine(unittest.TestCase):
 
     def test_table_of_schemes(self):
         """As a table it is the one in doc/schemes.md, for programs it is JSON, and a scene can name each scheme."""
-        page = (pathlib.Path(QUICK_START).parents[1] / "doc" / "schemes.md").read_text(encoding="utf-8")
-        self.assertIn(self.call("--print-schemes").stdout.strip(), page, "put the new table into doc/schemes.md")
+        page = (pathlib.Path(QUICK_START).parents[1] / "doc" / "schemes.md").read_text(
+            encoding="utf-8"
+        )
+        self.assertIn(
+            self.call("--print-schemes").stdout.strip(),
+            page,
+            "put the new table into doc/schemes.md",
+        )
         schemes = json.loads(self.call("--print-schemes=json").stdout)
         self.assertGreater(len(schemes), 10)
         for scheme in schemes:
@@ -91,35 +113,57 @@ class CommandLine(unittest.TestCase):
         self.expect_mistake([str(self.folder)], "directory")
 
     def test_mistakes_of_the_scene(self):
-        for assignment, word in (("Bodies/ball/Young's modulus=-1", "positive"),
-                                 ("Bodies/ball/Poisson's ratio=0.5", "incompressible"),
-                                 ("Bodies/ball/Initial velocity=0;0;foo(x)", "foo"),
-                                 ("Time/Scheme=newmrk", "Did you mean `newmark`?"),
-                                 ("Time/Step size=nan", "finite"),
-                                 ("Contact/Pairs=ball : roof", "roof"),
-                                 ("Nonsense/Key=1", "Nonsense"),
-                                 ("Output directory=/dev/null/x", "/dev/null")):
+        for assignment, word in (
+            ("Bodies/ball/Young's modulus=-1", "positive"),
+            ("Bodies/ball/Poisson's ratio=0.5", "incompressible"),
+            ("Bodies/ball/Initial velocity=0;0;foo(x)", "foo"),
+            ("Time/Scheme=newmrk", "Did you mean `newmark`?"),
+            ("Time/Step size=nan", "finite"),
+            ("Contact/Pairs=ball : roof", "roof"),
+            ("Nonsense/Key=1", "Nonsense"),
+            ("Output directory=/dev/null/x", "/dev/null"),
+        ):
             self.expect_mistake([QUICK_START, "--validate", "--set", assignment], word)
         adaptive = str(pathlib.Path(QUICK_START).parent / "adaptive_bar.prm")
-        self.expect_mistake([adaptive, "--validate", "--set", "Adaptivity/Maximum cells=3"], "Maximum cells = 3", "begins with")
+        self.expect_mistake(
+            [adaptive, "--validate", "--set", "Adaptivity/Maximum cells=3"],
+            "Maximum cells = 3",
+            "begins with",
+        )
 
     def test_mistakes_of_a_mesh_file(self):
-        anvil = (pathlib.Path(QUICK_START).parent / "meshes" / "anvil.msh").read_text(encoding="utf-8")
+        anvil = (pathlib.Path(QUICK_START).parent / "meshes" / "anvil.msh").read_text(
+            encoding="utf-8"
+        )
         with tempfile.TemporaryDirectory() as folder:
-            for name, text, word in (("cut.msh", anvil[:len(anvil) // 2], "broken"),
-                                     ("reference.msh", anvil.replace("$Nodes\n252\n1 ", "$Nodes\n252\n999 "), "index 1 "),
-                                     ("inverted.msh", anvil.replace("\n101 -0.3", "\n101 5.3"), "inverted")):
+            for name, text, word in (
+                ("cut.msh", anvil[: len(anvil) // 2], "broken"),
+                (
+                    "reference.msh",
+                    anvil.replace("$Nodes\n252\n1 ", "$Nodes\n252\n999 "),
+                    "index 1 ",
+                ),
+                ("inverted.msh", anvil.replace("\n101 -0.3", "\n101 5.3"), "inverted"),
+            ):
                 self.assertNotEqual(text, anvil)
                 file = pathlib.Path(folder) / name
                 file.write_text(text, encoding="utf-8")
-                arguments = [QUICK_START, "--set", "Bodies/ball/Shape=file", "--set", f"Bodies/ball/File={file}"]
+                arguments = [
+                    QUICK_START,
+                    "--set",
+                    "Bodies/ball/Shape=file",
+                    "--set",
+                    f"Bodies/ball/File={file}",
+                ]
                 self.expect_mistake(arguments, word, name)
                 self.expect_mistake(arguments, word, name, processes=2)
 
     def test_two_processes(self):
         self.expect_mistake(["missing.prm"], "missing.prm", processes=2)
         self.expect_mistake([QUICK_START, "--set", "Time/Step size=0"], "positive", processes=2)
-        self.expect_mistake([QUICK_START, "--set", "Output directory=/dev/null/x"], "/dev/null", processes=2)
+        self.expect_mistake(
+            [QUICK_START, "--set", "Output directory=/dev/null/x"], "/dev/null", processes=2
+        )
         self.expect_mistake([QUICK_START, "--wrong"], "--wrong", processes=2)
 
     def test_validate_leaves_nothing_behind(self):

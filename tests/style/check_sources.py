@@ -22,11 +22,16 @@ COPYRIGHT = "by the signorini authors"
 def sources(root):
     """Paths relative to root of the tracked files, or of all files where git cannot tell."""
     try:
-        git = subprocess.run(["git", "-C", root, "ls-files", "-z"], capture_output=True, text=True, check=True)
+        git = subprocess.run(
+            ["git", "-C", root, "ls-files", "-z"], capture_output=True, text=True, check=True
+        )
         names = [name for name in git.stdout.split("\0") if name]
     except (OSError, subprocess.CalledProcessError):  # not installed, or no repository
-        names = [path.relative_to(root).as_posix() for path in root.rglob("*")
-                 if path.is_file() and path.relative_to(root).parts[0] not in ("build", "output", ".git")]
+        names = [
+            path.relative_to(root).as_posix()
+            for path in root.rglob("*")
+            if path.is_file() and path.relative_to(root).parts[0] not in ("build", "output", ".git")
+        ]
     return [pathlib.PurePosixPath(name) for name in sorted(names) if (root / name).is_file()]
 
 
@@ -49,8 +54,11 @@ def blank(match):
 
 
 #: What may hold braces that open no block: comments, strings, characters and preprocessor lines.
-NO_CODE = re.compile(r"""//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'"""
-                     r"""|^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*""", re.DOTALL | re.MULTILINE)
+NO_CODE = re.compile(
+    r"""//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])'"""
+    r"""|^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*""",
+    re.DOTALL | re.MULTILINE,
+)
 
 
 def functions_of_cpp(text):
@@ -59,10 +67,18 @@ def functions_of_cpp(text):
     head_start, depth_of_function, depth, head = 0, None, 0, ""
     for brace in re.finditer(r"[{};]|(?<=[^:])(?:public|private|protected):", code):
         if brace.group() == "{":
-            before = code[head_start:brace.start()]
-            scope = re.match(r"\s*(template\s*<.*>\s*)?(inline\s+)?(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
-                             before, re.DOTALL)
-            if depth_of_function is None and not scope and "(" in before and not before.rstrip().endswith("="):
+            before = code[head_start : brace.start()]
+            scope = re.match(
+                r"\s*(template\s*<.*>\s*)?(inline\s+)?(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
+                before,
+                re.DOTALL,
+            )
+            if (
+                depth_of_function is None
+                and not scope
+                and "(" in before
+                and not before.rstrip().endswith("=")
+            ):
                 depth_of_function, head = depth, before.strip()
                 first = code.count("\n", 0, head_start + len(before) - len(before.lstrip())) + 1
             depth += 1
@@ -90,14 +106,19 @@ def functions(root):
             continue
         for function, first, lines in languages[name.suffix](read(root, name)):
             if lines > MAXIMUM_FUNCTION_LINES:
-                yield (f"{name}:{first}: {function} has {lines} lines; at most {MAXIMUM_FUNCTION_LINES}: "
-                       "give its steps names")
+                yield (
+                    f"{name}:{first}: {function} has {lines} lines; at most"
+                    f" {MAXIMUM_FUNCTION_LINES}: give its steps names"
+                )
 
 
 def columns(root):
     """Lines have at most MAXIMUM_COLUMNS columns, but for tables and addresses in documents."""
     for name in sources(root):
-        if name.suffix not in (".h", ".cc", ".py", ".md", ".cmake") and name.name not in ("dev", "CMakeLists.txt"):
+        if name.suffix not in (".h", ".cc", ".py", ".md", ".cmake") and name.name not in (
+            "dev",
+            "CMakeLists.txt",
+        ):
             continue
         for number, line in enumerate(read(root, name).splitlines(), 1):
             excepted = name.suffix == ".md" and (line.lstrip().startswith("|") or "://" in line)
@@ -112,7 +133,9 @@ def guard(root):
             continue
         expected = "_".join(name.with_suffix("").parts[1:]) + "_h"
         code = re.sub(r"//[^\n]*|/\*.*?\*/", "", read(root, name), flags=re.DOTALL).strip()
-        if not code.startswith(f"#ifndef {expected}\n#define {expected}\n") or not code.endswith("#endif"):
+        if not code.startswith(f"#ifndef {expected}\n#define {expected}\n") or not code.endswith(
+            "#endif"
+        ):
             yield f"{name}: the include guard must be {expected}, around the whole file"
 
 
@@ -120,27 +143,46 @@ def licence(root):
     """Sources and scripts name licence and copyright in their first three lines."""
     for name in sources(root):
         list_of_sources = name.match("source/*/CMakeLists.txt")  # nothing in there to license
-        script = name.parts[0] in ("dev", ".ci") or (name.name == "CMakeLists.txt" and not list_of_sources)
+        script = name.parts[0] in ("dev", ".ci") or (
+            name.name == "CMakeLists.txt" and not list_of_sources
+        )
         if script or name.suffix in (".h", ".cc", ".py", ".cmake", ".sh"):
             top = "\n".join(read(root, name).splitlines()[:3])
             if read(root, name) and not (LICENCE in top and COPYRIGHT in top):
-                yield f"{name}: the first lines must say '{LICENCE}' and 'Copyright (C) <year> {COPYRIGHT}'"
+                yield (
+                    f"{name}: the first lines must say '{LICENCE}' and 'Copyright (C) <year>"
+                    f" {COPYRIGHT}'"
+                )
 
 
 def schemes(root):
     """Names of schemes stand in the table of schemes and in tests only: nothing compares with them."""
     table = root / "source" / "schemes" / "scheme_table.cc"
-    names = re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8")) if table.exists() else []
+    names = (
+        re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8"))
+        if table.exists()
+        else []
+    )
     literal = re.compile(rf'"[^"]*\b({"|".join(names)})\b[^"]*"|"newmark"') if names else None
     for name in sources(root):
         if literal and name.parts[0] in ("source", "include", "tools") and root / name != table:
             for number, line in enumerate(read(root, name).splitlines(), 1):
                 code = line.partition("//")[0] if name.suffix in (".h", ".cc") else line
                 if not code.lstrip().startswith("*") and literal.search(code):
-                    yield f"{name}:{number}: names a scheme; ask the table of schemes (SchemeInfo) for a property"
+                    yield (
+                        f"{name}:{number}: names a scheme; ask the table of schemes (SchemeInfo)"
+                        " for a property"
+                    )
 
 
-CHECKS = {"schemes": schemes, "length": length, "functions": functions, "columns": columns, "guard": guard, "licence": licence}
+CHECKS = {
+    "schemes": schemes,
+    "length": length,
+    "functions": functions,
+    "columns": columns,
+    "guard": guard,
+    "licence": licence,
+}
 
 
 def main():

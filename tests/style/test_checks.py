@@ -12,8 +12,10 @@ sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / "tools")]
 import check_dependencies  # noqa: E402
 import check_sources  # noqa: E402
 
-HEADER = (f"// {check_sources.LICENCE}\n// Copyright (C) 2026 {check_sources.COPYRIGHT}\n\n"
-          "#ifndef signorini_time_state_h\n#define signorini_time_state_h\n%s\n#endif\n")
+HEADER = (
+    f"// {check_sources.LICENCE}\n// Copyright (C) 2026 {check_sources.COPYRIGHT}\n\n"
+    "#ifndef signorini_time_state_h\n#define signorini_time_state_h\n%s\n#endif\n"
+)
 
 
 class StyleChecks(unittest.TestCase):
@@ -60,9 +62,11 @@ class StyleChecks(unittest.TestCase):
 
     def test_long_classes_and_tables_are_no_functions(self):
         lines = "\n" * check_sources.MAXIMUM_FUNCTION_LINES
-        self.write(f"namespace a\n{{\nclass B : public C<int (*)()>\n{{\nvoid f() {{}}{lines}}};\n"
-                   f"const D d[] = {{ {lines} e() }};\nenum class F {{ g, {lines} h }};\n}}\n",
-                   name="source/time/state.cc")
+        self.write(
+            f"namespace a\n{{\nclass B : public C<int (*)()>\n{{\nvoid f() {{}}{lines}}};\n"
+            f"const D d[] = {{ {lines} e() }};\nenum class F {{ g, {lines} h }};\n}}\n",
+            name="source/time/state.cc",
+        )
         self.assertEqual(self.findings(check_sources.functions), 0)
 
     def test_columns(self):

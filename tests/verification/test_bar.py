@@ -11,17 +11,22 @@ import statistics
 import check_history
 
 AREA = 0.1
-PRESSURE = 300.  # rho c v: the exact contact pressure
-START, END = 0.5, 7. / 6.  # of the exact contact
+PRESSURE = 300.0  # rho c v: the exact contact pressure
+START, END = 0.5, 7.0 / 6.0  # of the exact contact
 
 
 class Bar(check_history.SceneTest):
     def run_bar(self, scheme, *overrides):
-        run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", "-".join(["bar", scheme, *map(str, range(len(overrides)))]),
-                                [f"Time/Scheme={scheme}", *overrides])
+        run = check_history.Run(
+            check_history.PARAMETERS / "bar_2d.prm",
+            "-".join(["bar", scheme, *map(str, range(len(overrides)))]),
+            [f"Time/Scheme={scheme}", *overrides],
+        )
         run.pressure = [force / (PRESSURE * AREA) for force in run["contact_force"]]
         margin = 0.1 * (END - START)
-        middle = [p for p, t in zip(run.pressure, run["time"]) if START + margin <= t <= END - margin]
+        middle = [
+            p for p, t in zip(run.pressure, run["time"]) if START + margin <= t <= END - margin
+        ]
         run.deviation = statistics.pstdev(middle)
         run.changes = [energy / run["total_energy"][0] - 1 for energy in run["total_energy"]]
         return run
@@ -96,8 +101,15 @@ class Bar(check_history.SceneTest):
         self.expect_errors(run, 0.0090, 0.084)
         self.expect_close(max(run.pressure), 1.10, 0.03, "largest contact pressure")
         self.assertLess(run.deviation, 0.002, "deviation of the contact pressure")
-        self.assertLess(max(abs(velocity) for time, velocity in zip(run["time"], run.probes["contact_end"]["normal_velocity"])
-                            if START + 0.01 < time < END - 0.01), 1e-7, "normal velocity in contact")
+        self.assertLess(
+            max(
+                abs(velocity)
+                for time, velocity in zip(run["time"], run.probes["contact_end"]["normal_velocity"])
+                if START + 0.01 < time < END - 0.01
+            ),
+            1e-7,
+            "normal velocity in contact",
+        )
 
     def test_hht_alpha(self):
         run = self.run_bar("hht-alpha")

@@ -11,16 +11,19 @@ import check_history
 
 class GeometryA(check_history.SceneTest):
     def run_ball(self, scheme):
-        return check_history.Run(check_history.PARAMETERS / "geometry_a.prm", f"geometry-a-{scheme}",
-                                 [f"Time/Scheme={scheme}", "Bodies/ball/Refinements=3"])
+        return check_history.Run(
+            check_history.PARAMETERS / "geometry_a.prm",
+            f"geometry-a-{scheme}",
+            [f"Time/Scheme={scheme}", "Bodies/ball/Refinements=3"],
+        )
 
     def test_newmark_gains_energy(self):
         self.expect_close(self.run_ball("newmark").energy_change(), 0.049, 0.05, "energy change")
 
     def test_contact_implicit(self):
         run = self.run_ball("contact-implicit")
-        mass = run["momentum_z"][0] / -2.
-        contact = [time for time, force in zip(run["time"], run["contact_force"]) if force > 0.]
+        mass = run["momentum_z"][0] / -2.0
+        contact = [time for time, force in zip(run["time"], run["contact_force"]) if force > 0.0]
         self.expect_close(run.impulse(), 16.4, 0.01, "impulse")
         self.expect_close(run["momentum_z"][-1] / mass, 1.98, 0.01, "rebound speed")
         self.expect_close(max(run["contact_force"]), 99.4, 0.01, "largest force")
@@ -33,7 +36,7 @@ class GeometryA(check_history.SceneTest):
         run = self.run_ball("contact-stabilized")
         force = run["contact_force"]
         self.expect_close(run.energy_change(), -0.0051, 0.05, "energy change")
-        self.assertTrue(97. < max(force) < 100., max(force))
+        self.assertTrue(97.0 < max(force) < 100.0, max(force))
         variation = sum(abs(b - a) for a, b in zip(force, force[1:])) / (2 * max(force))
         self.assertLess(variation, 1.02, "one smooth hump")
 

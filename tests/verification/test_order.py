@@ -20,18 +20,35 @@ sys.path.insert(0, str(check_history.SOURCE / "tools"))
 from studies import distances, instants, observe  # noqa: E402
 
 REDISTRIBUTED = {
-    "khenous-laborde-renard 1/4": ["Time/Scheme=khenous-laborde-renard", "Time/Newmark beta=0.25", "Time/Newmark gamma=0.5"],
-    "khenous-laborde-renard 1/2": ["Time/Scheme=khenous-laborde-renard", "Time/Newmark beta=0.5", "Time/Newmark gamma=0.5"],
+    "khenous-laborde-renard 1/4": [
+        "Time/Scheme=khenous-laborde-renard",
+        "Time/Newmark beta=0.25",
+        "Time/Newmark gamma=0.5",
+    ],
+    "khenous-laborde-renard 1/2": [
+        "Time/Scheme=khenous-laborde-renard",
+        "Time/Newmark beta=0.5",
+        "Time/Newmark gamma=0.5",
+    ],
     "contact-implicit redistributed": ["Time/Scheme=contact-implicit", "Time/Mass=redistributed"],
 }
 #: Conditions of velocities: errors scatter.
 SCATTERING = ("laursen-chawla", "moreau-jean")
 FIRST_ORDER = ("backward-euler",)
-SMOOTH = [scheme for scheme in (*check_history.SCHEMES, *check_history.FURTHER_SCHEMES) if scheme not in SCATTERING + FIRST_ORDER] + list(REDISTRIBUTED)
+SMOOTH = [
+    scheme
+    for scheme in (*check_history.SCHEMES, *check_history.FURTHER_SCHEMES)
+    if scheme not in SCATTERING + FIRST_ORDER
+] + list(REDISTRIBUTED)
 #: Where the order of the force is clear, and where in the step it does not belong.
-FORCES = {"contact-stabilized": instants.END, "contact-stabilized-projected": instants.END, "generalized-alpha": instants.END,
-          "contact-implicit redistributed": instants.END, "khenous-laborde-renard 1/4": instants.MIDDLE,
-          "khenous-laborde-renard 1/2": instants.MIDDLE}
+FORCES = {
+    "contact-stabilized": instants.END,
+    "contact-stabilized-projected": instants.END,
+    "generalized-alpha": instants.END,
+    "contact-implicit redistributed": instants.END,
+    "khenous-laborde-renard 1/4": instants.MIDDLE,
+    "khenous-laborde-renard 1/2": instants.MIDDLE,
+}
 STEPS = (0.025, 0.00625)
 BAR = check_history.PARAMETERS / "manufactured_bar.prm"
 
@@ -42,7 +59,7 @@ def setUpModule():
 
 def exact_force(time):
     """The pressure of the manufactured solution times the width."""
-    return 0.025 * max(-math.sin(2 * math.pi * (time + 0.05)), 0.)**3
+    return 0.025 * max(-math.sin(2 * math.pi * (time + 0.05)), 0.0) ** 3
 
 
 def order(errors, steps=STEPS):
@@ -54,7 +71,12 @@ def order(errors, steps=STEPS):
 def smooth_contact(variant):
     """The runs of the manufactured solution with all step sizes."""
     overrides = REDISTRIBUTED.get(variant, [f"Time/Scheme={variant}"])
-    return [check_history.Run(BAR, f"{variant.replace('/', '-')} {step}", overrides + [f"Time/Step size={step}"]) for step in STEPS]
+    return [
+        check_history.Run(
+            BAR, f"{variant.replace('/', '-')} {step}", overrides + [f"Time/Step size={step}"]
+        )
+        for step in STEPS
+    ]
 
 
 def result_of(run):
@@ -64,8 +86,12 @@ def result_of(run):
 
 def force_error(run, before_end):
     """Relative, with forces that belong to t_n - before_end tau."""
-    return distances.relative((force, exact_force(time - before_end * step)) for force, time, step
-                              in zip(run["contact_force"][1:], run["time"][1:], run["step_size"][1:]))
+    return distances.relative(
+        (force, exact_force(time - before_end * step))
+        for force, time, step in zip(
+            run["contact_force"][1:], run["time"][1:], run["step_size"][1:]
+        )
+    )
 
 
 class Order(check_history.SceneTest):
@@ -73,7 +99,9 @@ class Order(check_history.SceneTest):
         runs = smooth_contact(variant)
         for run in runs:
             self.expect_contact(run)
-        return [run["relative_displacement_error"][-1] for run in runs], [run["relative_velocity_error"][-1] for run in runs]
+        return [run["relative_displacement_error"][-1] for run in runs], [
+            run["relative_velocity_error"][-1] for run in runs
+        ]
 
     def test_order_two(self):
         for variant in SMOOTH:
@@ -81,11 +109,13 @@ class Order(check_history.SceneTest):
                 displacement, velocity = self.errors(variant)
                 self.assertGreater(order(displacement), 1.9, f"{displacement}")
                 self.assertLess(order(displacement), 2.15, f"{displacement}")
-                self.assertGreater(order(velocity), 1.2 if variant == "newmark" else 1.5, f"{velocity}")
+                self.assertGreater(
+                    order(velocity), 1.2 if variant == "newmark" else 1.5, f"{velocity}"
+                )
 
     def test_backward_euler_has_order_one(self):
         for errors in self.errors("backward-euler"):
-            self.expect_close(order(errors), 1., 0.1, f"{errors}")
+            self.expect_close(order(errors), 1.0, 0.1, f"{errors}")
 
     def test_conditions_of_velocities_scatter_around_order_two(self):
         for scheme in SCATTERING:
@@ -111,22 +141,41 @@ class Order(check_history.SceneTest):
 class Reference(check_history.SceneTest):
     def smooth(self, cells, tolerance):
         """One closing and opening of the manufactured solution."""
-        return check_history.Run(BAR, f"reference {cells} {tolerance}", [
-            "Time/Scheme=reference", f"Time/Reference tolerance={tolerance}", f"Bodies/bar/Repetitions={cells}, 1", "Time/Step size=0.0125", "Time/End time=1"])
+        return check_history.Run(
+            BAR,
+            f"reference {cells} {tolerance}",
+            [
+                "Time/Scheme=reference",
+                f"Time/Reference tolerance={tolerance}",
+                f"Bodies/bar/Repetitions={cells}, 1",
+                "Time/Step size=0.0125",
+                "Time/End time=1",
+            ],
+        )
 
     def test_only_the_error_of_the_mesh_remains_and_schemes_converge_to_it(self):
         precise, loose, fine = self.smooth(25, 1e-9), self.smooth(25, 1e-6), self.smooth(50, 1e-6)
         mesh = precise["relative_displacement_error"][-1]
         self.expect_contact(precise)
-        self.expect_close(loose["relative_displacement_error"][-1], mesh, 1e-3, "error with a loose tolerance")
+        self.expect_close(
+            loose["relative_displacement_error"][-1], mesh, 1e-3, "error with a loose tolerance"
+        )
         self.assertLess(4 * fine["relative_displacement_error"][-1], mesh)
         steps, results = (0.025, 0.0125), []
         for step in steps:
-            run = check_history.Run(BAR, f"against the reference {step}", REDISTRIBUTED["khenous-laborde-renard 1/4"]
-                                    + ["Bodies/bar/Repetitions=25, 1", f"Time/Step size={step}", "Time/End time=1"])
+            run = check_history.Run(
+                BAR,
+                f"against the reference {step}",
+                REDISTRIBUTED["khenous-laborde-renard 1/4"]
+                + ["Bodies/bar/Repetitions=25, 1", f"Time/Step size={step}", "Time/End time=1"],
+            )
             results.append(result_of(run))
             results[-1].reference = result_of(precise)
-        for distance, least in ((distances.displacement_distance, 1.9), (distances.force_distance, 1.5), (distances.velocity_distance, 1.4)):
+        for distance, least in (
+            (distances.displacement_distance, 1.9),
+            (distances.force_distance, 1.5),
+            (distances.velocity_distance, 1.4),
+        ):
             errors = [distance(result) for result in results]
             self.assertGreater(order(errors, steps), least, f"{distance.__name__}: {errors}")
             self.assertLess(order(errors, steps), 2.2, f"{distance.__name__}: {errors}")
@@ -134,8 +183,17 @@ class Reference(check_history.SceneTest):
     def test_energy_of_an_impact_is_conserved_to_the_tolerance(self):
         drifts = []
         for tolerance in (1e-6, 1e-8):
-            run = check_history.Run(check_history.PARAMETERS / "bar_2d.prm", f"impact {tolerance}", [
-                "Time/Scheme=reference", f"Time/Reference tolerance={tolerance}", "Bodies/bar/Repetitions=1, 25", "Time/Step size=0.012", "Time/End time=1.3"])
+            run = check_history.Run(
+                check_history.PARAMETERS / "bar_2d.prm",
+                f"impact {tolerance}",
+                [
+                    "Time/Scheme=reference",
+                    f"Time/Reference tolerance={tolerance}",
+                    "Bodies/bar/Repetitions=1, 25",
+                    "Time/Step size=0.012",
+                    "Time/End time=1.3",
+                ],
+            )
             self.expect_contact(run)
             energy = run["total_energy_modified"]
             drifts.append(max(abs(value / energy[0] - 1) for value in energy))

@@ -18,16 +18,29 @@ SCENES = {
     "short_and_long_bar": [],
     "two_balls_head_on": ["Bodies/upper/Refinements=2", "Bodies/lower/Refinements=2"],
     "two_balls_off_centre": ["Bodies/upper/Refinements=2", "Bodies/lower/Refinements=2"],
-    "geometry_b_flat": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
-    "geometry_b_curved": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
-    "geometry_b_tilted": ["Bodies/upper/Refinements=3", "Bodies/lower/Refinements=3", "Time/End time=0.02"],
+    "geometry_b_flat": [
+        "Bodies/upper/Refinements=3",
+        "Bodies/lower/Refinements=3",
+        "Time/End time=0.02",
+    ],
+    "geometry_b_curved": [
+        "Bodies/upper/Refinements=3",
+        "Bodies/lower/Refinements=3",
+        "Time/End time=0.02",
+    ],
+    "geometry_b_tilted": [
+        "Bodies/upper/Refinements=3",
+        "Bodies/lower/Refinements=3",
+        "Time/End time=0.02",
+    ],
     "stack_of_boxes": ["Time/End time=0.08"],
     "hammer_and_anvil": [],
 }
 
 #: A block slides over a longer one, and a block that is thrown obliquely on a floor sticks and slips.
 FRICTION = {
-    "friction_2d": """
+    "friction_2d": (
+        """
 set Dimension = 2
 subsection Time
   set Step size = 4e-3
@@ -67,8 +80,10 @@ subsection Probes
     set Point = 0.93, 0.004
   end
 end
-""",
-    "friction_3d": """
+"""
+    ),
+    "friction_3d": (
+        """
 set Dimension = 3
 subsection Time
   set Step size = 6e-3
@@ -109,27 +124,48 @@ subsection Probes
     set Point = 1.4, 1, 0.004
   end
 end
-""",
+"""
+    ),
 }
 
 #: Its forces hold a reaction of the projection, too: nodes without one must not count as touching.
-PROJECTED = {name: ("contact-stabilized-projected",) for name in ("quick_start", "disc_2d", "geometry_b_curved")}
+PROJECTED = {
+    name: ("contact-stabilized-projected",)
+    for name in ("quick_start", "disc_2d", "geometry_b_curved")
+}
 
 
 class Processes(check_history.SceneTest):
     def check(self, name):
         for scheme in check_history.DISSIPATIVE + PROJECTED.get(name, ()):
             with self.subTest(scheme=scheme):
-                one, two = (check_history.Run(check_history.PARAMETERS / f"{name}.prm", f"processes-{name}-{scheme}-{n}",
-                                              SCENES[name] + [f"Time/Scheme={scheme}"], processes=n) for n in (1, 2))
+                one, two = (
+                    check_history.Run(
+                        check_history.PARAMETERS / f"{name}.prm",
+                        f"processes-{name}-{scheme}-{n}",
+                        SCENES[name] + [f"Time/Scheme={scheme}"],
+                        processes=n,
+                    )
+                    for n in (1, 2)
+                )
                 self.expect_contact(one)
                 self.expect_same_history(one, two, 1e-8)
 
     def check_friction(self, name):
-        for scheme in check_history.DISSIPATIVE + ("contact-stabilized-projected", "laursen-chawla"):
+        for scheme in check_history.DISSIPATIVE + (
+            "contact-stabilized-projected",
+            "laursen-chawla",
+        ):
             with self.subTest(scheme=scheme):
-                one, two = (check_history.Run(FRICTION[name], f"processes-{name}-{scheme}-{n}", [f"Time/Scheme={scheme}"],
-                                              processes=n) for n in (1, 2))
+                one, two = (
+                    check_history.Run(
+                        FRICTION[name],
+                        f"processes-{name}-{scheme}-{n}",
+                        [f"Time/Scheme={scheme}"],
+                        processes=n,
+                    )
+                    for n in (1, 2)
+                )
                 self.expect_contact(one)
                 self.assertGreater(max(one["stick_nodes"]), 0)
                 self.assertGreater(max(one["slip_nodes"]), 0)

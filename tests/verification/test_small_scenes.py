@@ -50,8 +50,15 @@ end
 """
 
 #: Of the block in parameters/sliding_block.prm.
-IMPACT = ["Time/Start=given", "Time/Step size=8e-4", "Time/End time=0.032", "Bodies/block/Young's modulus=2e5",
-          "Bodies/block/Poisson's ratio=0.3", "Bodies/block/Body force=0; 0", "Contact/block[2] : floor/Friction coefficient=0"]
+IMPACT = [
+    "Time/Start=given",
+    "Time/Step size=8e-4",
+    "Time/End time=0.032",
+    "Bodies/block/Young's modulus=2e5",
+    "Bodies/block/Poisson's ratio=0.3",
+    "Bodies/block/Body force=0; 0",
+    "Contact/block[2] : floor/Friction coefficient=0",
+]
 
 MOVING_SUPPORT = """
 set Dimension = 2
@@ -228,12 +235,16 @@ end
 
 
 def no_load(_start, _end):
-    return (0., 0., 0.)
+    return (0.0, 0.0, 0.0)
 
 
 def mean_load_on_plate(start, end):
     """Traction times the area 2 of the upper side, and body force times the mass 2, averaged over the ends of a step."""
-    return (2 * 1.5 * (start + end), 0., -20. * (math.sin(15 * start) + math.sin(15 * end)) - 4. * (start + end))
+    return (
+        2 * 1.5 * (start + end),
+        0.0,
+        -20.0 * (math.sin(15 * start) + math.sin(15 * end)) - 4.0 * (start + end),
+    )
 
 
 class SmallScenes(check_history.SceneTest):
@@ -252,30 +263,40 @@ class SmallScenes(check_history.SceneTest):
                     self.expect_no_gain_of_energy(run, driven)
 
     def test_hanging_nodes_in_contact(self):
-        self.check("hanging-nodes", HANGING_NODES, 1., direction=(0., 0., 1.), load=no_load)
+        self.check("hanging-nodes", HANGING_NODES, 1.0, direction=(0.0, 0.0, 1.0), load=no_load)
 
     def test_moving_support(self):
-        self.check("moving-support", MOVING_SUPPORT, 2., direction=(0., 1., 0.), driven=True)
+        self.check("moving-support", MOVING_SUPPORT, 2.0, direction=(0.0, 1.0, 0.0), driven=True)
 
     def test_changing_traction_and_function_as_obstacle(self):
-        self.check("changing-traction", CHANGING_TRACTION, 2., load=mean_load_on_plate, driven=True)
+        self.check(
+            "changing-traction", CHANGING_TRACTION, 2.0, load=mean_load_on_plate, driven=True
+        )
 
     def test_several_bodies_with_curved_cells_and_lumped_mass(self):
-        self.check("several-bodies", SEVERAL_BODIES, 1., load=no_load)
+        self.check("several-bodies", SEVERAL_BODIES, 1.0, load=no_load)
 
     def test_lumped_predictor(self):
         """With the lumped mass only in the predictor the identities hold, but nothing is promised about the sign."""
-        run = check_history.Run(HANGING_NODES, "small-lumped-predictor", ["Time/Predictor mass=lumped"])
+        run = check_history.Run(
+            HANGING_NODES, "small-lumped-predictor", ["Time/Predictor mass=lumped"]
+        )
         self.expect_contact(run)
         self.expect_ledger_closes(run)
-        self.expect_no_penetration(run, 1.)
-        self.expect_pressure(run, (0., 0., 1.))
+        self.expect_no_penetration(run, 1.0)
+        self.expect_pressure(run, (0.0, 0.0, 1.0))
         self.expect_balance_of_momentum(run, "contact-stabilized", no_load)
 
     def test_lumped_predictor_is_the_projection_for_the_lumped_mass(self):
         """Without coupling by the mass the projection works node by node."""
-        runs = [check_history.Run(DISC, f"small-projection-{mass}", ["Time/Mass=lumped", f"Time/Predictor mass={mass}"])
-                for mass in ("consistent", "lumped")]
+        runs = [
+            check_history.Run(
+                DISC,
+                f"small-projection-{mass}",
+                ["Time/Mass=lumped", f"Time/Predictor mass={mass}"],
+            )
+            for mass in ("consistent", "lumped")
+        ]
         self.expect_contact(runs[0])
         self.expect_no_gain_of_energy(runs[0])
         self.expect_same_history(*runs, 1e-8)
@@ -283,9 +304,12 @@ class SmallScenes(check_history.SceneTest):
     def test_slow_motion_is_fast_motion_slowed_down(self):
         """Without gap and loads everything is proportional to the velocity, however small the way of a step is."""
         energies = []
-        for speed in (1., 1e-6, 1e-10):
-            run = check_history.Run(check_history.PARAMETERS / "sliding_block.prm", f"slow-{speed}",
-                                    IMPACT + [f"Bodies/block/Initial velocity={0.3 * speed}; {-speed}"])
+        for speed in (1.0, 1e-6, 1e-10):
+            run = check_history.Run(
+                check_history.PARAMETERS / "sliding_block.prm",
+                f"slow-{speed}",
+                IMPACT + [f"Bodies/block/Initial velocity={0.3 * speed}; {-speed}"],
+            )
             energies.append([energy / run["total_energy"][0] for energy in run["total_energy"]])
         self.assertLess(energies[0][-1], 0.999)
         for slow in energies[1:]:
@@ -294,8 +318,14 @@ class SmallScenes(check_history.SceneTest):
 
     def test_preconditioner_changes_nothing(self):
         for name, text in (("disc", DISC), ("support", MOVING_SUPPORT)):
-            runs = [check_history.Run(text, f"small-{name}-{preconditioner}", [f"Solver/Preconditioner={preconditioner}"])
-                    for preconditioner in ("jacobi", "incomplete-cholesky", "ml")]
+            runs = [
+                check_history.Run(
+                    text,
+                    f"small-{name}-{preconditioner}",
+                    [f"Solver/Preconditioner={preconditioner}"],
+                )
+                for preconditioner in ("jacobi", "incomplete-cholesky", "ml")
+            ]
             self.expect_contact(runs[0])
             for other in runs[1:]:
                 self.expect_same_history(runs[0], other, 1e-8)

@@ -31,8 +31,11 @@ FAR_BAR = ["Time/End time=3", "Obstacles/wall/Point=0, -15"]
 
 def controlled(control, step_size, tolerance):
     """Settings of steps that follow the motion."""
-    return [f"Time/Step size={step_size}", f"Time/Step size control={control}",
-            f"Time/Step tolerance={tolerance}"]
+    return [
+        f"Time/Step size={step_size}",
+        f"Time/Step size control={control}",
+        f"Time/Step tolerance={tolerance}",
+    ]
 
 
 def pieces(run):
@@ -42,10 +45,10 @@ def pieces(run):
 
 def distance(first, second):
     """L2 in time of the difference of two forces that are constant in pieces."""
-    total, i, k, time = 0., 0, 0, 0.
+    total, i, k, time = 0.0, 0, 0, 0.0
     while i < len(first) and k < len(second):
         end = min(first[i][1], second[k][1])
-        total += max(0., end - time) * (first[i][2] - second[k][2])**2
+        total += max(0.0, end - time) * (first[i][2] - second[k][2]) ** 2
         time = end
         i, k = i + (first[i][1] <= end + 1e-12), k + (second[k][1] <= end + 1e-12)
     return math.sqrt(total)
@@ -60,7 +63,7 @@ def steps_needed(curve, error):
     """Steps of equal size for an error, interpolated in logarithms; curve: (steps, error), the error falls."""
     for (few, large), (many, small) in zip(curve, curve[1:]):
         if small <= error <= large:
-            return few * (many / few)**(math.log(large / error) / math.log(large / small))
+            return few * (many / few) ** (math.log(large / error) / math.log(large / small))
     raise AssertionError(f"error {error} is not among those of equal steps: {curve}")
 
 
@@ -68,8 +71,9 @@ def steps_needed_by_law(curve, error):
     """The same by the line of least squares through the logarithms. No run may be far from it."""
     numbers, errors = ([math.log(point[i]) for point in curve] for i in (0, 1))
     number, mean = statistics.fmean(numbers), statistics.fmean(errors)
-    slope = (sum((n - number) * (e - mean) for n, e in zip(numbers, errors))
-             / sum((n - number)**2 for n in numbers))
+    slope = sum((n - number) * (e - mean) for n, e in zip(numbers, errors)) / sum(
+        (n - number) ** 2 for n in numbers
+    )
     for n, e in zip(numbers, errors):
         if abs(e - mean - slope * (n - number)) > 0.2:
             raise AssertionError(f"errors of equal steps follow no power of their number: {curve}")
@@ -82,38 +86,64 @@ class StepSize(check_history.SceneTest):
         controls: (settings, factor for steps, factor for computed steps)."""
         curve = []
         for size in step_sizes:
-            run = check_history.Run(check_history.PARAMETERS / scene, f"{name}-{size:g}",
-                                    common + [f"Time/Step size={size}"])
+            run = check_history.Run(
+                check_history.PARAMETERS / scene,
+                f"{name}-{size:g}",
+                common + [f"Time/Step size={size}"],
+            )
             curve.append((len(run) - 1, distance(pieces(run), exact)))
             print(f"{name}: fixed {size:g}: {curve[-1][0]} steps, error {curve[-1][1]:.5g}")
         for number, (settings, factor, factor_computed) in enumerate(controls):
-            run = check_history.Run(check_history.PARAMETERS / scene, f"{name}-{number}", common + settings)
+            run = check_history.Run(
+                check_history.PARAMETERS / scene, f"{name}-{number}", common + settings
+            )
             error, steps = distance(pieces(run), exact), len(run) - 1
             needed = law(curve, error)
-            print(f"{name}: {settings}: {steps} steps, {computed(run)} computed, error {error:.5g}; "
-                  f"{needed / steps:.2f} and {needed / computed(run):.2f} times fewer")
+            print(
+                f"{name}: {settings}: {steps} steps, {computed(run)} computed, error {error:.5g}; "
+                f"{needed / steps:.2f} and {needed / computed(run):.2f} times fewer"
+            )
             self.expect_ledger_closes(run)
             self.assertGreaterEqual(needed / steps, factor, f"{settings}: steps")
-            self.assertGreaterEqual(needed / computed(run), factor_computed, f"{settings}: computed steps")
+            self.assertGreaterEqual(
+                needed / computed(run), factor_computed, f"{settings}: computed steps"
+            )
 
     def test_bar_after_a_long_flight(self):
         # Touches at 1.5, leaves at 1.5 + 2/3.
-        exact = [(0., 1.5, 0.), (1.5, 1.5 + 2. / 3., 30.), (1.5 + 2. / 3., 3., 0.)]
-        self.compare("bar_2d.prm", "bar", FAR_BAR, (20e-3, 12e-3, 8e-3, 6e-3, 4e-3, 3e-3), exact,
-                     steps_needed_by_law,
-                     [(controlled("embedded", 6e-3, 0.3), 2., 2.),
-                      (controlled("doubling", 6e-3, 0.4), 2., 2.),
-                      (controlled("force", 6e-3, 0.3), 3., 3.),
-                      (controlled("force", 6e-3, 0.1), 3., 3.)])
+        exact = [(0.0, 1.5, 0.0), (1.5, 1.5 + 2.0 / 3.0, 30.0), (1.5 + 2.0 / 3.0, 3.0, 0.0)]
+        self.compare(
+            "bar_2d.prm",
+            "bar",
+            FAR_BAR,
+            (20e-3, 12e-3, 8e-3, 6e-3, 4e-3, 3e-3),
+            exact,
+            steps_needed_by_law,
+            [
+                (controlled("embedded", 6e-3, 0.3), 2.0, 2.0),
+                (controlled("doubling", 6e-3, 0.4), 2.0, 2.0),
+                (controlled("force", 6e-3, 0.3), 3.0, 3.0),
+                (controlled("force", 6e-3, 0.1), 3.0, 3.0),
+            ],
+        )
 
     def test_round_off(self):
         scene = check_history.PARAMETERS / "bar_2d.prm"
-        for control, tolerance in (("embedded", 0.3), ("doubling", 0.4),
-                                   ("force", 0.3), ("force", 0.1)):
+        for control, tolerance in (
+            ("embedded", 0.3),
+            ("doubling", 0.4),
+            ("force", 0.3),
+            ("force", 0.1),
+        ):
             settings = FAR_BAR + controlled(control, 6e-3, tolerance)
-            first, *others = (check_history.Run(scene, f"bar-{control}-{factor}", settings
-                                                + [f"Bodies/bar/Initial velocity=0; -10*{factor}"])
-                              for factor in ("1", "(1+1e-12)", "(1-1e-12)"))
+            first, *others = (
+                check_history.Run(
+                    scene,
+                    f"bar-{control}-{factor}",
+                    settings + [f"Bodies/bar/Initial velocity=0; -10*{factor}"],
+                )
+                for factor in ("1", "(1+1e-12)", "(1-1e-12)")
+            )
             for run in others:
                 self.assertEqual((len(run), computed(run)), (len(first), computed(first)), control)
                 for column, tolerated in (("time", 1e-9), ("contact_force", 1e-4)):
@@ -123,18 +153,35 @@ class StepSize(check_history.SceneTest):
     def test_ball(self):
         # A coarse one of curved cells. In contact for 0.315 of 0.5, so that nothing but a free flight would save 37 % of the steps.
         common = ["Bodies/ball/Refinements=3", "Mapping=curved"]
-        exact = pieces(check_history.Run(check_history.PARAMETERS / "geometry_a.prm", "ball-exact",
-                                         common + ["Time/Step size=5e-4"]))
-        self.compare("geometry_a.prm", "ball", common, (12.5e-3, 1e-2, 7.5e-3, 5e-3, 3.75e-3), exact,
-                     steps_needed,
-                     [(controlled("force", size, tolerance) + ["Time/Maximum step size=0.2"],
-                       1.5, 0.9)
-                      for size, tolerance in ((5e-3, 0.3), (6e-3, 0.2), (8e-3, 0.2))])
+        exact = pieces(
+            check_history.Run(
+                check_history.PARAMETERS / "geometry_a.prm",
+                "ball-exact",
+                common + ["Time/Step size=5e-4"],
+            )
+        )
+        self.compare(
+            "geometry_a.prm",
+            "ball",
+            common,
+            (12.5e-3, 1e-2, 7.5e-3, 5e-3, 3.75e-3),
+            exact,
+            steps_needed,
+            [
+                (controlled("force", size, tolerance) + ["Time/Maximum step size=0.2"], 1.5, 0.9)
+                for size, tolerance in ((5e-3, 0.3), (6e-3, 0.2), (8e-3, 0.2))
+            ],
+        )
 
     def test_two_bodies_with_friction(self):
         """The steps of one and two processes are the same; touch and release are met by shorter steps than flight."""
         scene = check_history.PARAMETERS / "oblique_impact_two_balls.prm"
-        settings = ["Time/Step size control=force", "Time/Step tolerance=0.1", "Bodies/upper/Refinements=1", "Bodies/lower/Refinements=1"]
+        settings = [
+            "Time/Step size control=force",
+            "Time/Step tolerance=0.1",
+            "Bodies/upper/Refinements=1",
+            "Bodies/lower/Refinements=1",
+        ]
         one, two = (check_history.Run(scene, f"two-balls-{n}", settings, n) for n in (1, 2))
         self.assertEqual(len(one), len(two))
         for column in ("time", "contact_force", "total_energy"):
@@ -143,9 +190,9 @@ class StepSize(check_history.SceneTest):
                 self.assertLessEqual(abs(a - b), 1e-8 * scale, f"{column} in row {row}")
         self.expect_ledger_closes(one)
         sizes = [end - start for start, end in zip(one["time"], one["time"][1:])]
-        flight = [size for size, force in zip(sizes, one["contact_force"][1:]) if force == 0.]
-        contact = [size for size, force in zip(sizes, one["contact_force"][1:]) if force != 0.]
-        self.assertGreater(max(flight), 2. * max(contact))
+        flight = [size for size, force in zip(sizes, one["contact_force"][1:]) if force == 0.0]
+        contact = [size for size, force in zip(sizes, one["contact_force"][1:]) if force != 0.0]
+        self.assertGreater(max(flight), 2.0 * max(contact))
 
 
 if __name__ == "__main__":

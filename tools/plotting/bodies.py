@@ -17,8 +17,12 @@ def bodies(directory, history):
     views = bodies_3d if moments[0].volume.cells.shape[1] == HEXAHEDRON else bodies_2d
     walls = obstacles.read_obstacles(directory)
     has_surface = all(moment.surface is not None for moment in moments)
-    figure, axes = pyplot.subplots(1 + has_surface, len(moments), squeeze=False,
-                                   figsize=(4.2 * len(moments) + 0.8, 4.2 * (1 + has_surface)))
+    figure, axes = pyplot.subplots(
+        1 + has_surface,
+        len(moments),
+        squeeze=False,
+        figsize=(4.2 * len(moments) + 0.8, 4.2 * (1 + has_surface)),
+    )
     views.draw_stress(axes[0], moments, walls)
     if has_surface:
         views.draw_pressure(axes[1], moments, walls)

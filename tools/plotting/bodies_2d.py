@@ -8,8 +8,15 @@ from matplotlib import colors
 from matplotlib.collections import LineCollection, PolyCollection
 
 from . import obstacles, style
-from .moments import (BODY, PRESSURE_MAP, STRESS_MAP, colour_scale, same_view, surroundings,
-                      von_mises)
+from .moments import (
+    BODY,
+    PRESSURE_MAP,
+    STRESS_MAP,
+    colour_scale,
+    same_view,
+    surroundings,
+    von_mises,
+)
 
 
 def draw_stress(panels, moments, walls):
@@ -43,12 +50,19 @@ def draw_hill(panel, moment, pressure, height, scale, pieces=6):
     values = pressure[edges]
     for n in range(pieces):
         start, end = n / pieces, (n + 1) / pieces
-        (a, d), (b, c) = [[(1. - s) * ends[:, 0] + s * ends[:, 1] for ends in (feet, tops)]
-                          for s in (start, end)]
+        (a, d), (b, c) = [
+            [(1.0 - s) * ends[:, 0] + s * ends[:, 1] for ends in (feet, tops)] for s in (start, end)
+        ]
         middle = 0.5 * (start + end)
-        colours = scale.to_rgba((1. - middle) * values[:, 0] + middle * values[:, 1])
-        panel.add_collection(PolyCollection(numpy.stack([a, b, c, d], axis=1), facecolors=colours,
-                                            edgecolors=colours, linewidths=0.3))
+        colours = scale.to_rgba((1.0 - middle) * values[:, 0] + middle * values[:, 1])
+        panel.add_collection(
+            PolyCollection(
+                numpy.stack([a, b, c, d], axis=1),
+                facecolors=colours,
+                edgecolors=colours,
+                linewidths=0.3,
+            )
+        )
 
 
 def inner_normals(moment):
@@ -60,10 +74,11 @@ def inner_normals(moment):
     centres = moment.positions[moment.volume.cells].mean(axis=1)[:, :2]
     for n, middle in enumerate(ends.mean(axis=1)):
         nearest = centres[numpy.argmin(((centres - middle) ** 2).sum(axis=1))]
-        normal[n] *= 1. if normal[n] @ (nearest - middle) > 0 else -1.
-    size = numpy.ptp(moment.positions, axis=0).max() or 1.
-    same = numpy.unique(numpy.round(moment.surface.points[:, :2] / size * 1e5), axis=0,
-                        return_inverse=True)[1].ravel()
+        normal[n] *= 1.0 if normal[n] @ (nearest - middle) > 0 else -1.0
+    size = numpy.ptp(moment.positions, axis=0).max() or 1.0
+    same = numpy.unique(
+        numpy.round(moment.surface.points[:, :2] / size * 1e5), axis=0, return_inverse=True
+    )[1].ravel()
     total = numpy.zeros((same.max() + 1, 2))
     for end in (0, 1):
         numpy.add.at(total, same[edges[:, end]], normal)
@@ -73,8 +88,9 @@ def inner_normals(moment):
 
 def draw_cells(panel, moment, colours):
     corners = moment.positions[moment.volume.cells][:, :, :2]
-    panel.add_collection(PolyCollection(corners, facecolors=colours, edgecolors=0.85 * colours,
-                                        linewidths=0.35))
+    panel.add_collection(
+        PolyCollection(corners, facecolors=colours, edgecolors=0.85 * colours, linewidths=0.35)
+    )
 
 
 def finish(panels, moments, walls):
@@ -82,5 +98,5 @@ def finish(panels, moments, walls):
     middle, size = surroundings(moments)
     for panel in panels:
         for wall in walls:
-            obstacles.draw_2d(panel, wall, middle[:2], 2. * size)
+            obstacles.draw_2d(panel, wall, middle[:2], 2.0 * size)
     same_view(panels, [moment.positions[:, :2] for moment in moments])

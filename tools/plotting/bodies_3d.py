@@ -6,13 +6,20 @@
 import numpy
 
 from . import obstacles, solids
-from .moments import (BODY, PRESSURE_MAP, STRESS_MAP, colour_scale, same_view, surroundings,
-                      von_mises)
+from .moments import (
+    BODY,
+    PRESSURE_MAP,
+    STRESS_MAP,
+    colour_scale,
+    same_view,
+    surroundings,
+    von_mises,
+)
 
 
 def draw_stress(panels, moments, walls):
     """The far half of each body, so that the stress inside can be seen."""
-    camera = solids.Camera((0.25, -1., 0.28))
+    camera = solids.Camera((0.25, -1.0, 0.28))
     stresses = [von_mises(moment) for moment in moments]
     scale = colour_scale(panels, stresses, STRESS_MAP, "von Mises stress (cut open)")
     middle, size = surroundings(moments)
@@ -46,22 +53,27 @@ def draw_pressure(panels, moments, _walls):
     matches = [surface_face_of(skin, moment) for skin, moment in zip(skins, moments)]
     pressures = [moment.surface.at_points("CPRESS")[moment.surface.cells] for moment in moments]
     camera = solids.Camera(pressed_direction(skins, matches, pressures))
-    scale = colour_scale(panels, pressures, PRESSURE_MAP, "contact pressure\n(seen from the obstacle)")
+    scale = colour_scale(
+        panels, pressures, PRESSURE_MAP, "contact pressure\n(seen from the obstacle)"
+    )
     for panel, moment, skin, match, pressure in zip(panels, moments, skins, matches, pressures):
         pressed = (match >= 0) & (pressure[match].max(axis=1) > 1e-3 * scale.norm.vmax)
         plain = solids.Faces(skin.corners[~pressed], skin.normals[~pressed], skin.cell[~pressed])
         corners = moment.surface_positions[moment.surface.cells[match[pressed]]]
         fine, values = solids.subdivide(corners, skin.normals[pressed], pressure[match[pressed]])
-        camera.draw(panel, solids.together(plain, fine),
-                    numpy.concatenate([solids.one_colour(plain, BODY), scale.to_rgba(values)[:, :3]]),
-                    edges=numpy.repeat([0.3, 0.], [len(plain.cell), len(fine.cell)]))
+        camera.draw(
+            panel,
+            solids.together(plain, fine),
+            numpy.concatenate([solids.one_colour(plain, BODY), scale.to_rgba(values)[:, :3]]),
+            edges=numpy.repeat([0.3, 0.0], [len(plain.cell), len(fine.cell)]),
+        )
     same_view(panels, [camera.project(moment.positions) for moment in moments])
 
 
 def surface_face_of(skin, moment):
     """For each face of the skin the same face of the contact surface, -1 outside of it."""
     middles = moment.surface_positions[moment.surface.cells].mean(axis=1)
-    quantum = 1e-4 * (numpy.ptp(moment.positions, axis=0).max() or 1.)
+    quantum = 1e-4 * (numpy.ptp(moment.positions, axis=0).max() or 1.0)
     match = numpy.full(len(skin.cell), -1)
     # Equal places may round differently with one shift of the grid, but not with both.
     for shift in (0.2, 0.7):
@@ -73,8 +85,10 @@ def surface_face_of(skin, moment):
 
 def pressed_direction(skins, matches, pressures):
     """From where the pressed faces are seen best, tilted so that the bodies still look solid."""
-    normal = sum(pressure.mean(axis=1)[match[match >= 0]] @ skin.normals[match >= 0]
-                 for skin, match, pressure in zip(skins, matches, pressures))
+    normal = sum(
+        pressure.mean(axis=1)[match[match >= 0]] @ skin.normals[match >= 0]
+        for skin, match, pressure in zip(skins, matches, pressures)
+    )
     if numpy.linalg.norm(normal) < 1e-12:
-        normal = numpy.array([0., 0., -1.])
-    return normal / numpy.linalg.norm(normal) + numpy.array([0.25, -0.55, 0.])
+        normal = numpy.array([0.0, 0.0, -1.0])
+    return normal / numpy.linalg.norm(normal) + numpy.array([0.25, -0.55, 0.0])

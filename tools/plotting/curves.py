@@ -25,8 +25,14 @@ def shade_contact(axes, table):
         return
     for n, (begin, end) in enumerate(contact_phases(table["time"], table["contact_force"])):
         for panel in axes:
-            panel.axvspan(begin, end, color=style.CONTACT_SHADE, zorder=0, linewidth=0,
-                          label="contact" if n == 0 else None)
+            panel.axvspan(
+                begin,
+                end,
+                color=style.CONTACT_SHADE,
+                zorder=0,
+                linewidth=0,
+                label="contact" if n == 0 else None,
+            )
 
 
 def energy_scale(total, *parts):
@@ -34,43 +40,59 @@ def energy_scale(total, *parts):
     largest = max(abs(part).max() for part in (total, *parts))
     if abs(total[0]) > 1e-12 * largest:
         return abs(total[0]), "initial total energy"
-    return (largest or 1.), "largest energy of the run"
+    return (largest or 1.0), "largest energy of the run"
 
 
 def energy(history):
     """Energies above, and below where the total energy is gained or lost."""
     time, kinetic, elastic, external, total = require(
-        history, "time", "kinetic_energy", "elastic_energy", "external_energy", "total_energy")
+        history, "time", "kinetic_energy", "elastic_energy", "external_energy", "total_energy"
+    )
     scale, scale_name = energy_scale(total, kinetic, elastic, external)
     figure, axes = style.panels(2, height=3.3)
     shade_contact(axes, history)
 
-    for part, colour, label in ((kinetic, style.BLUE, "kinetic"), (elastic, style.ORANGE, "elastic"),
-                                (external, style.GREEN, "of the loads")):
+    for part, colour, label in (
+        (kinetic, style.BLUE, "kinetic"),
+        (elastic, style.ORANGE, "elastic"),
+        (external, style.GREEN, "of the loads"),
+    ):
         if part is not external or numpy.any(part):
             style.line(axes[0], time, part / scale, colour, label)
     style.line(axes[0], time, total / scale, style.BLACK, "total", linewidth=2.4)
     axes[0].set(title="Energy", ylabel=f"energy / {scale_name}")
     style.legend_beside(axes[0])
 
-    percent = 100. / scale
-    style.line(axes[1], time, (total - total[0]) * percent, style.BLACK, "total energy", linewidth=2.4)
+    percent = 100.0 / scale
+    style.line(
+        axes[1], time, (total - total[0]) * percent, style.BLACK, "total energy", linewidth=2.4
+    )
     modified = history.get("total_energy_modified", total)
     if abs(modified - total).max() > 1e-9 * scale:
-        style.line(axes[1], time, (modified - modified[0]) * percent, style.GREY,
-                   "with the mass of\nthe scheme", linestyle=":")
-    for column, colour, label in (("work_contact", style.VERMILION, "contact forces"),
-                                  ("work_predictor", style.PURPLE, "predictor"),
-                                  ("work_friction", style.SKY, "friction"),
-                                  ("work_external", style.GREEN, "external work"),
-                                  ("energy_transfer", style.ORANGE, "new meshes")):
+        style.line(
+            axes[1],
+            time,
+            (modified - modified[0]) * percent,
+            style.GREY,
+            "with the mass of\nthe scheme",
+            linestyle=":",
+        )
+    for column, colour, label in (
+        ("work_contact", style.VERMILION, "contact forces"),
+        ("work_predictor", style.PURPLE, "predictor"),
+        ("work_friction", style.SKY, "friction"),
+        ("work_external", style.GREEN, "external work"),
+        ("energy_transfer", style.ORANGE, "new meshes"),
+    ):
         work = history.get(column, numpy.zeros(1))
         if numpy.any(abs(work) > 1e-14 * scale):
             style.line(axes[1], time, numpy.cumsum(work) * percent, colour, label, linestyle="--")
-    axes[1].axhline(0., color=style.GREY, linewidth=0.8, zorder=1)
+    axes[1].axhline(0.0, color=style.GREY, linewidth=0.8, zorder=1)
     change = percent * (total[-1] - total[0])
-    axes[1].set(title=f"Change of the total energy: {change:+.3g} % at the end, and its causes",
-                ylabel=f"change in % of\n{scale_name}")
+    axes[1].set(
+        title=f"Change of the total energy: {change:+.3g} % at the end, and its causes",
+        ylabel=f"change in % of\n{scale_name}",
+    )
     figure.supxlabel(ledger_note(history, scale, scale_name), fontsize=10, color=style.GREY)
     keep_round_off_flat(axes[1], minimum=1e-6)
     style.legend_beside(axes[1])
@@ -95,33 +117,37 @@ def keep_round_off_flat(axes, minimum):
 def contact_force(history):
     """Total contact force above, number of active nodes below."""
     time, force, nodes = require(history, "time", "contact_force", "active_nodes")
-    figure, axes = style.panels(2, heights=(2.2, 1.))
+    figure, axes = style.panels(2, heights=(2.2, 1.0))
     style.line(axes[0], time, force, style.BLUE)
     axes[0].fill_between(time, force, color=style.BLUE, alpha=0.12, linewidth=0)
     title = "Contact force"
     phases = contact_phases(time, force)
     if phases:
         peak = int(numpy.argmax(force))
-        title += (f": largest {force[peak]:.4g} at time {time[peak]:.4g}, contact from "
-                  f"{phases[0][0]:.4g} to {phases[-1][1]:.4g}")
+        title += (
+            f": largest {force[peak]:.4g} at time {time[peak]:.4g}, contact from "
+            f"{phases[0][0]:.4g} to {phases[-1][1]:.4g}"
+        )
         axes[0].plot(time[peak], force[peak], "o", color=style.VERMILION, markersize=6)
     else:
         title += ": none"
     axes[0].set(title=title, ylabel="sum of normal forces")
-    axes[0].set_ylim(bottom=0.)
+    axes[0].set_ylim(bottom=0.0)
 
     style.line(axes[1], time, nodes, style.VERMILION, drawstyle="steps-pre")
     axes[1].set_ylabel("nodes in contact")
-    axes[1].set_ylim(0., max(1., 1.08 * nodes.max()))
+    axes[1].set_ylim(0.0, max(1.0, 1.08 * nodes.max()))
     axes[1].yaxis.get_major_locator().set_params(integer=True)
     return figure
 
 
 def momentum(history):
     """Linear and angular momentum, the components that are not zero throughout."""
-    time, = require(history, "time")
-    kinds = [("Linear momentum", [name for name in history if name.startswith("momentum_")]),
-             ("Angular momentum", [name for name in history if name.startswith("angular_momentum_")])]
+    (time,) = require(history, "time")
+    kinds = [
+        ("Linear momentum", [name for name in history if name.startswith("momentum_")]),
+        ("Angular momentum", [name for name in history if name.startswith("angular_momentum_")]),
+    ]
     kinds = [(title, names) for title, names in kinds if names]
     if not kinds:
         raise Problem("the history has no column of momentum")
@@ -139,30 +165,40 @@ def momentum(history):
         if shown:
             style.legend_beside(panel)
         else:
-            style.line(panel, time, 0. * time, style.GREY)
-            panel.set_ylim(-1., 1.)
-            panel.set_yticks([0.])
+            style.line(panel, time, 0.0 * time, style.GREY)
+            panel.set_ylim(-1.0, 1.0)
+            panel.set_yticks([0.0])
     return figure
 
 
 def probe(table, name):
     """Gap and displacement, velocity and pressure of one contact node."""
-    time, = require(table, "time")
-    rows = [("Position", "distance", (("gap", "gap", style.BLUE),
-                                      ("normal_displacement", "normal displacement", style.ORANGE))),
-            ("Normal velocity", "velocity", (("normal_velocity", None, style.GREEN),)),
-            ("Contact pressure", "pressure", (("pressure", None, style.VERMILION),))]
+    (time,) = require(table, "time")
+    rows = [
+        (
+            "Position",
+            "distance",
+            (
+                ("gap", "gap", style.BLUE),
+                ("normal_displacement", "normal displacement", style.ORANGE),
+            ),
+        ),
+        ("Normal velocity", "velocity", (("normal_velocity", None, style.GREEN),)),
+        ("Contact pressure", "pressure", (("pressure", None, style.VERMILION),)),
+    ]
     rows = [row for row in rows if any(column in table for column, _, _ in row[2])]
     if not rows:
-        raise Problem(f"the table of probe {name} has none of the columns gap, normal_displacement, "
-                      "normal_velocity, pressure")
+        raise Problem(
+            f"the table of probe {name} has none of the columns gap, normal_displacement, "
+            "normal_velocity, pressure"
+        )
     figure, axes = style.panels(len(rows), height=2.5)
     figure.suptitle(f"Probe {name}", x=0.01, ha="left", fontsize=14)
     for panel, (title, ylabel, curves) in zip(axes, rows):
         for column, label, colour in curves:
             if column in table:
                 style.line(panel, time, table[column], colour, label)
-        panel.axhline(0., color=style.GREY, linewidth=0.8, zorder=1)
+        panel.axhline(0.0, color=style.GREY, linewidth=0.8, zorder=1)
         panel.set(title=title, ylabel=ylabel)
         if curves[0][1]:
             panel.legend(loc="best")

@@ -16,8 +16,9 @@ from .problem import Problem
 @dataclasses.dataclass
 class Fields:
     """One moment of a series: the pieces of all processes put together. Points are repeated for each cell."""
+
     points: numpy.ndarray  # (points, 3), reference configuration
-    cells: numpy.ndarray   # (cells, vertices of a cell)
+    cells: numpy.ndarray  # (cells, vertices of a cell)
     point_data: dict
     cell_data: dict
 
@@ -42,8 +43,9 @@ def read_series(path):
     """(time, file) for each moment of a .pvd."""
     try:
         datasets = ElementTree.parse(path).iter("DataSet")
-        series = [(float(entry.get("timestep")), path.parent / entry.get("file"))
-                  for entry in datasets]
+        series = [
+            (float(entry.get("timestep")), path.parent / entry.get("file")) for entry in datasets
+        ]
     except OSError as error:
         raise Problem(f"{path}: {error.strerror}") from None
     except (ElementTree.ParseError, TypeError, ValueError) as error:
@@ -58,8 +60,9 @@ def read_fields(path):
     try:
         pieces = [path]
         if path.suffix == ".pvtu":
-            pieces = [path.parent / piece.get("Source")
-                      for piece in ElementTree.parse(path).iter("Piece")]
+            pieces = [
+                path.parent / piece.get("Source") for piece in ElementTree.parse(path).iter("Piece")
+            ]
         return join([read_piece(piece) for piece in pieces if not is_empty(piece)], path)
     except OSError as error:
         raise Problem(f"{error.filename or path}: {error.strerror}") from None
@@ -74,7 +77,9 @@ def read_piece(path):
     except OSError:
         raise
     except Exception as error:
-        raise Problem(f"{path} is not a whole .vtu file ({str(error) or type(error).__name__})") from None
+        raise Problem(
+            f"{path} is not a whole .vtu file ({str(error) or type(error).__name__})"
+        ) from None
 
 
 def is_empty(piece):
@@ -89,15 +94,22 @@ def join(meshes, path):
         raise Problem(f"{path} has no cells")
     kinds = {block.type for mesh in meshes for block in mesh.cells}
     if not kinds <= {"line", "quad", "hexahedron"} or len(kinds) != 1:
-        raise Problem(f"{path} has cells of the kinds {', '.join(sorted(kinds))}; "
-                      "only meshes of lines, quadrilaterals or hexahedra are drawn")
+        raise Problem(
+            f"{path} has cells of the kinds {', '.join(sorted(kinds))}; "
+            "only meshes of lines, quadrilaterals or hexahedra are drawn"
+        )
     offsets = numpy.cumsum([0] + [len(mesh.points) for mesh in meshes])
     return Fields(
         points=numpy.concatenate([mesh.points for mesh in meshes]),
-        cells=numpy.concatenate([block.data + offset for mesh, offset in zip(meshes, offsets)
-                                 for block in mesh.cells]),
-        point_data={name: numpy.concatenate([mesh.point_data[name] for mesh in meshes])
-                    for name in meshes[0].point_data},
-        cell_data={name: numpy.concatenate([block for mesh in meshes
-                                            for block in mesh.cell_data[name]])
-                   for name in meshes[0].cell_data})
+        cells=numpy.concatenate(
+            [block.data + offset for mesh, offset in zip(meshes, offsets) for block in mesh.cells]
+        ),
+        point_data={
+            name: numpy.concatenate([mesh.point_data[name] for mesh in meshes])
+            for name in meshes[0].point_data
+        },
+        cell_data={
+            name: numpy.concatenate([block for mesh in meshes for block in mesh.cell_data[name]])
+            for name in meshes[0].cell_data
+        },
+    )

@@ -14,14 +14,17 @@ from .problem import Problem
 # Both maps start at the grey of a body without load and darken steadily, so that they also work in grey print.
 BODY = "#E6E8EB"
 STRESS_MAP = colors.LinearSegmentedColormap.from_list(
-    "stress", [BODY, "#B5DCC9", "#5BBBC2", "#2C7FB8", "#253494", "#0B1A4F"])
+    "stress", [BODY, "#B5DCC9", "#5BBBC2", "#2C7FB8", "#253494", "#0B1A4F"]
+)
 PRESSURE_MAP = colors.LinearSegmentedColormap.from_list(
-    "pressure", [BODY, "#FBD18B", "#F58A4B", "#D3436E", "#7B2382", "#2D115F"])
+    "pressure", [BODY, "#FBD18B", "#F58A4B", "#D3436E", "#7B2382", "#2D115F"]
+)
 
 
 @dataclasses.dataclass
 class Moment:
     """What is drawn in one column."""
+
     title: str
     volume: vtu.Fields
     surface: vtu.Fields  # None if there is no surface series
@@ -61,8 +64,13 @@ def read_moment(title, volume_file, surface_file):
         surface = surface_file and vtu.read_fields(surface_file)
     except Problem:
         surface = None
-    return Moment(title, volume, surface, volume.points + volume.displacement(),
-                  surface and surface.points + surface.displacement())
+    return Moment(
+        title,
+        volume,
+        surface,
+        volume.points + volume.displacement(),
+        surface and surface.points + surface.displacement(),
+    )
 
 
 def von_mises(moment):
@@ -73,8 +81,8 @@ def von_mises(moment):
 
 def colour_scale(panels, arrays, colour_map, label):
     """One scale for a row of panels, with its bar."""
-    largest = max((float(array.max()) for array in arrays if len(array)), default=0.)
-    scale = cm.ScalarMappable(colors.Normalize(0., largest if largest > 0. else 1.), colour_map)
+    largest = max((float(array.max()) for array in arrays if len(array)), default=0.0)
+    scale = cm.ScalarMappable(colors.Normalize(0.0, largest if largest > 0.0 else 1.0), colour_map)
     panels[0].figure.colorbar(scale, ax=list(panels), label=label, shrink=0.75, pad=0.02, aspect=25)
     return scale
 
@@ -85,7 +93,9 @@ def same_view(panels, points):
     high = numpy.max([p.max(axis=0) for p in points], axis=0)
     margin = 0.1 * max(high - low)
     for panel in panels:
-        panel.set(xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
+        panel.set(
+            xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin)
+        )
 
 
 def surroundings(moments):

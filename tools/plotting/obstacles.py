@@ -16,6 +16,7 @@ COLOUR = "#D5DBE3"
 @dataclasses.dataclass
 class Obstacle:
     """Section `Obstacles/<name>` of the scene; vectors have three components."""
+
     shape: str
     point: numpy.ndarray
     normal: numpy.ndarray
@@ -42,17 +43,24 @@ def read_obstacles(directory):
 
 def obstacle_from(values):
     """An obstacle from the keys of its section."""
+
     def vector(key, default="0"):
         numbers = [float(entry) for entry in values.get(key, default).split(",")]
-        return numpy.array(numbers + [0.] * (3 - len(numbers)))
+        return numpy.array(numbers + [0.0] * (3 - len(numbers)))
 
     def direction(key):
         length = numpy.linalg.norm(vector(key))
-        return vector(key) / length if length > 0 else numpy.array([0., 0., 1.])
+        return vector(key) / length if length > 0 else numpy.array([0.0, 0.0, 1.0])
 
-    return Obstacle(values.get("Shape", "plane"), vector("Point"), direction("Normal"),
-                    vector("Centre"), direction("Axis"), float(values.get("Radius", "1")),
-                    values.get("Bodies inside", "false") == "true")
+    return Obstacle(
+        values.get("Shape", "plane"),
+        vector("Point"),
+        direction("Normal"),
+        vector("Centre"),
+        direction("Axis"),
+        float(values.get("Radius", "1")),
+        values.get("Bodies inside", "false") == "true",
+    )
 
 
 def read_sections(text):
@@ -78,12 +86,21 @@ def draw_2d(axes, obstacle, centre, reach):
         normal = obstacle.normal[:2]
         along = numpy.array([-normal[1], normal[0]])
         foot = centre - normal * numpy.dot(centre - obstacle.point[:2], normal)
-        axes.add_patch(Polygon([foot - reach * along, foot + reach * along,
-                                foot + reach * (along - normal), foot - reach * (along + normal)],
-                               **look))
+        axes.add_patch(
+            Polygon(
+                [
+                    foot - reach * along,
+                    foot + reach * along,
+                    foot + reach * (along - normal),
+                    foot - reach * (along + normal),
+                ],
+                **look
+            )
+        )
     elif obstacle.shape == "sphere":
-        axes.add_patch(Circle(obstacle.centre[:2], obstacle.radius, fill=not obstacle.bodies_inside,
-                              **look))
+        axes.add_patch(
+            Circle(obstacle.centre[:2], obstacle.radius, fill=not obstacle.bodies_inside, **look)
+        )
 
 
 def faces_3d(obstacle, centre, reach):
@@ -109,8 +126,14 @@ def plane(point, normal, centre, reach):
 
 def sphere(centre, radius):
     polar, azimuth = numpy.linspace(0, numpy.pi, 25)[:, None], numpy.linspace(0, 2 * numpy.pi, 49)
-    unit = numpy.stack([numpy.sin(polar) * numpy.cos(azimuth), numpy.sin(polar) * numpy.sin(azimuth),
-                        numpy.cos(polar) * numpy.ones_like(azimuth)], axis=-1)
+    unit = numpy.stack(
+        [
+            numpy.sin(polar) * numpy.cos(azimuth),
+            numpy.sin(polar) * numpy.sin(azimuth),
+            numpy.cos(polar) * numpy.ones_like(azimuth),
+        ],
+        axis=-1,
+    )
     return patches(centre + radius * unit, lambda middles: unit_rows(middles - centre))
 
 
@@ -118,10 +141,15 @@ def cylinder(point, axis, radius, centre, reach):
     foot = point + axis * numpy.dot(centre - point, axis)
     across, along = frame(axis)
     angle = numpy.linspace(0, 2 * numpy.pi, 49)[None, :, None]
-    points = (foot + numpy.linspace(-reach, reach, 13)[:, None, None] * axis
-              + radius * (numpy.cos(angle) * across + numpy.sin(angle) * along))
-    return patches(points, lambda middles: unit_rows(
-        middles - foot - numpy.outer((middles - foot) @ axis, axis)))
+    points = (
+        foot
+        + numpy.linspace(-reach, reach, 13)[:, None, None] * axis
+        + radius * (numpy.cos(angle) * across + numpy.sin(angle) * along)
+    )
+    return patches(
+        points,
+        lambda middles: unit_rows(middles - foot - numpy.outer((middles - foot) @ axis, axis)),
+    )
 
 
 def frame(normal):
@@ -137,6 +165,9 @@ def unit_rows(vectors):
 
 def patches(points, normals):
     """Quadrilaterals of a rectangular grid of points."""
-    corners = numpy.stack([points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]],
-                          axis=2).reshape(-1, 4, 3)
-    return solids.Faces(corners, normals(corners.mean(axis=1)), numpy.zeros(len(corners), dtype=int))
+    corners = numpy.stack(
+        [points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]], axis=2
+    ).reshape(-1, 4, 3)
+    return solids.Faces(
+        corners, normals(corners.mean(axis=1)), numpy.zeros(len(corners), dtype=int)
+    )

@@ -10,16 +10,18 @@ from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 
 # Faces of a VTK hexahedron.
-HEXAHEDRON_FACES = numpy.array([[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4],
-                                [3, 2, 6, 7], [0, 3, 7, 4], [1, 2, 6, 5]])
+HEXAHEDRON_FACES = numpy.array(
+    [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 5, 4], [3, 2, 6, 7], [0, 3, 7, 4], [1, 2, 6, 5]]
+)
 
 
 @dataclasses.dataclass
 class Faces:
     """Quadrilaterals in space with the cell that each belongs to."""
+
     corners: numpy.ndarray  # (faces, 4, 3)
     normals: numpy.ndarray  # (faces, 3), out of the body
-    cell: numpy.ndarray     # (faces,)
+    cell: numpy.ndarray  # (faces,)
 
 
 def boundary_faces(fields, positions, keep=None):
@@ -27,19 +29,19 @@ def boundary_faces(fields, positions, keep=None):
     kept = numpy.arange(len(fields.cells)) if keep is None else numpy.flatnonzero(keep)
     cells = fields.cells[kept]
     # Points are repeated per cell: give equal points of a body the same number.
-    extent = numpy.ptp(fields.points, axis=0).max() or 1.
+    extent = numpy.ptp(fields.points, axis=0).max() or 1.0
     body = fields.at_cells("body")
     key = numpy.zeros((len(fields.points), 4), dtype=numpy.int64)
-    key[:, :3] = numpy.floor(
-        (fields.points - fields.points.min(axis=0)) / extent * 1e5 + 0.382)
+    key[:, :3] = numpy.floor((fields.points - fields.points.min(axis=0)) / extent * 1e5 + 0.382)
     if body is not None:
         key[fields.cells, 3] = numpy.round(body)[:, None]
     number = numpy.unique(key, axis=0, return_inverse=True)[1].ravel()
 
     faces = cells[:, HEXAHEDRON_FACES].reshape(-1, 4)
     owner = numpy.repeat(kept, len(HEXAHEDRON_FACES))
-    _, first, count = numpy.unique(numpy.sort(number[faces], axis=1), axis=0,
-                                   return_index=True, return_counts=True)
+    _, first, count = numpy.unique(
+        numpy.sort(number[faces], axis=1), axis=0, return_index=True, return_counts=True
+    )
     outer = first[count == 1]
     corners = positions[faces[outer]]
     centres = positions[fields.cells[owner[outer]]].mean(axis=1)
@@ -48,25 +50,37 @@ def boundary_faces(fields, positions, keep=None):
 
 def together(*parts):
     """One list of faces out of several."""
-    return Faces(*(numpy.concatenate([getattr(part, field.name) for part in parts])
-                   for field in dataclasses.fields(Faces)))
+    return Faces(
+        *(
+            numpy.concatenate([getattr(part, field.name) for part in parts])
+            for field in dataclasses.fields(Faces)
+        )
+    )
 
 
 def subdivide(corners, normals, values, pieces=4):
     """Small faces with one value each that show the bilinear field with these values at the corners."""
-    s = numpy.linspace(0., 1., pieces + 1)
+    s = numpy.linspace(0.0, 1.0, pieces + 1)
     low_s, low_t = numpy.repeat(s[:-1], pieces), numpy.tile(s[:-1], pieces)
-    step = 1. / pieces
+    step = 1.0 / pieces
 
     def at(s, t, field):
         weights = numpy.stack([(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t], axis=1)
         return numpy.einsum("pk,fk...->fp...", weights, field)
-    fine = numpy.stack([at(low_s + i * step, low_t + j * step, corners)
-                        for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))], axis=2)
+
+    fine = numpy.stack(
+        [
+            at(low_s + i * step, low_t + j * step, corners)
+            for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))
+        ],
+        axis=2,
+    )
     means = at(low_s + 0.5 * step, low_t + 0.5 * step, values)
     n = means.size
-    return Faces(fine.reshape(n, 4, 3), numpy.repeat(normals, pieces**2, axis=0),
-                 numpy.full(n, -1)), means.ravel()
+    return (
+        Faces(fine.reshape(n, 4, 3), numpy.repeat(normals, pieces**2, axis=0), numpy.full(n, -1)),
+        means.ravel(),
+    )
 
 
 def outward(corners, centres):
@@ -80,12 +94,12 @@ def outward(corners, centres):
 class Camera:
     """Parallel projection along a direction; the vertical of the picture is as close to `up` as possible."""
 
-    def __init__(self, towards_viewer, up=(0., 0., 1.)):
+    def __init__(self, towards_viewer, up=(0.0, 0.0, 1.0)):
         self.depth = numpy.asarray(towards_viewer, dtype=float)
         self.depth /= numpy.linalg.norm(self.depth)
         right = numpy.cross(up, self.depth)
         if numpy.linalg.norm(right) < 1e-6:
-            right = numpy.cross((0., 1., 0.), self.depth)
+            right = numpy.cross((0.0, 1.0, 0.0), self.depth)
         self.right = right / numpy.linalg.norm(right)
         self.up = numpy.cross(self.depth, self.right)
 
@@ -102,11 +116,17 @@ class Camera:
         order = visible[numpy.argsort(faces.corners[visible].mean(axis=1) @ self.depth)]
         light = self.depth + 0.7 * self.up - 0.5 * self.right
         light /= numpy.linalg.norm(light)
-        shade = 0.62 + 0.38 * numpy.clip(faces.normals[order] @ light, 0., 1.)
+        shade = 0.62 + 0.38 * numpy.clip(faces.normals[order] @ light, 0.0, 1.0)
         painted = numpy.asarray(colours)[order, :3] * shade[:, None]
         edges = numpy.broadcast_to(edges, len(faces.corners))[order, None]
-        axes.add_collection(PolyCollection(self.project(faces.corners[order]), facecolors=painted,
-                                           edgecolors=painted * (1. - edges), linewidths=0.35))
+        axes.add_collection(
+            PolyCollection(
+                self.project(faces.corners[order]),
+                facecolors=painted,
+                edgecolors=painted * (1.0 - edges),
+                linewidths=0.35,
+            )
+        )
 
 
 def one_colour(faces, colour):

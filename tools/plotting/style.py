@@ -11,30 +11,57 @@ from matplotlib import pyplot  # noqa: E402  (the backend comes first)
 
 # Okabe and Ito's palette: distinguishable with any kind of colour vision.
 BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY = (
-    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
+    "#0072B2",
+    "#E69F00",
+    "#009E73",
+    "#D55E00",
+    "#CC79A7",
+    "#56B4E9",
+)
 BLACK, GREY = "#222222", "#8A8A8A"
 CONTACT_SHADE = "#F1ECE2"
 
 
 def use():
     """Set the defaults of matplotlib."""
-    pyplot.rcParams.update({
-        "figure.dpi": 100, "savefig.dpi": 160, "figure.constrained_layout.use": True,
-        "font.family": "sans-serif", "font.size": 12, "axes.titlesize": 13, "axes.labelsize": 12,
-        "axes.titlelocation": "left", "axes.titlepad": 8,
-        "axes.spines.top": False, "axes.spines.right": False,
-        "axes.edgecolor": "#555555", "axes.axisbelow": True, "axes.grid": True,
-        "grid.color": "#DDDDDD", "grid.linewidth": 0.7,
-        "xtick.labelsize": 11, "ytick.labelsize": 11,
-        "legend.fontsize": 11, "legend.frameon": False,
-        "lines.linewidth": 1.9, "lines.solid_capstyle": "round"})
+    pyplot.rcParams.update(
+        {
+            "figure.dpi": 100,
+            "savefig.dpi": 160,
+            "figure.constrained_layout.use": True,
+            "font.family": "sans-serif",
+            "font.size": 12,
+            "axes.titlesize": 13,
+            "axes.labelsize": 12,
+            "axes.titlelocation": "left",
+            "axes.titlepad": 8,
+            "axes.spines.top": False,
+            "axes.spines.right": False,
+            "axes.edgecolor": "#555555",
+            "axes.axisbelow": True,
+            "axes.grid": True,
+            "grid.color": "#DDDDDD",
+            "grid.linewidth": 0.7,
+            "xtick.labelsize": 11,
+            "ytick.labelsize": 11,
+            "legend.fontsize": 11,
+            "legend.frameon": False,
+            "lines.linewidth": 1.9,
+            "lines.solid_capstyle": "round",
+        }
+    )
 
 
 def panels(n, heights=None, width=8.5, height=3.1):
     """n panels above each other that share the time axis."""
-    figure, axes = pyplot.subplots(n, 1, sharex=True, squeeze=False,
-                                   figsize=(width, height * n + 0.3),
-                                   gridspec_kw={"height_ratios": heights} if heights else None)
+    figure, axes = pyplot.subplots(
+        n,
+        1,
+        sharex=True,
+        squeeze=False,
+        figsize=(width, height * n + 0.3),
+        gridspec_kw={"height_ratios": heights} if heights else None,
+    )
     axes = axes[:, 0]
     axes[-1].set_xlabel("time")
     figure.align_ylabels(axes)

@@ -25,12 +25,16 @@ class Case:
 
     def __init__(self, path, coarse, folder):
         self.study = Study(path, coarse)
-        self.study.variants = [variant for variant in self.study.variants if not (coarse and variant.full)]
+        self.study.variants = [
+            variant for variant in self.study.variants if not (coarse and variant.full)
+        ]
         self.folder = folder / self.study.name.removeprefix("adaptive_")
         self.folder.mkdir(parents=True, exist_ok=True)
         self.tasks = runs.tasks(self.study, self.folder)
         settings = {"Output/VTU": "false", **self.study.reference, **self.study.common}
-        self.reference = self.study.reference and runs.Task(self.study, "reference", settings, self.folder / "reference")
+        self.reference = self.study.reference and runs.Task(
+            self.study, "reference", settings, self.folder / "reference"
+        )
 
     def groups(self):
         """(variant, numbers) by group, in the order of the file."""
@@ -54,7 +58,9 @@ class Case:
 
 def origin(task):
     """What a run depends on, but for the program."""
-    return json.dumps({"scene": task.study.scene.read_text(encoding="utf-8"), "keys": task.settings}, indent=1)
+    return json.dumps(
+        {"scene": task.study.scene.read_text(encoding="utf-8"), "keys": task.settings}, indent=1
+    )
 
 
 def reference(executable, task, draw_only):
@@ -76,8 +82,12 @@ def timed(executable, task):
     result = runs.run(executable, task)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    print(f"  {task.study.title}, {task.name}: {used:.1f} s of a processor, {time.monotonic() - start:.1f} s" +
-          (f"  failed: {result.failure}" if result.failure else ""), flush=True)
+    print(
+        f"  {task.study.title}, {task.name}: {used:.1f} s of a processor,"
+        f" {time.monotonic() - start:.1f} s"
+        + (f"  failed: {result.failure}" if result.failure else ""),
+        flush=True,
+    )
     (task.folder / TIME).write_text(f"{used:.2f}\n", encoding="utf-8")
     return result
 
@@ -90,36 +100,70 @@ def text(value):
 def finished(task):
     """The result of a run that was done before; one that was interrupted left tables, but no time."""
     result = runs.read(task)
-    return result if not result or (task.folder / TIME).exists() else Result(task.folder, "was interrupted. Run the study again.")
+    return (
+        result
+        if not result or (task.folder / TIME).exists()
+        else Result(task.folder, "was interrupted. Run the study again.")
+    )
 
 
 def errors_of(case):
     """The errors that are known in a case."""
-    return [name for name in measures.ERRORS if any(not math.isnan(numbers[name]) for numbers in case.numbers)]
+    return [
+        name
+        for name in measures.ERRORS
+        if any(not math.isnan(numbers[name]) for numbers in case.numbers)
+    ]
 
 
 def table(case):
     """One line for each run."""
     names = ["dofs", "largest_dofs", "steps", "changes", "seconds", *errors_of(case), "roughness"]
     rows = [["run", *(measures.HEADINGS[name] for name in names)]]
-    return rows + [[variant.name, *(text(numbers[name]) for name in names)] for variant, numbers in zip(case.study.variants, case.numbers)]
+    return rows + [
+        [variant.name, *(text(numbers[name]) for name in names)]
+        for variant, numbers in zip(case.study.variants, case.numbers)
+    ]
 
 
 def gains(case):
     """How many times fewer dofs and seconds than uniform meshes with the same error."""
     names = [f"{name} per {cost}" for name in errors_of(case) for cost in ("dofs", "seconds")]
-    rows = [["run", *(f"{name.split()[0]}: {'dofs' if name.endswith('dofs') else 'time'}" for name in names)]]
-    return rows + [[variant.name, *(text(numbers[name]) for name in names)]
-                   for variant, numbers in zip(case.study.variants, case.numbers) if variant.group != UNIFORM]
+    rows = [
+        [
+            "run",
+            *(
+                f"{name.split()[0]}: {'dofs' if name.endswith('dofs') else 'time'}"
+                for name in names
+            ),
+        ]
+    ]
+    return rows + [
+        [variant.name, *(text(numbers[name]) for name in names)]
+        for variant, numbers in zip(case.study.variants, case.numbers)
+        if variant.group != UNIFORM
+    ]
 
 
 def times(case):
     """Where the run time went."""
-    rows = [["run", "seconds", *(f"{name}, %" for name in (*dict.fromkeys(measures.SECTIONS.values()), "rest"))]]
+    rows = [
+        [
+            "run",
+            "seconds",
+            *(f"{name}, %" for name in (*dict.fromkeys(measures.SECTIONS.values()), "rest")),
+        ]
+    ]
     for variant, result, numbers in zip(case.study.variants, case.results, case.numbers):
         if result:
             parts = measures.where_the_time_went(result)
-            rows.append([variant.name, text(numbers["seconds"]), *(f"{part:.0f}" for part in parts.values())])
+            rows.append(
+                [
+                    variant.name,
+                    text(numbers["seconds"]),
+                    *(f"{part:.0f}" for part in parts.values()),
+                ]
+            )
     return rows
 
 
@@ -131,8 +175,16 @@ def adaptive(arguments, root):
     for name in CASES:
         case = Case(root / "parameters" / "studies" / f"{name}.ini", arguments.coarse, folder)
         print(case.study.title, flush=True)
-        exact = reference(arguments.executable, case.reference, arguments.draw_only) if case.reference else None
-        done = list(map(finished, case.tasks)) if arguments.draw_only else [timed(arguments.executable, task) for task in case.tasks]
+        exact = (
+            reference(arguments.executable, case.reference, arguments.draw_only)
+            if case.reference
+            else None
+        )
+        done = (
+            list(map(finished, case.tasks))
+            if arguments.draw_only
+            else [timed(arguments.executable, task) for task in case.tasks]
+        )
         good = good and bool(exact or not case.reference) and all(done)
         if case.reference and not exact:
             print(f"  left out: its reference failed: {exact.failure}", flush=True)

@@ -14,8 +14,13 @@ from .observe import during_contact, roughness
 #: Curves are compared at so many equidistant times: many more than any run here has steps in contact.
 SAMPLES = 20001
 #: Sections of the timer table in log.txt, and what they are called here.
-SECTIONS = {"first step on a mesh": "steps", "later steps on a mesh": "steps", "mesh: indicator and marking": "indicator",
-            "mesh: all of a change": "changes", "diagnostics and tables": "diagnostics"}
+SECTIONS = {
+    "first step on a mesh": "steps",
+    "later steps on a mesh": "steps",
+    "mesh: indicator and marking": "indicator",
+    "mesh: all of a change": "changes",
+    "diagnostics and tables": "diagnostics",
+}
 
 
 def force_curve(result, times):
@@ -30,7 +35,7 @@ def pressure_curve(result, times):
     share = instants.before_end(result.keys_of_time)
     rows = dict(zip(result["time"], result["step_size"]))
     ends = numpy.array(result.probe["time"])
-    sizes = numpy.array([rows.get(time, 0.) for time in result.probe["time"]])
+    sizes = numpy.array([rows.get(time, 0.0) for time in result.probe["time"]])
     return numpy.interp(times, ends - share * sizes, result.probe["pressure"])
 
 
@@ -55,12 +60,20 @@ def energy_norm(result, reference, times):
 
 def exact_force(result, reference, times):
     """The known force of the study, else that of the reference."""
-    return numpy.array([result.exact_force(time) for time in times]) if result.exact_force else force_curve(reference, times)
+    return (
+        numpy.array([result.exact_force(time) for time in times])
+        if result.exact_force
+        else force_curve(reference, times)
+    )
 
 
 def pressure_error(result, reference, times):
     """Unknown without a reference run."""
-    return distance(pressure_curve(result, times), pressure_curve(reference, times)) if reference else math.nan
+    return (
+        distance(pressure_curve(result, times), pressure_curve(reference, times))
+        if reference
+        else math.nan
+    )
 
 
 def seconds(folder, result):
@@ -73,21 +86,37 @@ def measure(result, reference):
     """All numbers of a run by name; nan for a failed one. reference: None if the solution is known."""
     if not result:
         return {name: math.nan for name in HEADINGS}
-    times = numpy.linspace(0., result["time"][-1], SAMPLES)
+    times = numpy.linspace(0.0, result["time"][-1], SAMPLES)
     dofs = result["dofs"][1:]
     known = "relative_displacement_error" in result.history
-    return {"dofs": sum(dofs) / len(dofs), "largest_dofs": max(dofs), "steps": len(dofs),
-            "seconds": seconds(result.folder, result), "wall_time": result["wall_time"][-1],
-            "force": distance(force_curve(result, times), exact_force(result, reference, times)),
-            "pressure": pressure_error(result, reference, times),
-            "energy": energy_norm(result, reference, times),
-            "displacement": 100 * result["relative_displacement_error"][-1] if known else math.nan,
-            "roughness": roughness(during_contact(result)), "changes": changes(result)}
+    return {
+        "dofs": sum(dofs) / len(dofs),
+        "largest_dofs": max(dofs),
+        "steps": len(dofs),
+        "seconds": seconds(result.folder, result),
+        "wall_time": result["wall_time"][-1],
+        "force": distance(force_curve(result, times), exact_force(result, reference, times)),
+        "pressure": pressure_error(result, reference, times),
+        "energy": energy_norm(result, reference, times),
+        "displacement": 100 * result["relative_displacement_error"][-1] if known else math.nan,
+        "roughness": roughness(during_contact(result)),
+        "changes": changes(result),
+    }
 
 
-HEADINGS = {"dofs": "dofs (mean)", "largest_dofs": "dofs (largest)", "steps": "steps", "seconds": "processor s", "wall_time": "wall s",
-            "force": "force, %", "pressure": "pressure, %", "energy": "energy norm, %", "displacement": "displacement, %",
-            "roughness": "roughness of the force", "changes": "changes of the mesh"}
+HEADINGS = {
+    "dofs": "dofs (mean)",
+    "largest_dofs": "dofs (largest)",
+    "steps": "steps",
+    "seconds": "processor s",
+    "wall_time": "wall s",
+    "force": "force, %",
+    "pressure": "pressure, %",
+    "energy": "energy norm, %",
+    "displacement": "displacement, %",
+    "roughness": "roughness of the force",
+    "changes": "changes of the mesh",
+}
 ERRORS = ("force", "pressure", "energy", "displacement")
 
 
@@ -115,7 +144,7 @@ def where_the_time_went(result):
     """Parts of the run time, in per cent, from the timer table of log.txt: steps, indicator, changes of the mesh, diagnostics, the rest."""
     text = (result.folder / "log.txt").read_text(encoding="utf-8")
     total = re.search(r"Total wallclock time elapsed\s*\|\s*([\d.e+-]+)s", text)
-    parts = dict.fromkeys((*SECTIONS.values(), "rest"), 0.)
+    parts = dict.fromkeys((*SECTIONS.values(), "rest"), 0.0)
     for name, used in re.findall(r"^\| (.+?)\s*\|\s*\d+ \|\s*([\d.e+-]+)s", text, re.MULTILINE):
         if name in SECTIONS:
             parts[SECTIONS[name]] += 100 * float(used) / float(total.group(1))

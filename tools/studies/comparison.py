@@ -18,29 +18,48 @@ from .observe import OBSERVATIONS
 SCENES = ("krause_walloth_b", "krause_walloth_b_tilted", "krause_walloth_a")
 PAPER = "krause_walloth_paper.csv"
 #: Figures of a scene, drawn from curves.
-CURVES = {"force": figures.force, "energy": figures.energy, "displacement": figures.displacement, "velocity": figures.velocity}
+CURVES = {
+    "force": figures.force,
+    "energy": figures.energy,
+    "displacement": figures.displacement,
+    "velocity": figures.velocity,
+}
 #: Figures of a scene, drawn from the pressure at one time.
-PRESSURES = {"pressure": figures.pressure_over_radius, "pressure_from_above": figures.pressure_from_above}
+PRESSURES = {
+    "pressure": figures.pressure_over_radius,
+    "pressure_from_above": figures.pressure_from_above,
+}
 
 
 @dataclasses.dataclass
 class Scene:
     """A study with its results, in the order of its variants."""
+
     study: Study
     results: list
 
     def __post_init__(self):
         self.variants = self.study.variants
         time = self.study.pressure_time
-        self.pressures = [stress.read_pressure(result.folder, time) if time and result else None for result in self.results]
-        self.numbers = [{name: observation(result) for name, observation in OBSERVATIONS.items()} for result in self.results]
+        self.pressures = [
+            stress.read_pressure(result.folder, time) if time and result else None
+            for result in self.results
+        ]
+        self.numbers = [
+            {name: observation(result) for name, observation in OBSERVATIONS.items()}
+            for result in self.results
+        ]
         for numbers, pressure in zip(self.numbers, self.pressures):
             if pressure is not None:
                 numbers["pressure_scatter"] = pressure.scatter()
 
     def failures(self):
         """(variant, message) of the runs that failed."""
-        return [(variant, result.failure) for variant, result in zip(self.variants, self.results) if not result]
+        return [
+            (variant, result.failure)
+            for variant, result in zip(self.variants, self.results)
+            if not result
+        ]
 
     def table(self):
         """All observations, with the scatter of the pressure where it is known."""
@@ -59,7 +78,11 @@ class Scene:
         at = names.index(row["variant"])
         text = judge.say(row["quantity"], self.numbers[at])
         verdict = judge.verdict(row["paper"], text)
-        time = observe.passes(self.results[at], float(row["paper"])) if row["quantity"] == "energy_most" else None
+        time = (
+            observe.passes(self.results[at], float(row["paper"]))
+            if row["quantity"] == "energy_most"
+            else None
+        )
         if time is not None and verdict != "agrees":
             verdict += f", passes the paper's at t = {time:.3g}"
         return [text, verdict]
@@ -71,7 +94,9 @@ def save(figure, path):
     figure.savefig(buffer, format="png", dpi=100, bbox_inches="tight", pad_inches=0.1)
     style.close(figure)
     buffer.seek(0)
-    Image.open(buffer).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
+    Image.open(buffer).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(
+        path, optimize=True
+    )
 
 
 def draw(scene, folder):
@@ -79,7 +104,12 @@ def draw(scene, folder):
     groups = figures.groups_of(zip(scene.variants, scene.results))
     drawn = {name: (function, groups) for name, function in CURVES.items() if groups}
     if scene.study.pressure_time:
-        drawn.update({name: (function, list(zip(scene.variants, scene.pressures))) for name, function in PRESSURES.items()})
+        drawn.update(
+            {
+                name: (function, list(zip(scene.variants, scene.pressures)))
+                for name, function in PRESSURES.items()
+            }
+        )
     written = {}
     for name, (function, data) in drawn.items():
         figure = function(data)
@@ -91,11 +121,16 @@ def draw(scene, folder):
 
 def check_paper(path, rows, variants):
     """Each line of the paper's numbers needs a known variant and a known quantity."""
-    known = {"variant": [variant.name for variant in variants], "quantity": [*judge.WORDS, *judge.RANGES, *OBSERVATIONS]}
+    known = {
+        "variant": [variant.name for variant in variants],
+        "quantity": [*judge.WORDS, *judge.RANGES, *OBSERVATIONS],
+    }
     for row in rows:
         for column, valid in known.items():
             if row.get(column) not in valid:
-                raise Mistake(f"{path}: {column} = {row.get(column)} is not known. Valid: {', '.join(valid)}.")
+                raise Mistake(
+                    f"{path}: {column} = {row.get(column)} is not known. Valid: {', '.join(valid)}."
+                )
 
 
 def against_paper(rows, scenes):
@@ -105,11 +140,18 @@ def against_paper(rows, scenes):
         here = [scene for scene in scenes if scene.study.geometry == geometry]
         if not here:
             continue
-        found[geometry] = [["section", "scheme", "observed", "paper"]
-                           + [text for scene in here for text in (f"here: {scene.study.title}", "")]]
+        found[geometry] = [
+            ["section", "scheme", "observed", "paper"]
+            + [text for scene in here for text in (f"here: {scene.study.title}", "")]
+        ]
         for row in rows:
             if row["geometry"] == geometry:
-                line = [row["section"], row["variant"], judge.heading(row["quantity"]), row["paper"]]
+                line = [
+                    row["section"],
+                    row["variant"],
+                    judge.heading(row["quantity"]),
+                    row["paper"],
+                ]
                 for scene in here:
                     line += scene.beside(row)
                 found[geometry].append(line)
@@ -123,7 +165,9 @@ def compare(executable, files, paper, folder, coarse=False, jobs=2, draw_only=Fa
     planned = [runs.tasks(study, folder / study.name) for study in studies]
     everything = [task for tasks in planned for task in tasks]
     folder.mkdir(parents=True, exist_ok=True)
-    done = iter(runs.read_all(everything) if draw_only else runs.run_all(executable, everything, jobs))
+    done = iter(
+        runs.read_all(everything) if draw_only else runs.run_all(executable, everything, jobs)
+    )
     scenes = [Scene(study, [next(done) for _ in tasks]) for study, tasks in zip(studies, planned)]
     style.use()
     pictures = {}
@@ -157,8 +201,16 @@ def krause_walloth(arguments, root):
     """The study as the command line wants it."""
     data = root / "parameters" / "studies"
     folder = pathlib.Path(arguments.folder or "output/krause-walloth").resolve()
-    good = compare(arguments.executable, [data / f"{name}.ini" for name in SCENES], data / PAPER, folder, arguments.coarse,
-                   arguments.jobs or 2, arguments.draw_only, "./dev study krause-walloth" + " --coarse" * arguments.coarse)
+    good = compare(
+        arguments.executable,
+        [data / f"{name}.ini" for name in SCENES],
+        data / PAPER,
+        folder,
+        arguments.coarse,
+        arguments.jobs or 2,
+        arguments.draw_only,
+        "./dev study krause-walloth" + " --coarse" * arguments.coarse,
+    )
     if arguments.page:
         copy_page(folder, arguments.page.resolve())
     return good

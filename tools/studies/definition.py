@@ -16,7 +16,18 @@ from .quantities import read_curve, read_quantities
 #: Sections without a name of their own.
 SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference", "quantities")
 #: Keys of the section [study].
-KEYS = ("scene", "title", "geometry", "observe", "variants", "processes", "pressure at", "exact force", "curve", "figure")
+KEYS = (
+    "scene",
+    "title",
+    "geometry",
+    "observe",
+    "variants",
+    "processes",
+    "pressure at",
+    "exact force",
+    "curve",
+    "figure",
+)
 #: What a [variant NAME] says besides keys of the scene.
 WORDS = ("group", "paper", "full")
 
@@ -24,6 +35,7 @@ WORDS = ("group", "paper", "full")
 @dataclasses.dataclass
 class Variant:
     """One line of a table: a name, where it belongs, and the keys of the scene that make it."""
+
     name: str
     settings: dict
     group: str = ""
@@ -38,7 +50,9 @@ class Variant:
 
 def read_ini(path):
     """The sections of a file; keys keep their capitals."""
-    parser = configparser.ConfigParser(delimiters=("=",), inline_comment_prefixes=None, interpolation=None)
+    parser = configparser.ConfigParser(
+        delimiters=("=",), inline_comment_prefixes=None, interpolation=None
+    )
     parser.optionxform = str
     try:
         with open(path, encoding="utf-8") as file:
@@ -47,7 +61,10 @@ def read_ini(path):
         raise Mistake(f"{path}: cannot be read: {error}") from None
     for section in parser.sections():
         if section not in SECTIONS and not section.startswith("variant "):
-            raise Mistake(f"{path}: unknown section [{section}]. Valid: {', '.join(f'[{name}]' for name in SECTIONS)}, [variant NAME].")
+            raise Mistake(
+                f"{path}: unknown section [{section}]. Valid:"
+                f" {', '.join(f'[{name}]' for name in SECTIONS)}, [variant NAME]."
+            )
     return parser
 
 
@@ -62,8 +79,10 @@ def read_variants(parser, path):
     folders = [variant.folder for variant in variants]
     for variant in variants:
         if not variant.folder or folders.count(variant.folder) > 1:
-            raise Mistake(f"{path}: [variant {variant.name}]: its results need a folder of their own. Give it another name, with other letters or "
-                          "digits.")
+            raise Mistake(
+                f"{path}: [variant {variant.name}]: its results need a folder of their own. Give it"
+                " another name, with other letters or digits."
+            )
     return variants
 
 
@@ -80,21 +99,32 @@ class Study:
         self.path, self.name = path, path.stem
         self.scene = (path.parent / parser["study"]["scene"]).resolve()
         if not self.scene.is_file():
-            raise Mistake(f"{path}: scene = {parser['study']['scene']}: there is no file {self.scene}.")
+            raise Mistake(
+                f"{path}: scene = {parser['study']['scene']}: there is no file {self.scene}."
+            )
         self.title = parser.get("study", "title", fallback=self.name)
         self.geometry = parser.get("study", "geometry", fallback="")
         self.pressure_time = self.time(parser, "pressure at")
         self.processes = self.whole_number(parser, "processes")
-        self.observe = [name.strip() for name in parser.get("study", "observe", fallback="").split(",") if name.strip()]
+        self.observe = [
+            name.strip()
+            for name in parser.get("study", "observe", fallback="").split(",")
+            if name.strip()
+        ]
         self.read_quantities(parser)
         for name in self.observe:
             if name not in self.observations:
-                raise Mistake(f"{path}: observe = {name} is not known. Valid: {', '.join(self.observations)}.")
+                raise Mistake(
+                    f"{path}: observe = {name} is not known. Valid: {', '.join(self.observations)}."
+                )
         self.read_expectations(parser)
         self.common = self.settings(parser, "scene")
         if coarse:
             if not parser.has_section("coarse"):
-                raise Mistake(f"{path}: --coarse needs a section [coarse] with the keys of the scene that make it cheap.")
+                raise Mistake(
+                    f"{path}: --coarse needs a section [coarse] with the keys of the scene that"
+                    " make it cheap."
+                )
             self.common.update(self.settings(parser, "coarse"))
         self.variations, together = self.lists(parser, "variations"), self.lists(parser, "together")
         if len({len(column) for column in together.values()}) > 1:
@@ -105,19 +135,27 @@ class Study:
             other = (path.parent / parser["study"]["variants"]).resolve()
             self.variants = read_variants(read_ini(other), other) + self.variants
         if not self.variations and not together and not self.variants:
-            raise Mistake(f"{path}: nothing varies. Give [variations], [together] or [variant NAME].")
+            raise Mistake(
+                f"{path}: nothing varies. Give [variations], [together] or [variant NAME]."
+            )
 
     def read_quantities(self, parser):
         """What the file derives from histories, a curve to compare it with, and which quantities a figure shows: (abscissa, ordinate)."""
         text = parser.get("study", "curve", fallback=None)
-        self.curve_names, self.curve = read_curve(self.path.parent / text, f"{self.path}: curve") if text else ((), None)
+        self.curve_names, self.curve = (
+            read_curve(self.path.parent / text, f"{self.path}: curve") if text else ((), None)
+        )
         quantities = read_quantities(self.settings(parser, "quantities"), self.path, self.curve)
         self.observations = {**OBSERVATIONS, **quantities}
         text = parser.get("study", "figure", fallback=None)
         self.figure = text and tuple(name.strip() for name in text.split(" over "))[::-1]
-        if text and (len(self.figure) != 2 or not all(name in self.observations for name in self.figure)):
-            raise Mistake(f"{self.path}: figure = {text}: give two observations or quantities, as in `figure = impulse over force_largest`. "
-                          f"Valid: {', '.join(self.observations)}.")
+        if text and (
+            len(self.figure) != 2 or not all(name in self.observations for name in self.figure)
+        ):
+            raise Mistake(
+                f"{self.path}: figure = {text}: give two observations or quantities, as in `figure"
+                f" = impulse over force_largest`. Valid: {', '.join(self.observations)}."
+            )
 
     def read_expectations(self, parser):
         """What runs are compared with: [reference], and the exact force."""
@@ -125,13 +163,21 @@ class Study:
         self.exact_force = text and Expression(text, f"{self.path}: [study] exact force")
         self.reference = self.settings(parser, "reference")
         if parser.has_section("reference") and not self.reference:
-            raise Mistake(f"{self.path}: [reference] is empty. Give the keys of the run to compare with, for example `Time/Scheme = reference`.")
+            raise Mistake(
+                f"{self.path}: [reference] is empty. Give the keys of the run to compare with, for"
+                " example `Time/Scheme = reference`."
+            )
         for name in self.observe:
             if name in DISTANCES and not self.reference:
-                raise Mistake(f"{self.path}: observe = {name} needs a section [reference] with the keys of the run to compare with, for example "
-                              "`Time/Scheme = reference`.")
+                raise Mistake(
+                    f"{self.path}: observe = {name} needs a section [reference] with the keys of"
+                    " the run to compare with, for example `Time/Scheme = reference`."
+                )
             if name == "force_error" and not self.exact_force:
-                raise Mistake(f"{self.path}: observe = {name} needs `exact force = ...` in [study], an expression in t.")
+                raise Mistake(
+                    f"{self.path}: observe = {name} needs `exact force = ...` in [study], an"
+                    " expression in t."
+                )
 
     @staticmethod
     def settings(parser, section):
@@ -141,13 +187,18 @@ class Study:
     @staticmethod
     def lists(parser, section):
         """Keys of the scene and their lists of values."""
-        return {key: [value.strip() for value in text.split(";")] for key, text in Study.settings(parser, section).items()}
+        return {
+            key: [value.strip() for value in text.split(";")]
+            for key, text in Study.settings(parser, section).items()
+        }
 
     def whole_number(self, parser, key):
         """A number of [study], one if not given."""
         text = parser.get("study", key, fallback="1")
         if not text.isdigit() or int(text) < 1:
-            raise Mistake(f"{self.path}: {key} = {text} is not a number of processes. Give 1, 2, ...")
+            raise Mistake(
+                f"{self.path}: {key} = {text} is not a number of processes. Give 1, 2, ..."
+            )
         return int(text)
 
     def time(self, parser, key):

@@ -13,7 +13,11 @@ def relative(pairs):
     """sqrt(sum (value - expected)^2 / sum expected^2) in per cent; steps of one size need no weight."""
     pairs = list(pairs)
     size = sum(expected**2 for _, expected in pairs)
-    return 100 * math.sqrt(sum((value - expected)**2 for value, expected in pairs) / size) if size > 0 else math.nan
+    return (
+        100 * math.sqrt(sum((value - expected) ** 2 for value, expected in pairs) / size)
+        if size > 0
+        else math.nan
+    )
 
 
 def instants_of_force(result):
@@ -32,7 +36,7 @@ class Curve:
         """The value at a time, or beyond the ends that of the end."""
         n = min(max(bisect.bisect_left(self.times, time), 1), len(self.times) - 1)
         start, end = self.times[n - 1], self.times[n]
-        part = min(max((time - start) / (end - start), 0.), 1.)
+        part = min(max((time - start) / (end - start), 0.0), 1.0)
         return (1 - part) * self.values[n - 1] + part * self.values[n]
 
 
@@ -40,7 +44,10 @@ def force_error(result):
     """Of the contact force, from the known one."""
     if not result.exact_force:
         return math.nan
-    return relative((force, result.exact_force(time)) for force, time in zip(result["contact_force"][1:], instants_of_force(result)))
+    return relative(
+        (force, result.exact_force(time))
+        for force, time in zip(result["contact_force"][1:], instants_of_force(result))
+    )
 
 
 def force_distance(result):
@@ -50,15 +57,24 @@ def force_distance(result):
     exact = result.reference
     share = instants.before_end(exact.keys_of_time) * exact["step_size"][-1]
     curve = Curve([time - share for time in exact["time"]], exact["contact_force"])
-    return relative((force, curve(time)) for force, time in zip(result["contact_force"][1:], instants_of_force(result)))
+    return relative(
+        (force, curve(time))
+        for force, time in zip(result["contact_force"][1:], instants_of_force(result))
+    )
 
 
 def displacement_distance(result):
     """Of the normal displacements of all probes, from those of the reference."""
     if not result.reference:
         return math.nan
-    return relative(pair for probe, exact in both(result)
-                    for pair in zip(probe["normal_displacement"], map(Curve(exact["time"], exact["normal_displacement"]), probe["time"])))
+    return relative(
+        pair
+        for probe, exact in both(result)
+        for pair in zip(
+            probe["normal_displacement"],
+            map(Curve(exact["time"], exact["normal_displacement"]), probe["time"]),
+        )
+    )
 
 
 def velocity_distance(result):
@@ -70,7 +86,9 @@ def velocity_distance(result):
     mean = instants.velocity_is_mean(result.keys_of_time)
     for probe, exact in both(result):
         curve, last = Curve(exact["time"], exact["normal_displacement"]), exact["time"][-1]
-        for time, old, velocity in zip(probe["time"][1:], probe["time"], probe["normal_velocity"][1:]):
+        for time, old, velocity in zip(
+            probe["time"][1:], probe["time"], probe["normal_velocity"][1:]
+        ):
             start, end = (old, time) if mean else (time - fine, min(time + fine, last))
             pairs.append((velocity, (curve(end) - curve(start)) / (end - start)))
     return relative(pairs)

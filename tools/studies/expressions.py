@@ -13,8 +13,15 @@ CONSTANTS = {"pi": math.pi}
 #: Functions with one argument, and those with two or more.
 FUNCTIONS = {"sin": math.sin, "cos": math.cos, "sqrt": math.sqrt, "abs": abs}
 CHOICES = {"max": max, "min": min}
-OPERATORS = {ast.Add: operator.add, ast.Sub: operator.sub, ast.Mult: operator.mul, ast.Div: operator.truediv, ast.Pow: operator.pow,
-             ast.USub: operator.neg, ast.UAdd: operator.pos}
+OPERATORS = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.Pow: operator.pow,
+    ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
+}
 
 
 class Expression:
@@ -25,7 +32,9 @@ class Expression:
         try:
             self.tree = ast.parse(text.strip().replace("^", "**"), mode="eval").body
         except (SyntaxError, ValueError, RecursionError) as error:
-            raise Mistake(f"{where} = {text}: cannot be read: {getattr(error, 'msg', error)}. {self.valid()}") from None
+            raise Mistake(
+                f"{where} = {text}: cannot be read: {getattr(error, 'msg', error)}. {self.valid()}"
+            ) from None
         self.check(self.tree)
 
     def __call__(self, *values):
@@ -35,14 +44,23 @@ class Expression:
         try:
             value = self.evaluate(self.tree, variables)
         except (ArithmeticError, ValueError) as error:
-            raise Mistake(f"{self.where} = {self.text}: has no value at {at}: {error}. Write it so that it always has one.") from None
+            raise Mistake(
+                f"{self.where} = {self.text}: has no value at {at}: {error}. Write it so that it"
+                " always has one."
+            ) from None
         if isinstance(value, complex) or not math.isfinite(value):
-            raise Mistake(f"{self.where} = {self.text}: has no real value at {at}. Write it so that it always has one.")
+            raise Mistake(
+                f"{self.where} = {self.text}: has no real value at {at}. Write it so that it always"
+                " has one."
+            )
         return value
 
     def valid(self):
         """What may be written."""
-        return f"Valid: numbers, {', '.join([*self.variables, *CONSTANTS, *FUNCTIONS, *CHOICES])}, + - * / ** ^ and brackets."
+        return (
+            f"Valid: numbers, {', '.join([*self.variables, *CONSTANTS, *FUNCTIONS, *CHOICES])}, + -"
+            " * / ** ^ and brackets."
+        )
 
     def refuse(self, what):
         """The mistake of something that is not arithmetic."""
@@ -71,7 +89,10 @@ class Expression:
         if name not in FUNCTIONS and name not in CHOICES:
             raise self.refuse(f"the function {name} is not known")
         if count != 1 and name in FUNCTIONS or count < 2 and name in CHOICES:
-            raise self.refuse(f"{name} wants {'one argument' if name in FUNCTIONS else 'two arguments or more'}, not {count}")
+            raise self.refuse(
+                f"{name} wants {'one argument' if name in FUNCTIONS else 'two arguments or more'},"
+                f" not {count}"
+            )
         for argument in node.args:
             self.check(argument)
 
@@ -82,7 +103,11 @@ class Expression:
         if isinstance(node, ast.Name):
             return {**CONSTANTS, **variables}[node.id]
         if isinstance(node, ast.BinOp):
-            return OPERATORS[type(node.op)](self.evaluate(node.left, variables), self.evaluate(node.right, variables))
+            return OPERATORS[type(node.op)](
+                self.evaluate(node.left, variables), self.evaluate(node.right, variables)
+            )
         if isinstance(node, ast.UnaryOp):
             return OPERATORS[type(node.op)](self.evaluate(node.operand, variables))
-        return {**FUNCTIONS, **CHOICES}[node.func.id](*(self.evaluate(argument, variables) for argument in node.args))
+        return {**FUNCTIONS, **CHOICES}[node.func.id](
+            *(self.evaluate(argument, variables) for argument in node.args)
+        )

@@ -17,7 +17,7 @@ import subprocess
 from .expressions import Expression
 from .mistake import Mistake
 
-MIDDLE, END = 0.5, 0.
+MIDDLE, END = 0.5, 0.0
 
 schemes = {}
 
@@ -26,25 +26,38 @@ def use(executable):
     """Read the table of schemes of a program."""
     environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     try:
-        result = subprocess.run([str(executable), "--print-schemes=json"], capture_output=True, text=True,
-                                env=environment, check=True)
+        result = subprocess.run(
+            [str(executable), "--print-schemes=json"],
+            capture_output=True,
+            text=True,
+            env=environment,
+            check=True,
+        )
         schemes.update((scheme["name"], scheme) for scheme in json.loads(result.stdout))
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
-        raise Mistake(f"{executable}: its table of schemes cannot be read: {error}. Build the program with ./dev build.") from None
+        raise Mistake(
+            f"{executable}: its table of schemes cannot be read: {error}. Build the program with"
+            " ./dev build."
+        ) from None
 
 
 def scheme_of(keys):
     """What the table says about the scheme of a run."""
     if keys["Scheme"] not in schemes:
-        raise Mistake(f"the program does not know the scheme of these results, Time/Scheme = {keys['Scheme']}. Run the study again.")
+        raise Mistake(
+            "the program does not know the scheme of these results, Time/Scheme ="
+            f" {keys['Scheme']}. Run the study again."
+        )
     return schemes[keys["Scheme"]]
 
 
 def before_end(keys):
     """How far before the end of the step the contact force belongs, as a part of the step. keys: of the section Time."""
     scheme = scheme_of(keys)
-    value = float(keys[scheme["parameter"]]) if scheme["parameter"] else 0.
-    return Expression(scheme["force_before_end"], f"{scheme['name']}: force_before_end", ("p",))(value)
+    value = float(keys[scheme["parameter"]]) if scheme["parameter"] else 0.0
+    return Expression(scheme["force_before_end"], f"{scheme['name']}: force_before_end", ("p",))(
+        value
+    )
 
 
 def velocity_is_mean(keys):

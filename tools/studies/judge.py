@@ -19,6 +19,7 @@ CLOSE = 0.25
 @dataclasses.dataclass
 class Word:
     """A heading, the observation that decides, and the word for its value."""
+
     heading: str
     observation: str
     choose: typing.Callable
@@ -37,8 +38,12 @@ def smooth(value, limit=SMOOTH):
 WORDS = {
     "penetrates": Word("penetrates", "penetration_in_steps", lambda v: "yes" if v > 0 else "no"),
     "energy_grows": Word("energy grows", "energy_most", lambda v: "yes" if v > NONE else "no"),
-    "own_energy_grows": Word("own energy grows", "own_energy_most", lambda v: "yes" if v > NONE else "no"),
-    "loss": Word("most of the loss", "loss_before_peak", lambda v: "on impact" if v > 50 else "on release"),
+    "own_energy_grows": Word(
+        "own energy grows", "own_energy_most", lambda v: "yes" if v > NONE else "no"
+    ),
+    "loss": Word(
+        "most of the loss", "loss_before_peak", lambda v: "on impact" if v > 50 else "on release"
+    ),
     "force": Word("force", "force_zigzag", smooth),
     "pressure": Word("contact pressure", "pressure_scatter", lambda v: smooth(v, SMOOTH_PRESSURE)),
     "velocity_contact": Word("velocity in contact", "velocity_zigzag", smooth),
@@ -81,7 +86,7 @@ def verdict(paper, here):
         if max(abs(a - b) for a, b in zip(theirs, ours)) <= CLOSE * width:
             return "agrees"
         return f"ratio {(ours[1] - ours[0]) / width:.2g}"
-    if abs(theirs[0]) == 0.:
+    if abs(theirs[0]) == 0.0:
         return "agrees" if abs(ours[0]) <= NONE else "differs"
     ratio = ours[0] / theirs[0]
     if abs(ratio - 1) <= CLOSE:

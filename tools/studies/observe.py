@@ -31,7 +31,7 @@ class Result:
 
     def __init__(self, folder, failure=""):
         self.folder, self.failure = pathlib.Path(folder), failure
-        self.reference = None    # another Result, to which this one is compared
+        self.reference = None  # another Result, to which this one is compared
         self.exact_force = None  # the contact force as a function of time
 
     def __bool__(self):
@@ -66,7 +66,7 @@ def during_contact(result):
     """The force from the first to the last step with contact."""
     force = result["contact_force"]
     rows = between(force)
-    return force[rows[0]:rows[1] + 1] if rows else [0.]
+    return force[rows[0] : rows[1] + 1] if rows else [0.0]
 
 
 def between(force):
@@ -79,7 +79,7 @@ def roughness(values):
     """Mean absolute second difference over the mean: 0 for a smooth curve, above 1 for zigzag."""
     mean = sum(values) / len(values)
     second = [abs(a - 2 * b + c) for a, b, c in zip(values, values[1:], values[2:])]
-    return sum(second) / len(second) / mean if second and mean > 0 else 0.
+    return sum(second) / len(second) / mean if second and mean > 0 else 0.0
 
 
 def zigzag(values):
@@ -87,7 +87,7 @@ def zigzag(values):
     changes = [b - a for a, b in zip(values, values[1:])]
     back = sum(min(abs(a), abs(b)) for a, b in zip(changes, changes[1:]) if a * b < 0)
     everything = sum(map(abs, changes))
-    return back / everything if everything > 0 else 0.
+    return back / everything if everything > 0 else 0.0
 
 
 def energy_change(result, choose, column="total_energy"):
@@ -95,8 +95,8 @@ def energy_change(result, choose, column="total_energy"):
     energy = result[column]
     motion = max(map(sum, zip(result["kinetic_energy_modified"], result["elastic_energy"])))
     scale = abs(energy[0]) if abs(energy[0]) > 1e-3 * motion else motion
-    change = 100 * (choose(energy) - energy[0]) / (scale or 1.)
-    return change if abs(change) > ROUND_OFF else 0.
+    change = 100 * (choose(energy) - energy[0]) / (scale or 1.0)
+    return change if abs(change) > ROUND_OFF else 0.0
 
 
 def energy_drift(result, column="total_energy"):
@@ -109,7 +109,14 @@ def passes(result, change):
     if not result:
         return None
     start = result["total_energy"][0]
-    return next((time for time, energy in zip(result["time"], result["total_energy"]) if 100 * (energy - start) >= change * abs(start)), None)
+    return next(
+        (
+            time
+            for time, energy in zip(result["time"], result["total_energy"])
+            if 100 * (energy - start) >= change * abs(start)
+        ),
+        None,
+    )
 
 
 def loss_before_peak(result):
@@ -133,7 +140,11 @@ def velocities(result, when):
     if not rows:
         return []
     first, last = rows
-    part = {"contact": slice(first + 1, last + 1), "after": slice(last + 1, None), "both": slice(first, None)}[when]
+    part = {
+        "contact": slice(first + 1, last + 1),
+        "after": slice(last + 1, None),
+        "both": slice(first, None),
+    }[when]
     return [-velocity for velocity in result.probe["normal_velocity"][part]]
 
 
@@ -150,7 +161,11 @@ def approach(result):
 def velocity_in_contact(result):
     """Largest relative normal speed during contact, in units of the speed of approach."""
     speed = approach(result)
-    return extreme([abs(velocity) / speed for velocity in velocities(result, "contact")], max) if speed else math.nan
+    return (
+        extreme([abs(velocity) / speed for velocity in velocities(result, "contact")], max)
+        if speed
+        else math.nan
+    )
 
 
 def velocity_zigzag(result):
@@ -164,12 +179,13 @@ def penetration_in_steps(result):
     """Penetration in units of what the probe moves in one step on approach."""
     way = approach(result) * result["step_size"][-1]
     depth = max(result["max_penetration"]) / way if way > 0 else math.nan
-    return 0. if depth < 1e-6 else depth
+    return 0.0 if depth < 1e-6 else depth
 
 
 @dataclasses.dataclass
 class Observation:
     """A heading, and the number that stands below it."""
+
     heading: str
     measure: typing.Callable
 
@@ -182,37 +198,67 @@ class Observation:
 
 
 OWN = "total_energy_modified"
-OBSERVATIONS = {name: Observation(*rest) for name, rest in {
-    "energy_change": ("energy at the end, %", lambda r: energy_change(r, lambda e: e[-1])),
-    "energy_least": ("least energy, %", lambda r: energy_change(r, min)),
-    "energy_most": ("largest energy, %", lambda r: energy_change(r, max)),
-    "energy_drift": ("energy drift, %", energy_drift),
-    "own_energy_change": ("own energy at the end, %", lambda r: energy_change(r, lambda e: e[-1], OWN)),
-    "own_energy_least": ("least own energy, %", lambda r: energy_change(r, min, OWN)),
-    "own_energy_most": ("largest own energy, %", lambda r: energy_change(r, max, OWN)),
-    "own_energy_drift": ("own energy drift, %", lambda r: energy_drift(r, OWN)),
-    "loss_before_peak": ("of it before the largest force, %", loss_before_peak),
-    "force_largest": ("largest force", lambda r: max(r["contact_force"])),
-    "force_roughness": ("roughness of the force", lambda r: roughness(during_contact(r))),
-    "force_zigzag": ("zigzag of the force", lambda r: zigzag([0., *during_contact(r), 0.])),
-    "impulse": ("impulse", lambda r: sum(f * s for f, s in zip(r["contact_force"], r["step_size"]))),
-    "penetration": ("penetration", lambda r: 0. if penetration_in_steps(r) == 0. else max(r["max_penetration"])),
-    "penetration_in_steps": ("penetration, steps", penetration_in_steps),
-    "velocity_in_contact": ("speed in contact / approach", velocity_in_contact),
-    "velocity_zigzag": ("zigzag of the velocity / approach", velocity_zigzag),
-    "velocity_after_least": ("least velocity after release", lambda r: extreme(velocities(r, "after"), min)),
-    "velocity_after_most": ("largest velocity after release", lambda r: extreme(velocities(r, "after"), max)),
-    "velocity_least": ("least velocity from contact on", lambda r: extreme(velocities(r, "both"), min)),
-    "velocity_most": ("largest velocity from contact on", lambda r: extreme(velocities(r, "both"), max)),
-    "displacement_error": ("e_u, %", lambda r: 100 * r["relative_displacement_error"][-1]),
-    "velocity_error": ("e_v, %", lambda r: 100 * r["relative_velocity_error"][-1]),
-    "force_error": ("e_r, %", distances.force_error),
-    "force_distance": ("distance of the force, %", distances.force_distance),
-    "displacement_distance": ("distance of the displacement, %", distances.displacement_distance),
-    "velocity_distance": ("distance of the velocity, %", distances.velocity_distance),
-    "linear_iterations": ("iterations per step", lambda r: sum(r["linear_iterations"]) / max(1, len(r["step"]) - 1)),
-    "seconds": ("seconds", lambda r: r["wall_time"][-1]),
-}.items()}
+OBSERVATIONS = {
+    name: Observation(*rest)
+    for name, rest in {
+        "energy_change": ("energy at the end, %", lambda r: energy_change(r, lambda e: e[-1])),
+        "energy_least": ("least energy, %", lambda r: energy_change(r, min)),
+        "energy_most": ("largest energy, %", lambda r: energy_change(r, max)),
+        "energy_drift": ("energy drift, %", energy_drift),
+        "own_energy_change": (
+            "own energy at the end, %",
+            lambda r: energy_change(r, lambda e: e[-1], OWN),
+        ),
+        "own_energy_least": ("least own energy, %", lambda r: energy_change(r, min, OWN)),
+        "own_energy_most": ("largest own energy, %", lambda r: energy_change(r, max, OWN)),
+        "own_energy_drift": ("own energy drift, %", lambda r: energy_drift(r, OWN)),
+        "loss_before_peak": ("of it before the largest force, %", loss_before_peak),
+        "force_largest": ("largest force", lambda r: max(r["contact_force"])),
+        "force_roughness": ("roughness of the force", lambda r: roughness(during_contact(r))),
+        "force_zigzag": ("zigzag of the force", lambda r: zigzag([0.0, *during_contact(r), 0.0])),
+        "impulse": (
+            "impulse",
+            lambda r: sum(f * s for f, s in zip(r["contact_force"], r["step_size"])),
+        ),
+        "penetration": (
+            "penetration",
+            lambda r: 0.0 if penetration_in_steps(r) == 0.0 else max(r["max_penetration"]),
+        ),
+        "penetration_in_steps": ("penetration, steps", penetration_in_steps),
+        "velocity_in_contact": ("speed in contact / approach", velocity_in_contact),
+        "velocity_zigzag": ("zigzag of the velocity / approach", velocity_zigzag),
+        "velocity_after_least": (
+            "least velocity after release",
+            lambda r: extreme(velocities(r, "after"), min),
+        ),
+        "velocity_after_most": (
+            "largest velocity after release",
+            lambda r: extreme(velocities(r, "after"), max),
+        ),
+        "velocity_least": (
+            "least velocity from contact on",
+            lambda r: extreme(velocities(r, "both"), min),
+        ),
+        "velocity_most": (
+            "largest velocity from contact on",
+            lambda r: extreme(velocities(r, "both"), max),
+        ),
+        "displacement_error": ("e_u, %", lambda r: 100 * r["relative_displacement_error"][-1]),
+        "velocity_error": ("e_v, %", lambda r: 100 * r["relative_velocity_error"][-1]),
+        "force_error": ("e_r, %", distances.force_error),
+        "force_distance": ("distance of the force, %", distances.force_distance),
+        "displacement_distance": (
+            "distance of the displacement, %",
+            distances.displacement_distance,
+        ),
+        "velocity_distance": ("distance of the velocity, %", distances.velocity_distance),
+        "linear_iterations": (
+            "iterations per step",
+            lambda r: sum(r["linear_iterations"]) / max(1, len(r["step"]) - 1),
+        ),
+        "seconds": ("seconds", lambda r: r["wall_time"][-1]),
+    }.items()
+}
 #: Errors, and distances from a reference, get a rate.
 DISTANCES = ("force_distance", "displacement_distance", "velocity_distance")
 ERRORS = ("displacement_error", "velocity_error", "force_error", *DISTANCES)

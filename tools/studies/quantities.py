@@ -36,7 +36,9 @@ class Quantity(Expression):
         return super().__call__(*(quantity(result) for quantity in self.before))
 
     def valid(self):
-        functions = [f"{name}(COLUMN)" for name in OF_COLUMNS] + [f"{OF_CURVE}(...)"] * bool(self.curve)
+        functions = [f"{name}(COLUMN)" for name in OF_COLUMNS] + [f"{OF_CURVE}(...)"] * bool(
+            self.curve
+        )
         return f"Valid: {', '.join(functions)} with columns of history.csv. {super().valid()}"
 
     def check_call(self, node):
@@ -53,8 +55,10 @@ class Quantity(Expression):
         if function in OF_COLUMNS:
             column = node.args[0].id
             if column not in self.result.history:
-                raise Mistake(f"{self.where} = {self.text}: {self.result.folder / 'history.csv'} has no column {column}. "
-                              f"It has {', '.join(self.result.history)}.")
+                raise Mistake(
+                    f"{self.where} = {self.text}: {self.result.folder / 'history.csv'} has no"
+                    f" column {column}. It has {', '.join(self.result.history)}."
+                )
             return OF_COLUMNS[function](self.result[column], self.result["step_size"])
         if function == OF_CURVE:
             return self.curve(self.evaluate(node.args[0], variables))
@@ -66,7 +70,9 @@ def read_quantities(texts, path, curve):
     found = []
     for name, text in texts.items():
         if not name.isidentifier():
-            raise Mistake(f"{path}: [quantities] {name}: is no name. Take letters, digits and underscores.")
+            raise Mistake(
+                f"{path}: [quantities] {name}: is no name. Take letters, digits and underscores."
+            )
         found.append(Quantity(name, text, f"{path}: [quantities] {name}", list(found), curve))
     return {quantity.heading: quantity for quantity in found}
 
@@ -78,8 +84,10 @@ def read_curve(path, where):
             names, *rows = csv.reader(file)
         abscissae, ordinates = zip(*[[float(value) for value in row] for row in rows])
     except (OSError, ValueError) as error:
-        raise Mistake(f"{where} = {path}: cannot be read: {error}. Give a file with a line of two names and lines of two numbers, separated by commas.") \
-            from None
+        raise Mistake(
+            f"{where} = {path}: cannot be read: {error}. Give a file with a line of two names and"
+            " lines of two numbers, separated by commas."
+        ) from None
     if sorted(set(abscissae)) != list(abscissae):
         raise Mistake(f"{where} = {path}: its first column must increase.")
     return names, Curve(abscissae, ordinates)

@@ -20,6 +20,7 @@ FAILURE = "failure.txt"
 @dataclasses.dataclass
 class Task:
     """One run to be done."""
+
     study: Study
     name: str
     settings: dict
@@ -33,7 +34,10 @@ def tasks(study, folder):
     for position, (variant, settings) in enumerate(study.runs()):
         alone = variant and not study.variations and len(study.sequence) == 1
         where = variant.folder if alone else str(position + 1)
-        text = ", ".join(([variant.name] if variant else []) + [f"{key} = {value}" for key, value in settings.items()])
+        text = ", ".join(
+            ([variant.name] if variant else [])
+            + [f"{key} = {value}" for key, value in settings.items()]
+        )
         everything = {**fields, **study.common, **settings, **(variant.settings if variant else {})}
         found.append(Task(study, text, everything, folder / where))
     return found
@@ -53,20 +57,33 @@ def remove(folder, *patterns):
 
 def run(executable, task):
     """Do one run."""
-    command = [] if task.study.processes == 1 else ["mpirun", "--oversubscribe", "-np", str(task.study.processes)]
+    command = (
+        []
+        if task.study.processes == 1
+        else ["mpirun", "--oversubscribe", "-np", str(task.study.processes)]
+    )
     command += [executable, str(task.study.scene), "--quiet"]
     for key, value in {**task.settings, "Output directory": task.folder}.items():
         command += ["--set", f"{key}={value}"]
-    environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    environment = dict(
+        os.environ,
+        OMP_NUM_THREADS="1",
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+    )
     task.folder.mkdir(parents=True, exist_ok=True)
     clear(task.folder)
     try:
-        result = subprocess.run(command, capture_output=True, text=True, env=environment, check=False)
+        result = subprocess.run(
+            command, capture_output=True, text=True, env=environment, check=False
+        )
     except OSError as error:
         return fail(task, f"{executable}: {error.strerror}")
     if result.returncode != 0:
         return fail(task, reason(result))
-    remove(task.folder, "volume.pvd", "fields/volume_*")  # large, and only the contact surface is drawn
+    remove(
+        task.folder, "volume.pvd", "fields/volume_*"
+    )  # large, and only the contact surface is drawn
     return read(task)
 
 
@@ -112,7 +129,11 @@ def run_all(executable, all_tasks, jobs=1):
         result = run(executable, task)
         outcome = f"  failed: {result.failure}" if result.failure else ""
         if jobs > 1:
-            print(f"{position + 1} of {count}: {task.study.title}, {task.name}: {time.monotonic() - start:.0f} s", flush=True)
+            print(
+                f"{position + 1} of {count}: {task.study.title}, {task.name}:"
+                f" {time.monotonic() - start:.0f} s",
+                flush=True,
+            )
         if outcome:
             print(outcome, flush=True)
         return result

@@ -16,7 +16,9 @@ def series(study, results):
     found = {}
     for (variant, _), result in zip(study.runs(), results):
         if result:
-            found.setdefault((variant.group or variant.name) if variant else study.title, []).append(result)
+            found.setdefault(
+                (variant.group or variant.name) if variant else study.title, []
+            ).append(result)
     return found
 
 
@@ -26,10 +28,23 @@ def draw(study, results, path):
     style.use()
     figure, axes = pyplot.subplots(figsize=(6.4, 4.4))
     if study.curve:
-        axes.plot(study.curve.times, study.curve.values, color=style.BLACK, linewidth=1.2, label=study.curve_names[1])
+        axes.plot(
+            study.curve.times,
+            study.curve.values,
+            color=style.BLACK,
+            linewidth=1.2,
+            label=study.curve_names[1],
+        )
     for number, (name, runs) in enumerate(series(study, results).items()):
-        axes.plot([abscissa(run) for run in runs], [ordinate(run) for run in runs], linestyle="none", markersize=6,
-                  marker=MARKERS[number % len(MARKERS)], color=COLOURS[number % len(COLOURS)], label=name)
+        axes.plot(
+            [abscissa(run) for run in runs],
+            [ordinate(run) for run in runs],
+            linestyle="none",
+            markersize=6,
+            marker=MARKERS[number % len(MARKERS)],
+            color=COLOURS[number % len(COLOURS)],
+            label=name,
+        )
     axes.set(xlabel=abscissa.heading, ylabel=ordinate.heading)
     axes.legend()
     figure.savefig(path, dpi=110)

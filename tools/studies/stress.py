@@ -18,14 +18,17 @@ RIM = 0.9
 @dataclasses.dataclass
 class Pressure:
     """Nodal values, each node once."""
+
     points: numpy.ndarray  # (nodes, 3), reference configuration
-    faces: numpy.ndarray   # (faces, 4)
+    faces: numpy.ndarray  # (faces, 4)
     values: numpy.ndarray  # (nodes)
 
     def radii(self):
         """Distances of the nodes from the middle of the pressed ones, seen along z."""
         pressed = self.points[self.values > 0, :2]
-        return numpy.hypot(*(self.points[:, :2] - (pressed.mean(axis=0) if len(pressed) else 0.)).T)
+        return numpy.hypot(
+            *(self.points[:, :2] - (pressed.mean(axis=0) if len(pressed) else 0.0)).T
+        )
 
     def scatter(self):
         """Deviation of the pressure from the best p = a + b r^2 + c r^4 within the rim (r.m.s.), over the mean pressure."""
@@ -35,9 +38,12 @@ class Pressure:
         inside = pressed & (radius < RIM * radius[pressed].max())
         if len(numpy.unique(radius[inside].round(6))) < 5:  # three coefficients would fit anything
             return math.nan
-        powers = numpy.stack([radius[inside]**k for k in (0, 2, 4)], axis=1)
+        powers = numpy.stack([radius[inside] ** k for k in (0, 2, 4)], axis=1)
         best = numpy.linalg.lstsq(powers, self.values[inside], rcond=None)[0]
-        return float(numpy.sqrt(numpy.mean((self.values[inside] - powers @ best)**2)) / self.values[pressed].mean())
+        return float(
+            numpy.sqrt(numpy.mean((self.values[inside] - powers @ best) ** 2))
+            / self.values[pressed].mean()
+        )
 
 
 def read_pressure(folder, time):
@@ -50,6 +56,10 @@ def read_pressure(folder, time):
         surface = fields.read_fields(series[nearest])
     except Problem:
         return None
-    size = numpy.ptp(surface.points, axis=0).max() or 1.
-    _, first, node = numpy.unique((surface.points / size).round(7), axis=0, return_index=True, return_inverse=True)
-    return Pressure(surface.points[first], node.reshape(-1)[surface.cells], surface.at_points("CPRESS")[first])
+    size = numpy.ptp(surface.points, axis=0).max() or 1.0
+    _, first, node = numpy.unique(
+        (surface.points / size).round(7), axis=0, return_index=True, return_inverse=True
+    )
+    return Pressure(
+        surface.points[first], node.reshape(-1)[surface.cells], surface.at_points("CPRESS")[first]
+    )
