@@ -56,7 +56,7 @@ HOLDS = {
     "schemes": "the time schemes, one file each, and their table",
     "step_size": "steps whose size follows the motion",
     "scene": "the keys of a scene: declared, read, and every cross-check of them",
-    "discretization": "mesh of all bodies, degrees of freedom, mass and stiffness, loads, supports",
+    "discretization": "mesh of all bodies, degrees of freedom, mass and stiffness, loads, Dirichlet conditions",
     "finite_elements": "kernels on cells and faces: moments, stress vectors, neighbours",
     "contact": "contact nodes, obstacles, search, mortar coupling, contact coordinates",
     "mass": "the mass without entries at contact nodes: its constructions, definiteness, solution",

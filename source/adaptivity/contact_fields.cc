@@ -66,18 +66,18 @@ namespace signorini
      * or where there is tension.
      */
     template <int dim>
-    Vector nodes_at_open_faces(const StressVectors<dim>  &stress,
-                               const SurfaceRoles<dim>   &roles,
-                               const ContactSurface<dim> &surface,
-                               const Supports<dim>       &supports,
-                               const std::vector<bool>   &closed,
-                               const double               tension)
+    Vector nodes_at_open_faces(const StressVectors<dim>       &stress,
+                               const SurfaceRoles<dim>        &roles,
+                               const ContactSurface<dim>      &surface,
+                               const DirichletConditions<dim> &dirichlet,
+                               const std::vector<bool>        &closed,
+                               const double                    tension)
     {
       const CellNeighbors<dim> &mesh = stress.mesh;
       Vector                    open = mesh.make_vector();
       open                           = 1.;
       for (const auto &entry :
-           supports.nodes()) // without contact, it is held in the normal direction
+           dirichlet.nodes()) // without contact, it is held in the normal direction
         open.local_element(dim * entry.first) = 0.;
       for (std::size_t k = 0; k < closed.size(); ++k)
         open.local_element(dim * surface.nodes()[k].node) = closed[k] ? 0. : 1.;
@@ -113,11 +113,11 @@ namespace signorini
 
 
   template <int dim>
-  ContactFields<dim> contact_fields(const StressVectors<dim>  &stress,
-                                    const SurfaceRoles<dim>   &roles,
-                                    const ContactSurface<dim> &surface,
-                                    const Supports<dim>       &supports,
-                                    const ForceBalance        &balance)
+  ContactFields<dim> contact_fields(const StressVectors<dim>       &stress,
+                                    const SurfaceRoles<dim>        &roles,
+                                    const ContactSurface<dim>      &surface,
+                                    const DirichletConditions<dim> &dirichlet,
+                                    const ForceBalance             &balance)
   {
     const CellNeighbors<dim> &mesh = stress.mesh;
     ContactFields<dim>        fields{mesh.make_vector(),
@@ -153,7 +153,7 @@ namespace signorini
     largest = Utilities::MPI::max(largest, mesh.discretization.communicator());
 
     const Vector at_open_faces =
-      nodes_at_open_faces(stress, roles, surface, supports, closed, negligible_force * largest);
+      nodes_at_open_faces(stress, roles, surface, dirichlet, closed, negligible_force * largest);
     for (unsigned int node = 0; node < n_owned; ++node)
       if (at_open_faces.local_element(dim * node) > 0.)
         fields.open.local_element(dim * node) = 1.;
@@ -167,12 +167,12 @@ namespace signorini
   template ContactFields<2>  contact_fields(const StressVectors<2> &,
                                             const SurfaceRoles<2> &,
                                             const ContactSurface<2> &,
-                                            const Supports<2> &,
+                                            const DirichletConditions<2> &,
                                             const ForceBalance &);
   template ContactFields<3>  contact_fields(const StressVectors<3> &,
                                             const SurfaceRoles<3> &,
                                             const ContactSurface<3> &,
-                                            const Supports<3> &,
+                                            const DirichletConditions<3> &,
                                             const ForceBalance &);
   template std::vector<bool> closed_nodes(const ContactSurface<2> &, const Vector &);
   template std::vector<bool> closed_nodes(const ContactSurface<3> &, const Vector &);

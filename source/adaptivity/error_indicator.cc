@@ -11,15 +11,15 @@ namespace signorini
 {
   template <int dim>
   std::unique_ptr<ErrorIndicator<dim>>
-  make_error_indicator(const AdaptivityParameters &parameters,
-                       const TimeIntegration      &time,
-                       const Discretization<dim>  &discretization,
-                       const ContactSurface<dim>  &surface,
-                       const Supports<dim>        &supports)
+  make_error_indicator(const AdaptivityParameters     &parameters,
+                       const TimeIntegration          &time,
+                       const Discretization<dim>      &discretization,
+                       const ContactSurface<dim>      &surface,
+                       const DirichletConditions<dim> &dirichlet)
   {
     if (parameters.indicator == IndicatorKind::residual)
       return std::make_unique<ResidualIndicator<dim>>(
-        discretization, surface, supports, time.balance);
+        discretization, surface, dirichlet, time.balance);
     if (parameters.indicator == IndicatorKind::kelly)
       return std::make_unique<KellyIndicator<dim>>(discretization);
     if (parameters.indicator == IndicatorKind::distance)
@@ -44,11 +44,12 @@ namespace signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(const AdaptivityParameters &, \
-                                                                     const TimeIntegration &,      \
-                                                                     const Discretization<dim> &,  \
-                                                                     const ContactSurface<dim> &,  \
-                                                                     const Supports<dim> &);
+  template std::unique_ptr<ErrorIndicator<dim>> make_error_indicator(                              \
+    const AdaptivityParameters &,                                                                  \
+    const TimeIntegration &,                                                                       \
+    const Discretization<dim> &,                                                                   \
+    const ContactSurface<dim> &,                                                                   \
+    const DirichletConditions<dim> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -6,11 +6,11 @@
 namespace signorini
 {
   template <int dim>
-  ResidualEstimate<dim>::ResidualEstimate(const Discretization<dim> &discretization,
-                                          const ContactSurface<dim> &surface,
-                                          const Supports<dim>       &supports)
+  ResidualEstimate<dim>::ResidualEstimate(const Discretization<dim>      &discretization,
+                                          const ContactSurface<dim>      &surface,
+                                          const DirichletConditions<dim> &dirichlet)
     : surface(surface)
-    , supports(supports)
+    , dirichlet(dirichlet)
     , mesh(discretization)
     , roles(mesh, surface)
   {
@@ -27,7 +27,7 @@ namespace signorini
     add_interior_residual(
       mesh, u, mesh.interpolate_hanging_nodes(balance.specific_force), weights, result);
     add_stress_jumps(stress, weights, result);
-    const auto fields = contact_fields(stress, roles, surface, supports, balance);
+    const auto fields = contact_fields(stress, roles, surface, dirichlet, balance);
     add_boundary_residual(stress, roles, balance, fields, weights, result);
     return result;
   }

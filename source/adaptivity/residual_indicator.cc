@@ -8,14 +8,14 @@
 namespace signorini
 {
   template <int dim>
-  ResidualIndicator<dim>::ResidualIndicator(const Discretization<dim> &discretization,
-                                            const ContactSurface<dim> &surface,
-                                            const Supports<dim>       &supports,
-                                            const StepBalance          balance)
+  ResidualIndicator<dim>::ResidualIndicator(const Discretization<dim>      &discretization,
+                                            const ContactSurface<dim>      &surface,
+                                            const DirichletConditions<dim> &dirichlet,
+                                            const StepBalance               balance)
     : discretization(discretization)
     , surface(surface)
     , balance(balance)
-    , estimate(discretization, surface, supports)
+    , estimate(discretization, surface, dirichlet)
     , body_force(discretization)
   {
   }

@@ -11,10 +11,10 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  ContactCoordinates<dim>::ContactCoordinates(const Discretization<dim> &discretization,
-                                              const ContactSurface<dim> &surface,
-                                              const Supports<dim>       &supports)
-    : supports(supports)
+  ContactCoordinates<dim>::ContactCoordinates(const Discretization<dim>      &discretization,
+                                              const ContactSurface<dim>      &surface,
+                                              const DirichletConditions<dim> &dirichlet)
+    : dirichlet(dirichlet)
     , owned_contact_nodes(surface.nodes())
     , node_coupling(surface.coupling())
   {
@@ -26,17 +26,18 @@ namespace signorini
         normals.push_back(dim * node.node);
         frames[node.node] = node.frame;
       }
-    for (const auto &[node, components] : supports.nodes())
+    for (const auto &[node, components] : dirichlet.nodes())
       {
         const auto row = rows_along_axes<dim>(frames.emplace(node, identity).first->second);
         for (unsigned int c = 0; c < dim; ++c)
-          if (components[c] != Supports<dim>::none && row[c] < dim)
+          if (components[c] != DirichletConditions<dim>::none && row[c] < dim)
             {
-              supported.push_back(dim * node + row[c]);
-              support_sources.emplace_back(components[c], discretization.node_positions()[node], c);
+              prescribed.push_back(dim * node + row[c]);
+              dirichlet_sources.emplace_back(
+                components[c], discretization.node_positions()[node], c);
             }
       }
-    const std::set<unsigned int> held(supported.begin(), supported.end());
+    const std::set<unsigned int> held(prescribed.begin(), prescribed.end());
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         tangential.emplace_back();
@@ -145,12 +146,12 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<double> ContactCoordinates<dim>::supported_values(const double time) const
+  std::vector<double> ContactCoordinates<dim>::dirichlet_values(const double time) const
   {
     std::vector<double> values;
-    values.reserve(supported.size());
-    for (const auto &[condition, point, component] : support_sources)
-      values.push_back(supports.value(condition, point, component, time));
+    values.reserve(prescribed.size());
+    for (const auto &[condition, point, component] : dirichlet_sources)
+      values.push_back(dirichlet.value(condition, point, component, time));
     return values;
   }
 

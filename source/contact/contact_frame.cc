@@ -60,9 +60,9 @@ namespace signorini
 
 
   template <int dim>
-  bool contact_frame_with_supports(const Tensor<1, dim>          &normal,
-                                   const std::array<bool, dim>   &held,
-                                   std::array<double, dim * dim> &frame)
+  bool contact_frame_with_dirichlet(const Tensor<1, dim>          &normal,
+                                    const std::array<bool, dim>   &held,
+                                    std::array<double, dim * dim> &frame)
   {
     unsigned int first_held = dim;
     for (unsigned int c = dim; c-- > 0;)
@@ -93,12 +93,12 @@ namespace signorini
 
   template std::array<double, 4>       contact_frame(const Tensor<1, 2> &);
   template std::array<double, 9>       contact_frame(const Tensor<1, 3> &);
-  template bool                        contact_frame_with_supports<2>(const Tensor<1, 2> &,
-                                               const std::array<bool, 2> &,
-                                               std::array<double, 4> &);
-  template bool                        contact_frame_with_supports<3>(const Tensor<1, 3> &,
-                                               const std::array<bool, 3> &,
-                                               std::array<double, 9> &);
+  template bool                        contact_frame_with_dirichlet<2>(const Tensor<1, 2> &,
+                                                const std::array<bool, 2> &,
+                                                std::array<double, 4> &);
+  template bool                        contact_frame_with_dirichlet<3>(const Tensor<1, 3> &,
+                                                const std::array<bool, 3> &,
+                                                std::array<double, 9> &);
   template std::array<unsigned int, 2> rows_along_axes<2>(const std::array<double, 4> &);
   template std::array<unsigned int, 3> rows_along_axes<3>(const std::array<double, 9> &);
 } // namespace signorini

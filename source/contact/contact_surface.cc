@@ -28,23 +28,23 @@ namespace signorini
 
   template <int dim>
   ContactSurface<dim>::ContactSurface(const Discretization<dim>                   &discretization,
-                                      const Supports<dim>                         &supports,
+                                      const DirichletConditions<dim>              &dirichlet,
                                       const std::vector<ObstacleDescription<dim>> &obstacles,
                                       const std::vector<PairDescription>          &pairs)
     : discretization(discretization)
     , descriptions(pairs)
-    , obstacle_contact(discretization, supports, obstacles, pairs)
+    , obstacle_contact(discretization, dirichlet, obstacles, pairs)
     , contact_nodes(obstacle_contact.nodes())
-    , n_left_to_supports(obstacle_contact.n_supported())
+    , n_left_to_dirichlet(obstacle_contact.n_left_to_dirichlet_conditions())
   {
     for (unsigned int p = 0; p < pairs.size(); ++p)
       if (pairs[p].of_two_bodies())
-        add_pair_of_bodies(p, supports);
+        add_pair_of_bodies(p, dirichlet);
     std::stable_sort(
       contact_nodes.begin(),
       contact_nodes.end(),
       [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
-    assign_friction(discretization, supports, pairs, contact_nodes);
+    assign_friction(discretization, dirichlet, pairs, contact_nodes);
     node_coupling = std::make_unique<NodeCoupling<dim>>(
       contact_nodes, discretization.matrices().pattern.partitioner);
     check_that_pairs_are_disjoint();
@@ -54,8 +54,8 @@ namespace signorini
 
 
   template <int dim>
-  void ContactSurface<dim>::add_pair_of_bodies(const unsigned int   pair,
-                                               const Supports<dim> &supports)
+  void ContactSurface<dim>::add_pair_of_bodies(const unsigned int              pair,
+                                               const DirichletConditions<dim> &dirichlet)
   {
     const auto            &bodies      = discretization.mesh().bodies();
     const PairDescription &description = descriptions[pair];
@@ -69,13 +69,13 @@ namespace signorini
         throw UserError(message.str());
       }
 
-    const MortarCoupling<dim> mortar(discretization, supports, descriptions, pair);
+    const MortarCoupling<dim> mortar(discretization, dirichlet, descriptions, pair);
     if (!mortar.faces_look_at_each_other())
       throw UserError(head
                       + "no face of the slave looks at a face of the master along its normal, so "
                         "that they can never touch. Check the boundary ids and the positions of "
                         "the bodies.");
-    if (mortar.n_nodes() == 0 && mortar.n_supported() == 0)
+    if (mortar.n_nodes() == 0 && mortar.n_left_to_dirichlet_conditions() == 0)
       throw UserError(
         head
         + "the master covers so little of the faces of the slave that no node of the slave can see "
@@ -84,17 +84,19 @@ namespace signorini
       {
         std::ostringstream note;
         note << std::setprecision(3) << description.name
-             << ": supports hold directions in which normals of contact have a part; these normals "
+             << ": Dirichlet conditions hold directions in which normals of contact have a part; "
+                "these normals "
                 "are turned by up to "
              << mortar.largest_turn()
-             << " degrees. Right at a plane of symmetry, otherwise forces along the support are "
+             << " degrees. Right at a plane of symmetry, otherwise forces along the Dirichlet "
+                "condition are "
                 "missing";
         assumptions.push_back(note.str());
       }
     auto nodes = mortar.nodes();
     settle_gaps(pair, nodes);
     contact_nodes.insert(contact_nodes.end(), nodes.begin(), nodes.end());
-    n_left_to_supports += mortar.n_supported();
+    n_left_to_dirichlet += mortar.n_left_to_dirichlet_conditions();
 
     const double covered = mortar.covered_area() / mortar.slave_area();
     if (!description.slave_boundary_ids.empty() && covered < 0.999)

@@ -23,8 +23,8 @@ namespace signorini
     // A sliver this small has no well-conditioned dual basis, and a node of which so little is
     // covered (on the faces that are covered at all) would extrapolate.
     constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
-    // Part of a normal in the directions that supports leave free: below the first, about 18
-    // degrees, supports hold the normal; above the second they are tangential.
+    // Part of a normal in the directions that Dirichlet conditions leave free: below the first,
+    // about 18 degrees, Dirichlet conditions hold the normal; above the second they are tangential.
     constexpr double held_normal = 0.3, free_normal = 0.95;
 
     template <int dim>
@@ -46,24 +46,24 @@ namespace signorini
 
 
     /**
-     * Give a node with supports a frame in which they hold tangential entries. The normal of a
-     * curved surface at a plane of symmetry is an average over one side only; its small part in the
-     * held direction means nothing and is dropped.
-     * @return the part of the normal in free directions: its square is 1 if the supports are
-     * tangential, 0 if they hold the normal
+     * Give a node with Dirichlet conditions a frame in which they hold tangential entries. The
+     * normal of a curved surface at a plane of symmetry is an average over one side only; its small
+     * part in the held direction means nothing and is dropped.
+     * @return the part of the normal in free directions: its square is 1 if the Dirichlet
+     * conditions are tangential, 0 if they hold the normal
      */
     template <int dim>
-    double fit_frame_to_supports(const typename Supports<dim>::Components &components,
-                                 ContactNode<dim>                         &contact_node)
+    double fit_frame_to_dirichlet(const typename DirichletConditions<dim>::Components &components,
+                                  ContactNode<dim>                                    &contact_node)
     {
       std::array<bool, dim> held;
       Tensor<1, dim>        normal = contact_node.normal();
       for (unsigned int c = 0; c < dim; ++c)
-        if ((held[c] = components[c] != Supports<dim>::none))
+        if ((held[c] = components[c] != DirichletConditions<dim>::none))
           normal[c] = 0.;
       const double free_part = normal.norm();
       if (free_part > 0.)
-        contact_frame_with_supports<dim>(normal / free_part, held, contact_node.frame);
+        contact_frame_with_dirichlet<dim>(normal / free_part, held, contact_node.frame);
       return free_part;
     }
   } // namespace
@@ -71,7 +71,7 @@ namespace signorini
 
   template <int dim>
   MortarCoupling<dim>::MortarCoupling(const Discretization<dim>          &discretization,
-                                      const Supports<dim>                &supports,
+                                      const DirichletConditions<dim>     &dirichlet,
                                       const std::vector<PairDescription> &pairs,
                                       const unsigned int                  pair)
     : discretization(discretization)
@@ -80,7 +80,7 @@ namespace signorini
   {
     const auto surfaces = find_facing_surfaces(discretization, pairs[pair]);
     const auto faces    = integrate(surfaces);
-    const auto carries  = choose_multipliers(faces, supports);
+    const auto carries  = choose_multipliers(faces, dirichlet);
     assemble_rows(faces, carries);
   }
 
@@ -217,25 +217,26 @@ namespace signorini
 
 
   template <int dim>
-  bool MortarCoupling<dim>::fit_to_supports(const Supports<dim>  &supports,
-                                            const Tensor<1, dim> &normal,
-                                            ContactNode<dim>     &contact_node,
-                                            std::string          &complaint)
+  bool MortarCoupling<dim>::fit_to_dirichlet(const DirichletConditions<dim> &dirichlet,
+                                             const Tensor<1, dim>           &normal,
+                                             ContactNode<dim>               &contact_node,
+                                             std::string                    &complaint)
   {
-    const auto support = supports.nodes().find(contact_node.node);
-    if (support == supports.nodes().end())
+    const auto condition = dirichlet.nodes().find(contact_node.node);
+    if (condition == dirichlet.nodes().end())
       return true;
-    const double free_part = fit_frame_to_supports<dim>(support->second, contact_node);
+    const double free_part = fit_frame_to_dirichlet<dim>(condition->second, contact_node);
     if (free_part < held_normal)
       {
-        ++n_left_to_supports;
+        ++n_left_to_dirichlet;
         return false;
       }
     if (free_part < free_normal)
       {
         std::ostringstream message;
         message << "Contact/Pairs = " << pair_name << ": at (" << contact_node.position
-                << ") a support holds a direction that is neither normal nor tangential to the "
+                << ") a Dirichlet condition holds a direction that is neither normal nor "
+                   "tangential to the "
                    "contact surface (normal "
                 << normal
                 << "). Hold all components there or none, or turn the scene so that the surface is "
@@ -250,11 +251,11 @@ namespace signorini
 
   template <int dim>
   Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces,
-                                                 const Supports<dim>            &supports)
+                                                 const DirichletConditions<dim> &dirichlet)
   {
     const NodeIntegrals sums    = collect(faces);
     Vector              carries = discretization.make_vector();
-    std::string         oblique_support;
+    std::string         oblique_condition;
     for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
         const double weight = sums.covered.local_element(dim * node);
@@ -268,17 +269,17 @@ namespace signorini
         normal /= normal.norm();
         ContactNode<dim> contact_node{
           node, pair, discretization.node_positions()[node], 0., weight, contact_frame(normal), {}};
-        if (!fit_to_supports(supports, normal, contact_node, oblique_support))
+        if (!fit_to_dirichlet(dirichlet, normal, contact_node, oblique_condition))
           continue;
         contact_node.clearance            = sums.clearance.local_element(dim * node);
         carries.local_element(dim * node) = 1.;
         contact_nodes.push_back(contact_node);
       }
     const MPI_Comm communicator = discretization.communicator();
-    for (const std::string &message : Utilities::MPI::all_gather(communicator, oblique_support))
+    for (const std::string &message : Utilities::MPI::all_gather(communicator, oblique_condition))
       if (!message.empty())
         throw UserError(message);
-    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, communicator);
+    n_left_to_dirichlet = Utilities::MPI::sum(n_left_to_dirichlet, communicator);
     n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), communicator);
     turn     = Utilities::MPI::max(turn, communicator);
     carries.update_ghost_values();

@@ -76,10 +76,10 @@ namespace signorini
     }
 
 
-    /** Supports prescribe displacements of the node itself. */
+    /** Dirichlet conditions prescribe displacements of the node itself. */
     template <int dim>
-    std::array<bool, dim> relative_directions(const ContactNode<dim> &node,
-                                              const Supports<dim>    &supports)
+    std::array<bool, dim> relative_directions(const ContactNode<dim>         &node,
+                                              const DirichletConditions<dim> &dirichlet)
     {
       std::array<bool, dim> relative{};
       if (node.partners.empty())
@@ -87,11 +87,12 @@ namespace signorini
       relative[0] = true;
       for (unsigned int k = 1; k < dim; ++k)
         relative[k] = node.friction.any();
-      if (const auto support = supports.nodes().find(node.node); support != supports.nodes().end())
+      if (const auto condition = dirichlet.nodes().find(node.node);
+          condition != dirichlet.nodes().end())
         {
           const auto row = rows_along_axes<dim>(node.frame);
           for (unsigned int c = 0; c < dim; ++c)
-            if (support->second[c] != Supports<dim>::none && row[c] < dim)
+            if (condition->second[c] != DirichletConditions<dim>::none && row[c] < dim)
               relative[row[c]] = false;
         }
       return relative;
@@ -101,7 +102,7 @@ namespace signorini
 
   template <int dim>
   void assign_friction(const Discretization<dim>          &discretization,
-                       const Supports<dim>                &supports,
+                       const DirichletConditions<dim>     &dirichlet,
                        const std::vector<PairDescription> &pairs,
                        std::vector<ContactNode<dim>>      &nodes)
   {
@@ -109,16 +110,16 @@ namespace signorini
       if (pairs[pair].friction.any)
         assign_law_of_pair(discretization.communicator(), pairs[pair], pair, nodes);
     for (ContactNode<dim> &node : nodes)
-      node.relative = relative_directions(node, supports);
+      node.relative = relative_directions(node, dirichlet);
   }
 
 
   template void assign_friction(const Discretization<2> &,
-                                const Supports<2> &,
+                                const DirichletConditions<2> &,
                                 const std::vector<PairDescription> &,
                                 std::vector<ContactNode<2>> &);
   template void assign_friction(const Discretization<3> &,
-                                const Supports<3> &,
+                                const DirichletConditions<3> &,
                                 const std::vector<PairDescription> &,
                                 std::vector<ContactNode<3>> &);
 } // namespace signorini

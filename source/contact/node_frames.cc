@@ -12,7 +12,7 @@ namespace signorini
     const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner)
     : mask_values(partitioner)
   {
-    // Ghosts learn their frames row by row, and what they are from a flag: 1 supported, 2 contact.
+    // Ghosts learn their frames row by row, and what they are from a flag: 1 prescribed, 2 contact.
     Vector              flags(partitioner);
     std::vector<Vector> rows(dim, flags);
     for (const auto &[node, frame] : frames)

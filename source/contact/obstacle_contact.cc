@@ -22,7 +22,7 @@ namespace signorini
   template <int dim>
   ObstacleContact<dim>::ObstacleContact(
     const Discretization<dim>                   &discretization,
-    const Supports<dim>                         &supports,
+    const DirichletConditions<dim>              &dirichlet,
     const std::vector<ObstacleDescription<dim>> &obstacle_descriptions,
     const std::vector<PairDescription>          &pair_descriptions)
     : discretization(discretization)
@@ -41,20 +41,21 @@ namespace signorini
 
     for (auto &[node, contact_node] : closest)
       {
-        if (const auto support = supports.nodes().find(node); support != supports.nodes().end())
+        if (const auto condition = dirichlet.nodes().find(node);
+            condition != dirichlet.nodes().end())
           {
             std::array<bool, dim> held;
             for (unsigned int c = 0; c < dim; ++c)
-              held[c] = support->second[c] != Supports<dim>::none;
-            if (!contact_frame_with_supports<dim>(contact_node.normal(), held, contact_node.frame))
+              held[c] = condition->second[c] != DirichletConditions<dim>::none;
+            if (!contact_frame_with_dirichlet<dim>(contact_node.normal(), held, contact_node.frame))
               {
-                ++n_left_to_supports;
+                ++n_left_to_dirichlet;
                 continue;
               }
           }
         contact_nodes.push_back(contact_node);
       }
-    n_left_to_supports = Utilities::MPI::sum(n_left_to_supports, discretization.communicator());
+    n_left_to_dirichlet = Utilities::MPI::sum(n_left_to_dirichlet, discretization.communicator());
   }
 
 

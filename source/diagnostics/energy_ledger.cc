@@ -31,7 +31,7 @@ namespace signorini
     booking.predictor = report.work_predictor;
     booking.friction  = report.work_friction;
     booking.scheme    = report.work_scheme;
-    booking.external  = report.work_support;
+    booking.external  = report.work_dirichlet;
     if (load != nullptr)
       {
         // The loads act with their mean, so that E with -f'u changes by the work of the change of

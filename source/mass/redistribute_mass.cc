@@ -19,7 +19,7 @@ namespace signorini
     /**
      * Rows and columns of massless nodes become exactly empty; up to here they may hold round-off.
      * Macro-elements take the mass of all nodes of the contact surface, also of those where a
-     * support took the place of contact.
+     * Dirichlet condition took the place of contact.
      */
     template <int dim>
     void clear_massless_rows(ElasticMatrices<dim> &matrices, const ContactStrip<dim> &strip)
@@ -101,11 +101,12 @@ namespace signorini
 
     const std::string head = "Time/Mass = " + name_of(mass.kind) + ": ";
     if (surface.n_global_nodes() == 0)
-      throw UserError(head
-                      + "no node can come into contact (no pair, nothing faces an obstacle, or "
-                        "supports hold all of them), so that there is no mass to move. Set `Mass = "
-                        "consistent`, and a scheme that does not need massless contact nodes (see "
-                        "`signorini --print-schemes`).");
+      throw UserError(
+        head
+        + "no node can come into contact (no pair, nothing faces an obstacle, or "
+          "Dirichlet conditions hold all of them), so that there is no mass to move. Set `Mass = "
+          "consistent`, and a scheme that does not need massless contact nodes (see "
+          "`signorini --print-schemes`).");
 
     const ContactStrip<dim> strip(discretization, surface);
     check_that_mass_is_left(discretization, strip, head);

@@ -36,11 +36,12 @@ namespace signorini
                       "Steps of variable size are not shorter, whatever their error (but for the "
                       "halves of doubling). 0: half the time that a wave takes through the "
                       "smallest cell (with doubling all of it), or Step size if that is shorter.");
-    prm.declare_entry("Maximum step size",
-                      "0",
-                      Double(),
-                      "Steps of variable size are not longer. 0: a tenth of End time. Make it "
-                      "short enough that no change of loads and supports can be stepped over.");
+    prm.declare_entry(
+      "Maximum step size",
+      "0",
+      Double(),
+      "Steps of variable size are not longer. 0: a tenth of End time. Make it "
+      "short enough that no change of loads and Dirichlet conditions can be stepped over.");
   }
 
 

@@ -100,6 +100,6 @@ namespace signorini
     mismatch.add(1., after.velocity);
     mismatch.sadd(0.5, -1. / tau, increment);
     return mismatch * momentum_change + momentum_change * increment / tau + forces * increment
-           - report.work_contact - report.work_support;
+           - report.work_contact - report.work_dirichlet;
   }
 } // namespace signorini

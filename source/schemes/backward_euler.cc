@@ -21,9 +21,9 @@ namespace signorini
     Vector r = solution.contact_reaction;
     r /= tau * tau;
     StepReport report;
-    report.corrector    = solution.effort;
-    report.work_contact = r * d;
-    report.work_support = solution.support_reaction * d / (tau * tau);
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_dirichlet = solution.dirichlet_reaction * d / (tau * tau);
 
     // v_new - v = d/tau - v
     Vector velocity_change = d;

@@ -32,17 +32,17 @@ namespace signorini
     Vector velocity_change = d;
     velocity_change -= p;
 
-    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Supports that accelerate react to the
-    // projection, too; their part of the second term is work from outside, and only the rest has a
-    // sign.
+    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Dirichlet conditions that accelerate
+    // react to the projection, too; their part of the second term is work from outside, and only
+    // the rest has a sign.
     const double projection_work = -2. / (tau * tau) * (mass_c * velocity_change);
-    const double support_work =
-      -2. / (tau * tau) * (support_part(system, mass_c) * velocity_change);
+    const double dirichlet_work =
+      -2. / (tau * tau) * (dirichlet_part(system, mass_c) * velocity_change);
 
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
-    report.work_predictor = projection_work - support_work;
-    report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
+    report.work_predictor = projection_work - dirichlet_work;
+    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau) + dirichlet_work;
 
     velocity_change *= 2. / tau;
     FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);

@@ -26,9 +26,9 @@ namespace signorini
     Vector velocity_change = rule.velocity_change(a, a_new, tau);
 
     StepReport report;
-    report.corrector    = solution.effort;
-    report.work_contact = r * d;
-    report.work_support = rule.reaction_weight(tau) * (solution.support_reaction * d);
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_dirichlet = rule.reaction_weight(tau) * (solution.dirichlet_reaction * d);
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = AlphaRule::work(system, state, end, d, report);

@@ -11,7 +11,7 @@ namespace signorini
   {
     /**
      * The forces at the start of a step that acceleration and contact do not balance: reactions of
-     * supports, and in a first step whatever loads massless nodes.
+     * Dirichlet conditions, and in a first step whatever loads massless nodes.
      */
     Vector
     unbalanced_forces(const State &state, const Vector &mass_acceleration, const Vector &load)
@@ -65,14 +65,14 @@ namespace signorini
       velocity_change.local_element(i) = d.local_element(i) / tau - state.velocity.local_element(i);
 
     Vector       unbalanced = unbalanced_forces(state, mass_a, load);
-    const Vector support    = support_part(system, unbalanced);
-    unbalanced -= support;
+    const Vector condition  = dirichlet_part(system, unbalanced);
+    unbalanced -= condition;
 
     StepReport report;
     report.corrector    = solution.effort;
     report.work_contact = (1. - gamma) * (state.contact_force * d) + gamma * (r * d);
-    report.work_support =
-      (1. - gamma) * (support * d) + gamma / scale * (solution.support_reaction * d);
+    report.work_dirichlet =
+      (1. - gamma) * (condition * d) + gamma / scale * (solution.dirichlet_reaction * d);
 
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);

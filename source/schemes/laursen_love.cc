@@ -53,9 +53,9 @@ namespace signorini
     velocity_change.sadd(2. / tau, -2., state.velocity);
 
     StepReport report;
-    report.corrector    = solution.effort;
-    report.work_contact = r * d;
-    report.work_support = trapezoidal_rule::support_work(solution, tau);
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau);
 
     if (r.linfty_norm() > 0.)
       {
@@ -73,10 +73,11 @@ namespace signorini
         double       alpha    = 0.;
         if (kappa > 0. && (omega > 0. || lost > 0.))
           alpha = (omega + std::sqrt(omega * omega + 2. * kappa * lost)) / kappa;
-        // Supports react to the impulses; with a velocity of their own that is work from outside.
+        // Dirichlet conditions react to the impulses; with a velocity of their own that is work
+        // from outside.
         Vector reaction = response;
         system.apply_mass(reaction, response);
-        report.work_support += alpha * (support_part(system, reaction) * velocity);
+        report.work_dirichlet += alpha * (dirichlet_part(system, reaction) * velocity);
 
         velocity_change.add(alpha, response);
         report.work_contact += alpha * (alpha * kappa / 2. - omega);

@@ -32,7 +32,7 @@ namespace signorini
       }
     FrictionOfStep friction = friction_of_step(state.friction, solution, 4. / (tau * tau), r);
     report.work_friction += 0.5 * friction.work;
-    report.work_support = trapezoidal_rule::support_work(solution, tau);
+    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau);
 
     // v_new - v = 2/tau (d - tau v)
     Vector velocity_change = d;

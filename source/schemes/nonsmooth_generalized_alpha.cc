@@ -127,18 +127,18 @@ namespace signorini
     Vector velocity_change = rule.velocity_change(a, a_new, tau);
     velocity_change += jump;
 
-    // Supports react to the jump, too, by an impulse of their own.
+    // Dirichlet conditions react to the jump, too, by an impulse of their own.
     Vector impulse = jump;
     system.apply_mass(impulse, jump);
-    impulse                           = support_part(system, impulse);
-    const double support_impulse_work = impulse * d;
-    const double weight               = rule.reaction_weight(tau);
+    impulse                             = dirichlet_part(system, impulse);
+    const double dirichlet_impulse_work = impulse * d;
+    const double weight                 = rule.reaction_weight(tau);
 
     StepReport report;
-    report.corrector    = solution.effort;
-    report.work_contact = r * d;
-    report.work_support = weight * (solution.support_reaction * d)
-                          + (1. / tau - weight * tau / 2.) * support_impulse_work;
+    report.corrector      = solution.effort;
+    report.work_contact   = r * d;
+    report.work_dirichlet = weight * (solution.dirichlet_reaction * d)
+                            + (1. / tau - weight * tau / 2.) * dirichlet_impulse_work;
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = AlphaRule::work(system, state, end, d, report);

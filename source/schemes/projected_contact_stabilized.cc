@@ -28,19 +28,19 @@ namespace signorini
       trapezoidal_rule::solve(system, state, tau, b, gap, &projection_reaction);
     const Vector &d = solution.increment;
 
-    // Supports react to the projection, too; what they do is work from outside.
-    const Vector support_force   = support_part(system, mass_c);
+    // Dirichlet conditions react to the projection, too; what they do is work from outside.
+    const Vector dirichlet_force = dirichlet_part(system, mass_c);
     const double projection_work = (mass_c * p - 0.5 * (mass_c * c)) / (tau * tau);
-    const double support_work    = support_force * p / (tau * tau);
+    const double dirichlet_work  = dirichlet_force * p / (tau * tau);
 
     Vector r = solution.contact_reaction;
     r *= 2. / (tau * tau);
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
-    report.work_predictor = projection_work - support_work;
-    report.work_support   = trapezoidal_rule::support_work(solution, tau) + support_work;
+    report.work_predictor = projection_work - dirichlet_work;
+    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau) + dirichlet_work;
 
-    r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), support_force);
+    r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), dirichlet_force);
 
     // v_new - v = c/tau + 2/tau (d - p)
     Vector velocity_change = d;

@@ -88,9 +88,9 @@ namespace signorini
       motion.block(0) = state.displacement;
       motion.block(1).reinit(state.velocity);
       motion.block(1).equ(tau, state.velocity);
-      if (const MovingSupports *supports = system.capabilities().moving_supports;
-          supports != nullptr)
-        supports->stop_at_supports(motion.block(1));
+      if (const MovingDirichletConditions *dirichlet = system.capabilities().moving_dirichlet;
+          dirichlet != nullptr)
+        dirichlet->stop_at_dirichlet(motion.block(1));
       for (const unsigned int i : massless)
         motion.block(1).local_element(i) = 0.;
       motion.collect_sizes();
@@ -160,10 +160,11 @@ namespace signorini
 
   StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    const MovingSupports *supports = system.capabilities().moving_supports;
-    if (supports != nullptr && supports->supports_move(state.time, state.time + tau))
+    const MovingDirichletConditions *dirichlet = system.capabilities().moving_dirichlet;
+    if (dirichlet != nullptr && dirichlet->dirichlet_values_move(state.time, state.time + tau))
       throw UserError(
-        "Time/Scheme: this integration does not follow supports that move, and a Dirichlet "
+        "Time/Scheme: this integration does not follow Dirichlet conditions that move, and a "
+        "Dirichlet "
         "condition changes in time. Take another scheme for contact nodes without mass, with a "
         "small step size.");
     Equation     equation(system, state, tau);

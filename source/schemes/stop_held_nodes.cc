@@ -41,13 +41,13 @@ namespace signorini
       new_velocity, held, correction, impulses);
     if (effort.n_active == 0)
       return 0.;
-    const Vector supports     = support_part(system, impulses);
-    const double work_support = supports * new_velocity;
-    const double work = impulses * new_velocity + 0.5 * (impulses * correction) - work_support;
+    const Vector dirichlet      = dirichlet_part(system, impulses);
+    const double work_dirichlet = dirichlet * new_velocity;
+    const double work = impulses * new_velocity + 0.5 * (impulses * correction) - work_dirichlet;
 
     velocity_change += correction;
-    contact_force.add(1. / step_size, impulses, -1. / step_size, supports);
-    report.work_support += work_support;
+    contact_force.add(1. / step_size, impulses, -1. / step_size, dirichlet);
+    report.work_dirichlet += work_dirichlet;
     report.predictor.linear_iterations += effort.linear_iterations;
     return work;
   }

@@ -48,9 +48,9 @@ namespace signorini
     }
 
 
-    double support_work(const IncrementSolution &solution, const double step_size)
+    double dirichlet_work(const IncrementSolution &solution, const double step_size)
     {
-      return 2. / (step_size * step_size) * (solution.support_reaction * solution.increment);
+      return 2. / (step_size * step_size) * (solution.dirichlet_reaction * solution.increment);
     }
 
 
@@ -64,9 +64,9 @@ namespace signorini
       r *= 2. / (tau * tau);
 
       StepReport report;
-      report.corrector    = solution.effort;
-      report.work_contact = r * d;
-      report.work_support = support_work(solution, tau);
+      report.corrector      = solution.effort;
+      report.work_contact   = r * d;
+      report.work_dirichlet = dirichlet_work(solution, tau);
 
       FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
       report.work_friction    = friction.work;

@@ -38,7 +38,7 @@ namespace signorini
     const Discretization<dim> &discretization = meshed.discretization;
     if (!indicator)
       indicator =
-        make_error_indicator(parameters, time, discretization, meshed.surface, meshed.supports);
+        make_error_indicator(parameters, time, discretization, meshed.surface, meshed.dirichlet);
     latest         = indicator->evaluate(step);
     last_judgement = step.end.step;
 

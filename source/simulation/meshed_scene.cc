@@ -38,15 +38,15 @@ namespace signorini
     : discretization(timed(timer,
                            "mesh: degrees of freedom and matrices",
                            [&] { return Discretization<dim>(mesh); }))
-    , supports(discretization)
+    , dirichlet(discretization)
     , surface(timed(timer,
                     "mesh: contact surface",
                     [&] {
                       return ContactSurface<dim>(
-                        discretization, supports, scene.obstacles, scene.pairs);
+                        discretization, dirichlet, scene.obstacles, scene.pairs);
                     }))
     , mass_note(give_mass(discretization, surface, scene.time.mass))
-    , coordinates(discretization, surface, supports)
+    , coordinates(discretization, surface, dirichlet)
     , loads(discretization)
     , system(discretization,
              surface,

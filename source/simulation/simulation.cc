@@ -214,10 +214,11 @@ namespace signorini
          << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none "
-              "faces its obstacle, or supports hold them all\n";
-    if (meshed->surface.n_supported() > 0)
-      text << "  note: " << meshed->surface.n_supported()
-           << " nodes of the contact surface are held in the normal direction by a support and "
+              "faces its obstacle, or Dirichlet conditions hold them all\n";
+    if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
+      text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
+           << " nodes of the contact surface are held in the normal direction by a Dirichlet "
+              "condition and "
               "take no part in contact\n";
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
         && std::any_of(

@@ -93,7 +93,7 @@ namespace signorini
                              *matrix.product,
                              *matrix.preconditioner,
                              right_hand_side,
-                             coordinates.supported_entries(),
+                             coordinates.dirichlet_entries(),
                              prescribed);
     return parameters.solver.tolerance * scale;
   }
@@ -124,13 +124,13 @@ namespace signorini
   ElasticContactSystem<dim>::prescribed_increments(const IncrementProblem &problem) const
   {
     std::vector<double> prescribed =
-      coordinates.supported_values(problem.start.time + problem.step_size);
+      coordinates.dirichlet_values(problem.start.time + problem.step_size);
     if (prescribed.empty())
       return prescribed;
     Vector displacement = problem.start.displacement;
-    coordinates.rotate_to_frames(displacement); // supported entries are not relative
+    coordinates.rotate_to_frames(displacement); // prescribed entries are not relative
     for (unsigned int j = 0; j < prescribed.size(); ++j)
-      prescribed[j] -= displacement.local_element(coordinates.supported_entries()[j]);
+      prescribed[j] -= displacement.local_element(coordinates.dirichlet_entries()[j]);
     return prescribed;
   }
 
@@ -174,7 +174,7 @@ namespace signorini
       right_hand_side,
       coordinates.normal_entries(),
       problem.bounds,
-      coordinates.supported_entries(),
+      coordinates.dirichlet_entries(),
       prescribed,
       solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
       bound_tolerance(increment, discretization.mesh().body_size()),
@@ -182,16 +182,16 @@ namespace signorini
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.forecast.remember(right_hand_side, increment, residual);
 
-    solution.contact_reaction = discretization.make_vector();
-    solution.support_reaction = solution.contact_reaction;
+    solution.contact_reaction   = discretization.make_vector();
+    solution.dirichlet_reaction = solution.contact_reaction;
     solution.normal_reaction.assign(active.size(), 0.);
     for (unsigned int k = 0; k < active.size(); ++k)
       if (const unsigned int i = coordinates.normal_entries()[k];
           contact_status::is_closed(active[k]))
         solution.contact_reaction.local_element(i) = solution.normal_reaction[k] =
           -residual.local_element(i);
-    for (const unsigned int i : coordinates.supported_entries())
-      solution.support_reaction.local_element(i) = -residual.local_element(i);
+    for (const unsigned int i : coordinates.dirichlet_entries())
+      solution.dirichlet_reaction.local_element(i) = -residual.local_element(i);
     if (friction.any())
       {
         const bool pressed_from_elsewhere = problem.further_reaction != nullptr;
@@ -202,7 +202,7 @@ namespace signorini
 
     coordinates.displacement_to_cartesian(increment);
     coordinates.force_to_cartesian(solution.contact_reaction);
-    coordinates.force_to_cartesian(solution.support_reaction);
+    coordinates.force_to_cartesian(solution.dirichlet_reaction);
   }
 
 
@@ -242,14 +242,14 @@ namespace signorini
 
 
   template <int dim>
-  bool ElasticContactSystem<dim>::supports_move(const double start_time,
-                                                const double end_time) const
+  bool ElasticContactSystem<dim>::dirichlet_values_move(const double start_time,
+                                                        const double end_time) const
   {
-    const std::vector<double> start = coordinates.supported_values(start_time);
+    const std::vector<double> start = coordinates.dirichlet_values(start_time);
     bool                      moved = false;
     for (const double time : {0.5 * (start_time + end_time), end_time})
       {
-        const std::vector<double> now = coordinates.supported_values(time);
+        const std::vector<double> now = coordinates.dirichlet_values(time);
         for (unsigned int j = 0; j < now.size(); ++j)
           moved = moved || std::abs(now[j] - start[j]) > 1e-13 * discretization.mesh().body_size();
       }
@@ -260,24 +260,24 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::stop_at_supports(Vector &velocity) const
+  void ElasticContactSystem<dim>::stop_at_dirichlet(Vector &velocity) const
   {
-    coordinates.rotate_to_frames(velocity); // supported entries are not relative
-    for (const unsigned int i : coordinates.supported_entries())
+    coordinates.rotate_to_frames(velocity); // prescribed entries are not relative
+    for (const unsigned int i : coordinates.dirichlet_entries())
       velocity.local_element(i) = 0.;
     coordinates.rotate_from_frames(velocity);
   }
 
 
   template <int dim>
-  Vector ElasticContactSystem<dim>::support_part(const Vector &forces) const
+  Vector ElasticContactSystem<dim>::dirichlet_part(const Vector &forces) const
   {
     Vector part = discretization.make_vector(), local = forces;
     coordinates.force_to_contact(
-      local); // collective: also where this process owns no supported node
-    for (const unsigned int i : coordinates.supported_entries())
+      local); // collective: also where this process owns no prescribed node
+    for (const unsigned int i : coordinates.dirichlet_entries())
       part.local_element(i) = local.local_element(i);
-    coordinates.rotate_from_frames(part); // supported entries are not relative
+    coordinates.rotate_from_frames(part); // prescribed entries are not relative
     return part;
   }
 

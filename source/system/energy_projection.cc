@@ -39,14 +39,14 @@ namespace signorini
     Vector right_hand_side = error_moments, correction = discretization.make_vector(),
            residual = correction;
     coordinates.force_to_contact(right_hand_side);
-    const std::vector<double> nothing(coordinates.supported_entries().size(), 0.);
+    const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);
     ActiveSet                 active(bounds.size(), contact_status::open);
     solver.solve({matrix,
                   *preconditioner,
                   right_hand_side,
                   coordinates.normal_entries(),
                   bounds,
-                  coordinates.supported_entries(),
+                  coordinates.dirichlet_entries(),
                   nothing,
                   1e-12 * size,
                   1e-14 * discretization.mesh().body_size()},

@@ -70,7 +70,7 @@ namespace signorini
     prepare();
     correction                     = last_correction; // in contact coordinates
     const Vector              zero = discretization.make_vector();
-    std::vector<unsigned int> held = coordinates.supported_entries();
+    std::vector<unsigned int> held = coordinates.dirichlet_entries();
     const std::vector<double> nothing(held.size(), 0.);
     const double              accepted_error = tolerance * step_size * std::sqrt(energy_scale / 2.);
     const SolveReport         report         = solver.solve({*mass,
@@ -78,7 +78,7 @@ namespace signorini
                                                              zero,
                                                              coordinates.normal_entries(),
                                                              left,
-                                                             coordinates.supported_entries(),
+                                                             coordinates.dirichlet_entries(),
                                                              nothing,
                                                              accepted_error,
                                                              bound_length},
@@ -127,7 +127,7 @@ namespace signorini
     correction      = discretization.make_vector();
     mass_correction = correction;
 
-    std::vector<unsigned int> fixed = coordinates.supported_entries();
+    std::vector<unsigned int> fixed = coordinates.dirichlet_entries();
     for (unsigned int k = 0; k < held.size(); ++k)
       {
         if (contact_status::is_closed(held[k]))
@@ -138,7 +138,7 @@ namespace signorini
                        coordinates.tangential_entries()[k].end());
       }
     SolveReport        effort;
-    const unsigned int n_held = fixed.size() - coordinates.supported_entries().size();
+    const unsigned int n_held = fixed.size() - coordinates.dirichlet_entries().size();
     effort.n_active           = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
     if (effort.n_active == 0)
       return effort;
@@ -147,7 +147,7 @@ namespace signorini
     prepare();
     Vector relative_velocity = velocity;
     coordinates.displacement_to_contact(relative_velocity);
-    std::vector<double> values(coordinates.supported_entries().size(), 0.);
+    std::vector<double> values(coordinates.dirichlet_entries().size(), 0.);
     for (std::size_t j = values.size(); j < fixed.size(); ++j)
       values.push_back(-relative_velocity.local_element(fixed[j]));
 
@@ -182,15 +182,15 @@ namespace signorini
   template <int dim>
   Vector MassProblems<dim>::solve(const Vector &force)
   {
-    // Nodes with mass have no contact frames: their supported entries are components.
+    // Nodes with mass have no contact frames: their prescribed entries are components.
     if (mass_parameters.has_massless_contact_nodes())
-      return MassSolver<dim>(discretization.matrices(), coordinates.supported_entries())
+      return MassSolver<dim>(discretization.matrices(), coordinates.dirichlet_entries())
         .solve(force);
     prepare();
     dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
     Vector right_hand_side = force, result = discretization.make_vector(), residual = result;
     coordinates.force_to_contact(right_hand_side);
-    const std::vector<double> held(coordinates.supported_entries().size(), 0.);
+    const std::vector<double> held(coordinates.dirichlet_entries().size(), 0.);
     ActiveSet                 none;
     // The error is one of velocity: its kinetic energy shall be small compared with that of the
     // response.
@@ -202,7 +202,7 @@ namespace signorini
                   right_hand_side,
                   {},
                   {},
-                  coordinates.supported_entries(),
+                  coordinates.dirichlet_entries(),
                   held,
                   1e-13 * size,
                   0.},

@@ -28,7 +28,7 @@ namespace signorini
     for (const unsigned int node : matrices.massless_nodes)
       for (unsigned int c = 0; c < dim; ++c)
         is_free[dim * node + c] = 1;
-    for (const unsigned int entry : coordinates.supported_entries())
+    for (const unsigned int entry : coordinates.dirichlet_entries())
       is_free[entry] = 0;
     for (unsigned int i = 0; i < is_free.size(); ++i)
       if (!is_free[i])

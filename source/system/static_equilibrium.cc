@@ -41,7 +41,7 @@ namespace signorini
         , coordinates(coordinates)
         , matrix(discretization.matrices(), coordinates, sigma, 1.)
         , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
-        , prescribed(coordinates.supported_values(0.))
+        , prescribed(coordinates.dirichlet_values(0.))
         , bound_tolerance(1e-12 * discretization.mesh().body_size())
       {
         PreconditionerKind kind = parameters.preconditioner;
@@ -68,13 +68,13 @@ namespace signorini
           tolerance =
             1e-2 * parameters.tolerance
             * response_size(
-              matrix, *preconditioner, force, coordinates.supported_entries(), prescribed);
+              matrix, *preconditioner, force, coordinates.dirichlet_entries(), prescribed);
         solver.solve({matrix,
                       *preconditioner,
                       force,
                       coordinates.normal_entries(),
                       gap,
-                      coordinates.supported_entries(),
+                      coordinates.dirichlet_entries(),
                       prescribed,
                       tolerance,
                       bound_tolerance,
@@ -212,7 +212,7 @@ namespace signorini
   template <int dim>
   std::vector<unsigned int> StaticEquilibrium<dim>::held_entries(const ActiveSet &status) const
   {
-    std::vector<unsigned int> held = coordinates.supported_entries();
+    std::vector<unsigned int> held = coordinates.dirichlet_entries();
     for (std::size_t k = 0; k < status.size(); ++k)
       {
         const auto &tangents = coordinates.tangential_entries()[k];

@@ -19,16 +19,16 @@ using namespace signorini::tests;
 namespace
 {
   template <int dim>
-  std::unique_ptr<ErrorIndicator<dim>> indicator_of(const Scene<dim>          &scene,
-                                                    const Discretization<dim> &discretization,
-                                                    const ContactSurface<dim> &surface,
-                                                    const Supports<dim>       &supports)
+  std::unique_ptr<ErrorIndicator<dim>> indicator_of(const Scene<dim>               &scene,
+                                                    const Discretization<dim>      &discretization,
+                                                    const ContactSurface<dim>      &surface,
+                                                    const DirichletConditions<dim> &dirichlet)
   {
     return make_error_indicator(scene.adaptivity,
                                 {StepBalance::middle, scene.time.step_size},
                                 discretization,
                                 surface,
-                                supports);
+                                dirichlet);
   }
 
   Scene<2> disc_above_floor(const double distance)
@@ -78,7 +78,7 @@ TEST(Distance, SeesWhatIsCloseOrWillBe)
 {
   const ContactProblem<2> problem(disc_above_floor(0.02));
   const auto              indicator =
-    indicator_of(problem.scene, problem.discretization, problem.surface, problem.supports);
+    indicator_of(problem.scene, problem.discretization, problem.surface, problem.dirichlet);
   const auto at = [&](const double height, const double speed) {
     const State state = moving(problem.discretization, height, speed);
     return look(problem.discretization, indicator->evaluate({state, state, 0.}), 0);
@@ -100,7 +100,7 @@ TEST(Distance, BothBodiesOfAPair)
   scene.adaptivity.indicator = IndicatorKind::distance;
   const TwoBodies<3> bodies(scene);
   const auto         indicator =
-    indicator_of(bodies.scene, bodies.discretization, bodies.surface, bodies.supports);
+    indicator_of(bodies.scene, bodies.discretization, bodies.surface, bodies.dirichlet);
   const State state = moving(bodies.discretization, 0., 0.);
   const auto  value = indicator->evaluate({state, state, 0.});
   // Three times the size of a cell over the gap: 3 * 0.15 / 0.05 and 3 * 0.2 / 0.05, at most 4.
@@ -119,11 +119,11 @@ TEST(Distance, TheMeshIsFineAtTheContactAndGoesBack)
   const auto adapt = [&](const double height) {
     for (unsigned int times = 0; times < 6; ++times)
       {
-        const Discretization<2> discretization(mesh);
-        const Supports<2>       supports(discretization);
-        const ContactSurface<2> surface(discretization, supports, scene.obstacles, scene.pairs);
+        const Discretization<2>      discretization(mesh);
+        const DirichletConditions<2> dirichlet(discretization);
+        const ContactSurface<2> surface(discretization, dirichlet, scene.obstacles, scene.pairs);
         const State             state     = moving(discretization, height, 0.);
-        const auto              indicator = indicator_of(scene, discretization, surface, supports);
+        const auto              indicator = indicator_of(scene, discretization, surface, dirichlet);
         if (!mark_cells(mesh, scene.adaptivity, indicator->evaluate({state, state, 0.})).any())
           return times;
         mesh.carry_out_flags();

@@ -41,18 +41,18 @@ namespace
   {
     OnMesh(const Mesh<2> &mesh, const Scene<2> &scene)
       : discretization(mesh)
-      , supports(discretization)
-      , surface(discretization, supports, scene.obstacles, scene.pairs)
-      , coordinates(discretization, surface, supports)
+      , dirichlet(discretization)
+      , surface(discretization, dirichlet, scene.obstacles, scene.pairs)
+      , coordinates(discretization, surface, dirichlet)
       , loads(discretization)
     {
     }
 
-    const Discretization<2>     discretization;
-    const Supports<2>           supports;
-    const ContactSurface<2>     surface;
-    const ContactCoordinates<2> coordinates;
-    Loads<2>                    loads;
+    const Discretization<2>      discretization;
+    const DirichletConditions<2> dirichlet;
+    const ContactSurface<2>      surface;
+    const ContactCoordinates<2>  coordinates;
+    Loads<2>                     loads;
   };
 
   Scene<2> block_on_floor(const dealii::Tensor<1, 2> &normal)
@@ -129,7 +129,7 @@ TEST(Effectivity, StaticContact)
       .find(state, &load);
     const Vector &u = state.displacement;
     return Found{
-      ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
+      ResidualEstimate(discretization, on_mesh.surface, on_mesh.dirichlet)
         .squares(balance_at_rest(discretization, on_mesh.surface, u, state.contact_force),
                  ResidualWeights{}),
       0.5 * (u * stiffness_times(discretization, u)) - load * u};
@@ -170,7 +170,7 @@ TEST(Effectivity, OneTimeStep)
     make_time_scheme(scene.time.scheme)->advance(system, end, tau);
     // Squared norm of velocity and displacement: 4/tau^2 times that of the problem of the step.
     const Vector &d = end.displacement;
-    return Found{ResidualEstimate(discretization, on_mesh.surface, on_mesh.supports)
+    return Found{ResidualEstimate(discretization, on_mesh.surface, on_mesh.dirichlet)
                    .squares(balance_of_step(discretization,
                                             on_mesh.surface,
                                             {start, end, tau},

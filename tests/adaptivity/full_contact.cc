@@ -35,7 +35,7 @@ namespace
     state.contact_force  = uniform_contact_force(bodies);
     const double energy  = state.displacement * stiffness_times(discretization, state.displacement);
     const auto   squares = [&](const ForceBalance &balance, const double step_size) {
-      return ResidualEstimate(discretization, bodies.surface, bodies.supports)
+      return ResidualEstimate(discretization, bodies.surface, bodies.dirichlet)
         .squares(balance, ResidualWeights{step_size});
     };
     const ForceBalance rest =
@@ -116,14 +116,14 @@ TEST(FullContact, AnOpenNodeMakesItsNeighboursSemiContact)
   balance.contact_force = force;
   const auto fields     = contact_fields(bodies.discretization,
                                      bodies.surface,
-                                     bodies.supports,
+                                     bodies.dirichlet,
                                      balance,
                                      bodies.discretization.interpolate_hanging_nodes(u));
   for (const ContactNode<2> &node : bodies.surface.nodes())
     EXPECT_EQ(fields.open.local_element(2 * node.node),
               std::abs(node.position[0] - 0.5) < 0.3 ? 1. : 0.)
       << node.position;
-  const auto squares = ResidualEstimate(bodies.discretization, bodies.surface, bodies.supports)
+  const auto squares = ResidualEstimate(bodies.discretization, bodies.surface, bodies.dirichlet)
                          .squares(balance, ResidualWeights{});
   double by_gap =
     0.; // of the cells of the slave next to the open node: normal stress p on half, and s gap

@@ -96,7 +96,7 @@ TEST(Residual, BoundaryOfABodyUnderTraction)
   const auto              estimate       = [&](const std::array<std::string, 2> &u) {
     const ForceBalance balance = balance_at_rest(
       discretization, problem.surface, field<2>(discretization, u), discretization.make_vector());
-    return sum_of(ResidualEstimate(discretization, problem.surface, problem.supports)
+    return sum_of(ResidualEstimate(discretization, problem.surface, problem.dirichlet)
                     .squares(balance, ResidualWeights{}));
   };
   // Uniaxial plane stress in plane strain: sigma_xx = 7, sigma_yy = 0.

@@ -73,8 +73,8 @@ namespace signorini::tests
   {
     explicit ContactProblem(const Scene<dim> &scene)
       : Assembled<dim>(scene)
-      , supports(this->discretization)
-      , surface(this->discretization, supports, scene.obstacles, scene.pairs)
+      , dirichlet(this->discretization)
+      , surface(this->discretization, dirichlet, scene.obstacles, scene.pairs)
     {
     }
 
@@ -86,8 +86,8 @@ namespace signorini::tests
       return dealii::Utilities::MPI::sum(sum, MPI_COMM_WORLD);
     }
 
-    const Supports<dim>       supports;
-    const ContactSurface<dim> surface;
+    const DirichletConditions<dim> dirichlet;
+    const ContactSurface<dim>      surface;
   };
 } // namespace signorini::tests
 

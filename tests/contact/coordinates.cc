@@ -23,8 +23,9 @@ namespace
     return contact_scene<3>(ball<3>(1), {sphere<3>({0., 0., 1.1}, 1.2, true)});
   }
 
-  /** A box on the floor with a moving support at x = 0 in x, and at y = 1 in y and z. */
-  Scene<3> supported_box()
+  /** A box on the floor with a moving Dirichlet condition at x = 0 in x, and at y = 1 in y and z.
+   */
+  Scene<3> held_box()
   {
     BodyDescription<3> body = box<3>();
     body.dirichlet          = {{0, {{"t + y", "-", "-"}}}, {3, {{"-", "2*t", "0.5"}}}};
@@ -36,7 +37,7 @@ namespace
   {
     explicit CoordinatesProblem(const Scene<dim> &scene)
       : ContactProblem<dim>(scene)
-      , coordinates(this->discretization, this->surface, this->supports)
+      , coordinates(this->discretization, this->surface, this->dirichlet)
       , frames(coordinates.node_frames(),
                coordinates.contact_nodes(),
                this->discretization.matrices().pattern.partitioner)
@@ -78,12 +79,12 @@ TEST(ContactCoordinates, NormalDisplacementIsOneEntry)
     EXPECT_NEAR(nodes[k].gap - w.local_element(entries[k]), gap[k], 1e-14);
 }
 
-TEST(ContactCoordinates, SupportsAreSingleEntriesWithTheirValues)
+TEST(ContactCoordinates, DirichletConditionsAreSingleEntriesWithTheirValues)
 {
-  const CoordinatesProblem<3> problem(supported_box());
+  const CoordinatesProblem<3> problem(held_box());
   const double                time    = 0.25;
-  const auto                 &entries = problem.coordinates.supported_entries();
-  const auto                  values  = problem.coordinates.supported_values(time);
+  const auto                 &entries = problem.coordinates.dirichlet_entries();
+  const auto                  values  = problem.coordinates.dirichlet_values(time);
   ASSERT_EQ(values.size(), entries.size());
   // 9 nodes in x, 9 in y and z; the 3 nodes at y = 1 on the floor take no part in contact.
   EXPECT_EQ(dealii::Utilities::MPI::sum(entries.size(), MPI_COMM_WORLD), 27u);
@@ -139,9 +140,9 @@ TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
     }
 }
 
-TEST(ContactCoordinates, SpecialNodesAreContactNodesAndSupports)
+TEST(ContactCoordinates, SpecialNodesAreContactNodesAndDirichletConditions)
 {
-  const CoordinatesProblem<3> problem(supported_box());
+  const CoordinatesProblem<3> problem(held_box());
   std::vector<unsigned int>   special, contact;
   for (unsigned int node = 0; node < problem.discretization.matrices().pattern.n_local; ++node)
     {

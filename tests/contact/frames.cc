@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 // A contact frame is orthonormal, with the normal first, so that the change of coordinates keeps
-// lengths; a supported direction is one of its tangents, so that both conditions hold single
+// lengths; a prescribed direction is one of its tangents, so that both conditions hold single
 // entries.
 
 #include "contact_scene.h"
@@ -78,38 +78,38 @@ TEST(ContactFrame, IsRightHanded)
     }
 }
 
-TEST(ContactFrame, TakesInTangentialSupports)
+TEST(ContactFrame, TakesInTangentialDirichletConditions)
 {
   const Tensor<1, 3>    oblique({0.6, 0., 0.8}), down({0., 0., -1.});
   std::array<double, 9> frame;
-  ASSERT_TRUE(contact_frame_with_supports<3>(oblique, {{false, true, false}}, frame));
+  ASSERT_TRUE(contact_frame_with_dirichlet<3>(oblique, {{false, true, false}}, frame));
   expect_orthonormal<3>(frame, oblique);
   EXPECT_TRUE(has_axis(frame, 1));
-  ASSERT_TRUE(contact_frame_with_supports<3>(down, {{true, true, false}}, frame));
+  ASSERT_TRUE(contact_frame_with_dirichlet<3>(down, {{true, true, false}}, frame));
   expect_orthonormal<3>(frame, down);
   EXPECT_TRUE(has_axis(frame, 0) && has_axis(frame, 1));
 
   std::array<double, 4> flat;
-  ASSERT_TRUE(contact_frame_with_supports<2>(Tensor<1, 2>({0., -1.}), {{true, false}}, flat));
+  ASSERT_TRUE(contact_frame_with_dirichlet<2>(Tensor<1, 2>({0., -1.}), {{true, false}}, flat));
   expect_orthonormal<2>(flat, Tensor<1, 2>({0., -1.}));
 }
 
-TEST(ContactFrame, RefusesSupportsThatAreNotTangential)
+TEST(ContactFrame, RefusesDirichletConditionsThatAreNotTangential)
 {
   std::array<double, 9> frame;
   EXPECT_FALSE(
-    contact_frame_with_supports<3>(Tensor<1, 3>({0., 0., -1.}), {{false, false, true}}, frame));
+    contact_frame_with_dirichlet<3>(Tensor<1, 3>({0., 0., -1.}), {{false, false, true}}, frame));
   EXPECT_FALSE(
-    contact_frame_with_supports<3>(Tensor<1, 3>({0.6, 0., 0.8}), {{true, true, false}}, frame));
+    contact_frame_with_dirichlet<3>(Tensor<1, 3>({0.6, 0., 0.8}), {{true, true, false}}, frame));
   std::array<double, 4> flat;
-  EXPECT_FALSE(contact_frame_with_supports<2>(Tensor<1, 2>({0.6, 0.8}), {{true, false}}, flat));
+  EXPECT_FALSE(contact_frame_with_dirichlet<2>(Tensor<1, 2>({0.6, 0.8}), {{true, false}}, flat));
 }
 
-TEST(ContactFrame, StaysWithoutSupports)
+TEST(ContactFrame, StaysWithoutDirichletConditions)
 {
   const Tensor<1, 3>    oblique({0.6, 0., 0.8});
   const auto            free  = contact_frame(oblique);
   std::array<double, 9> frame = free;
-  ASSERT_TRUE(contact_frame_with_supports<3>(oblique, {{false, false, false}}, frame));
+  ASSERT_TRUE(contact_frame_with_dirichlet<3>(oblique, {{false, false, false}}, frame));
   EXPECT_EQ(frame, free);
 }

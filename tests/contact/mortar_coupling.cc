@@ -3,10 +3,10 @@
 
 // The mortar coupling of non-matching surfaces: weights share out the covered area, relative
 // displacements vanish for rigid motions of both bodies, and where the surfaces are flat also for
-// every linear field, whose gap is then exact. Hanging nodes, supports and partial cover change
-// none of this, and neither does the orientation in space. Relative displacement and gap of a node
-// that takes the share of a node without multiplier are larger by the same factor, its
-// transmission.
+// every linear field, whose gap is then exact. Hanging nodes, Dirichlet conditions and partial
+// cover change none of this, and neither does the orientation in space. Relative displacement and
+// gap of a node that takes the share of a node without multiplier are larger by the same factor,
+// its transmission.
 
 #include "two_bodies.h"
 
@@ -149,13 +149,13 @@ namespace
     expect_linear_functions(bodies, rotation<dim>(angle), name);
   }
 
-  /** Blocks with matching footprints, the slave supported at x = 0. */
-  TwoBodies<3> supported(const std::array<std::string, 3> &slave_support,
-                         const bool                        of_master = false)
+  /** Blocks with matching footprints, the slave prescribed at x = 0. */
+  TwoBodies<3> prescribed(const std::array<std::string, 3> &slave_condition,
+                          const bool                        of_master = false)
   {
     auto slave  = block<3>("slave", {0., 0., 0.}, {1., 1., 1.}, {{3, 2, 1}}),
          master = block<3>("master", {0., 0., -1.}, {1., 1., -0.125}, {{5, 3, 1}});
-    (of_master ? master : slave).dirichlet = {{0, slave_support}};
+    (of_master ? master : slave).dirichlet = {{0, slave_condition}};
     return TwoBodies<3>(stacked<3>(slave, master));
   }
 } // namespace
@@ -245,10 +245,10 @@ TEST(MortarCoupling, CurvedSurfacesReproduceConstants)
     }
 }
 
-TEST(MortarCoupling, NormalSupportTakesTheMultiplier)
+TEST(MortarCoupling, NormalDirichletTakesTheMultiplier)
 {
-  const TwoBodies<3> bodies = supported({{"-", "-", "0"}});
-  EXPECT_EQ(bodies.surface.n_supported(), 3u);
+  const TwoBodies<3> bodies = prescribed({{"-", "-", "0"}});
+  EXPECT_EQ(bodies.surface.n_left_to_dirichlet_conditions(), 3u);
   EXPECT_EQ(bodies.surface.n_global_nodes(), 9u);
   for (const ContactNode<3> &node : bodies.surface.nodes())
     {
@@ -262,21 +262,21 @@ TEST(MortarCoupling, NormalSupportTakesTheMultiplier)
     bodies.sum([](const ContactNode<3> &node) { return node.weight * node.transmission; }),
     1.,
     1e-12);
-  expect_row_sums_of_one(bodies, "supported");
-  expect_linear_functions(bodies, rotation<3>(0.), "supported");
+  expect_row_sums_of_one(bodies, "prescribed");
+  expect_linear_functions(bodies, rotation<3>(0.), "prescribed");
 }
 
-TEST(MortarCoupling, OtherSupportsLeaveTheMultiplier)
+TEST(MortarCoupling, OtherDirichletConditionsLeaveTheMultiplier)
 {
   const auto expect_untouched = [](const TwoBodies<3> &bodies) {
-    EXPECT_EQ(bodies.surface.n_supported(), 0u);
+    EXPECT_EQ(bodies.surface.n_left_to_dirichlet_conditions(), 0u);
     EXPECT_EQ(bodies.surface.n_global_nodes(), 12u);
     EXPECT_NEAR(bodies.sum([](const ContactNode<3> &node) { return node.weight; }), 1., 1e-13);
-    expect_row_sums_of_one(bodies, "supported");
-    expect_linear_functions(bodies, rotation<3>(0.), "supported");
+    expect_row_sums_of_one(bodies, "prescribed");
+    expect_linear_functions(bodies, rotation<3>(0.), "prescribed");
   };
-  expect_untouched(supported({{"0", "0", "-"}}));
-  expect_untouched(supported({{"0", "0", "0"}}, true));
+  expect_untouched(prescribed({{"0", "0", "-"}}));
+  expect_untouched(prescribed({{"0", "0", "0"}}, true));
 }
 
 // Both processes see the same: a checksum over all contact nodes.

@@ -86,7 +86,7 @@ TEST(NodalFriction, ObstaclesAreNotRelative)
   const auto count = [](const FrictionDescription &friction) {
     const ContactProblem<2>     problem(on_floor(friction));
     const ContactCoordinates<2> coordinates(
-      problem.discretization, problem.surface, problem.supports);
+      problem.discretization, problem.surface, problem.dirichlet);
     EXPECT_TRUE(coordinates.relative_entries().empty());
     unsigned int n = 0;
     for (unsigned int k = 0; k < problem.surface.nodes().size(); ++k)

@@ -3,8 +3,8 @@
 
 // Which pairs of bodies are accepted: bodies that are apart never count as overlapping, however
 // coarse their curved surfaces are; real overlaps are found at any depth; nodes that two pairs
-// share, oblique supports and masters that no slave node can see are refused with a message that
-// says so. All processes say the same.
+// share, oblique Dirichlet conditions and masters that no slave node can see are refused with a
+// message that says so. All processes say the same.
 
 #include "two_bodies.h"
 
@@ -44,10 +44,10 @@ namespace
   {
     try
       {
-        const MappedAssembled<dim> problem(scene, map);
-        const Supports<dim>        supports(problem.discretization);
-        const ContactSurface<dim>  surface(
-          problem.discretization, supports, scene.obstacles, scene.pairs);
+        const MappedAssembled<dim>     problem(scene, map);
+        const DirichletConditions<dim> dirichlet(problem.discretization);
+        const ContactSurface<dim>      surface(
+          problem.discretization, dirichlet, scene.obstacles, scene.pairs);
         surface.check_initial_gap(problem.discretization.make_vector());
       }
     catch (const UserError &error)
@@ -152,7 +152,7 @@ TEST(PairsOfBodies, SharedNodesAreRefused)
   expect_refusal(refusal<3>(two_masters), "share the node at");
 }
 
-TEST(PairsOfBodies, ObliqueSupportsAreRefusedAndTangentialOnesAreNot)
+TEST(PairsOfBodies, ObliqueDirichletConditionsAreRefusedAndTangentialOnesAreNot)
 {
   Scene<3> scene            = cubes(0.);
   scene.bodies[0].dirichlet = {{bottom_id<3>, {{"-", "0", "-"}}}};

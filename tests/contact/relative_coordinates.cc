@@ -133,12 +133,12 @@ namespace
         std::vector<unsigned int> tangential;
         EXPECT_EQ(nodes[k].friction.any(), bodies.scene.pairs[nodes[k].pair].friction.any);
         EXPECT_EQ(nodes[k].relative[0], has_partners);
-        const auto &supported = bodies.coordinates.supported_entries();
+        const auto &prescribed = bodies.coordinates.dirichlet_entries();
         for (unsigned int row = 0; row < dim; ++row)
           {
             const unsigned int entry = dim * nodes[k].node + row;
             const bool         is_held =
-              std::find(supported.begin(), supported.end(), entry) != supported.end();
+              std::find(prescribed.begin(), prescribed.end(), entry) != prescribed.end();
             const bool acts = row > 0 && nodes[k].friction.any() && !is_held;
             if (acts)
               tangential.push_back(entry);
@@ -258,7 +258,7 @@ TEST(RelativeCoordinates, In2d)
     expect_all(scene_2d(), angle);
 }
 
-// Here supports hold the normal of some slave nodes, and one of the tangents of others.
+// Here Dirichlet conditions hold the normal of some slave nodes, and one of the tangents of others.
 TEST(RelativeCoordinates, In3d)
 {
   expect_all(scene_3d(), 0.);
@@ -282,7 +282,7 @@ TEST(RelativeCoordinates, SomeTangentsAreHeldIn3d)
   EXPECT_EQ(count(0), bodies.sum([](const ContactNode<3> &node) { return node.pair == 1; }));
 }
 
-// Without supports the same in a general position.
+// Without Dirichlet conditions the same in a general position.
 TEST(RelativeCoordinates, In3dTurned)
 {
   Scene<3> scene            = scene_3d();

@@ -3,7 +3,7 @@
 
 // Two ways to the matrix T'(a M + b A)T of two bodies in contact: products, and entries for
 // preconditioners. They agree, whichever directions are relative: with friction, without, with
-// friction on a part of the surface, and where a support holds a tangent.
+// friction on a part of the surface, and where a Dirichlet condition holds a tangent.
 
 #include "two_bodies.h"
 
@@ -118,9 +118,9 @@ TEST(RelativeMatrix, DiagonalIsExactOnMatchingMeshes)
         expect_exact_diagonal(matching<2>(coefficient), angle);
       expect_exact_diagonal(matching<3>(coefficient), 0.7);
     }
-  Scene<3> supported            = matching<3>("0.3");
-  supported.bodies[0].dirichlet = {{0, {{"-", "0", "-"}}}};
-  expect_exact_diagonal(supported, 0.);
+  Scene<3> prescribed            = matching<3>("0.3");
+  prescribed.bodies[0].dirichlet = {{0, {{"-", "0", "-"}}}};
+  expect_exact_diagonal(prescribed, 0.);
 }
 
 TEST(RelativeMatrix, EntriesGiveTheProducts)
@@ -134,7 +134,7 @@ TEST(RelativeMatrix, EntriesGiveTheProducts)
           expect_same_products(irregular<3>(coefficient), angle);
         }
     }
-  Scene<3> supported            = irregular<3>("0.3");
-  supported.bodies[0].dirichlet = {{1, {{"-", "0", "-"}}}};
-  expect_same_products(supported, 0.);
+  Scene<3> prescribed            = irregular<3>("0.3");
+  prescribed.bodies[0].dirichlet = {{1, {{"-", "0", "-"}}}};
+  expect_same_products(prescribed, 0.);
 }

@@ -89,12 +89,12 @@ namespace
                         const double       angle)
   {
     SCOPED_TRACE(preconditioner + " at " + std::to_string(angle));
-    const TwoBodies<3>          bodies(tied(), turn<3>(angle));
-    const MappedAssembled<3>    block(scene_of<3>({part("block", -1., 1., 8)}), turn<3>(angle));
-    const Supports<3>           supports(block.discretization);
-    const ContactSurface<3>     surface(block.discretization, supports, {}, {});
-    const ContactCoordinates<3> coordinates(block.discretization, surface, supports);
-    const Solution              found = solve(bodies.discretization,
+    const TwoBodies<3>           bodies(tied(), turn<3>(angle));
+    const MappedAssembled<3>     block(scene_of<3>({part("block", -1., 1., 8)}), turn<3>(angle));
+    const DirichletConditions<3> dirichlet(block.discretization);
+    const ContactSurface<3>      surface(block.discretization, dirichlet, {}, {});
+    const ContactCoordinates<3>  coordinates(block.discretization, surface, dirichlet);
+    const Solution               found = solve(bodies.discretization,
                                  bodies.coordinates,
                                  preconditioner,
                                  1.,

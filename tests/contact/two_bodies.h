@@ -117,10 +117,10 @@ namespace signorini::tests
   {
     explicit TwoBodies(const Scene<dim> &scene, const Map<dim> &map = {})
       : MappedAssembled<dim>(scene, map)
-      , supports(this->discretization)
-      , mortar(this->discretization, supports, scene.pairs, 0)
-      , surface(this->discretization, supports, scene.obstacles, scene.pairs)
-      , coordinates(this->discretization, surface, supports)
+      , dirichlet(this->discretization)
+      , mortar(this->discretization, dirichlet, scene.pairs, 0)
+      , surface(this->discretization, dirichlet, scene.obstacles, scene.pairs)
+      , coordinates(this->discretization, surface, dirichlet)
     {
     }
 
@@ -175,10 +175,10 @@ namespace signorini::tests
       return result;
     }
 
-    const Supports<dim>           supports;
-    const MortarCoupling<dim>     mortar;
-    const ContactSurface<dim>     surface;
-    const ContactCoordinates<dim> coordinates;
+    const DirichletConditions<dim> dirichlet;
+    const MortarCoupling<dim>      mortar;
+    const ContactSurface<dim>      surface;
+    const ContactCoordinates<dim>  coordinates;
   };
 } // namespace signorini::tests
 

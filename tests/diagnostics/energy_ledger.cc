@@ -54,7 +54,7 @@ TEST(EnergyLedger, ResidualIsWhatNobodyReports)
   StepReport report;
   report.work_contact   = -4.;
   report.work_predictor = -1.5;
-  report.work_support   = 0.5;
+  report.work_dirichlet = 0.5;
   const EnergyBooking booking =
     ledger.book(state_of(assembled.discretization, "0", "2"), report, nullptr);
   EXPECT_EQ(booking.contact, -4.);

@@ -52,9 +52,9 @@ struct BoxAboveFloor
     , mesh(scene.bodies, MPI_COMM_WORLD)
     , discretization(mesh)
   {
-    supports = std::make_unique<signorini::Supports<dim>>(discretization);
-    surface  = std::make_unique<signorini::ContactSurface<dim>>(
-      discretization, *supports, scene.obstacles, scene.pairs);
+    dirichlet = std::make_unique<signorini::DirichletConditions<dim>>(discretization);
+    surface   = std::make_unique<signorini::ContactSurface<dim>>(
+      discretization, *dirichlet, scene.obstacles, scene.pairs);
   }
 
   static signorini::Scene<dim> with_friction(signorini::Scene<dim> scene, const bool friction)
@@ -63,11 +63,11 @@ struct BoxAboveFloor
     return scene;
   }
 
-  signorini::Scene<dim>                           scene;
-  signorini::Mesh<dim>                            mesh;
-  signorini::Discretization<dim>                  discretization;
-  std::unique_ptr<signorini::Supports<dim>>       supports;
-  std::unique_ptr<signorini::ContactSurface<dim>> surface;
+  signorini::Scene<dim>                                scene;
+  signorini::Mesh<dim>                                 mesh;
+  signorini::Discretization<dim>                       discretization;
+  std::unique_ptr<signorini::DirichletConditions<dim>> dirichlet;
+  std::unique_ptr<signorini::ContactSurface<dim>>      surface;
 };
 
 #endif

@@ -135,11 +135,11 @@ TEST(FieldOutput, NoPairsNoSurface)
     std::ofstream(folder.name + "/surface.pvd") << "old";
   Scene<2> scene = box_above_floor<2>();
   scene.pairs.clear();
-  const Mesh<2>           mesh(scene.bodies, MPI_COMM_WORLD);
-  const Discretization<2> discretization(mesh);
-  const Supports<2>       supports(discretization);
-  const ContactSurface<2> surface(discretization, supports, scene.obstacles, scene.pairs);
-  FieldOutput<2>          output(folder.name, MPI_COMM_WORLD);
+  const Mesh<2>                mesh(scene.bodies, MPI_COMM_WORLD);
+  const Discretization<2>      discretization(mesh);
+  const DirichletConditions<2> dirichlet(discretization);
+  const ContactSurface<2>      surface(discretization, dirichlet, scene.obstacles, scene.pairs);
+  FieldOutput<2>               output(folder.name, MPI_COMM_WORLD);
   output.write(state_at_rest(discretization), discretization, surface);
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_TRUE(std::filesystem::exists(folder.name + "/volume.pvd"));

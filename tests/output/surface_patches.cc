@@ -81,11 +81,11 @@ TEST(SurfacePatches, FarSideLooksOpen)
 {
   Scene<2> scene = box_above_floor<2>();
   scene.pairs[0].slave_boundary_ids.clear();
-  const Mesh<2>           mesh(scene.bodies, MPI_COMM_WORLD);
-  const Discretization<2> discretization(mesh);
-  const Supports<2>       supports(discretization);
-  const ContactSurface<2> surface(discretization, supports, scene.obstacles, scene.pairs);
-  State                   state;
+  const Mesh<2>                mesh(scene.bodies, MPI_COMM_WORLD);
+  const Discretization<2>      discretization(mesh);
+  const DirichletConditions<2> dirichlet(discretization);
+  const ContactSurface<2>      surface(discretization, dirichlet, scene.obstacles, scene.pairs);
+  State                        state;
   state.displacement = state.velocity = state.contact_force = discretization.make_vector();
 
   double largest = 0.;

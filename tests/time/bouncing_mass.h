@@ -57,7 +57,7 @@ namespace signorini
     {
       const double K     = mass + problem.stiffness_factor * spring;
       const double free  = problem.right_hand_side(0) / K;
-      solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
+      solution.increment = solution.contact_reaction = solution.dirichlet_reaction = make_vector();
       solution.increment(0)        = std::min(free, problem.bounds[0]);
       solution.contact_reaction(0) = K * (solution.increment(0) - free);
       solution.normal_reaction     = {solution.contact_reaction(0)};

@@ -27,7 +27,7 @@ namespace conservation_tests
       DynamicalSystem                                   &system = *scene.first;
       State                                             &state  = scene.second;
 
-      /** Change of energy in a step without the work of loads and supports. */
+      /** Change of energy in a step without the work of loads and Dirichlet conditions. */
       double advance(TimeScheme &scheme, StepReport &report)
       {
         const State before = state;
@@ -36,7 +36,7 @@ namespace conservation_tests
         d -= before.displacement;
         Vector load = system.make_vector();
         add_mean_load(system, load, 1., before.time, state.time);
-        return energy(system, state) - energy(system, before) - load * d - report.work_support;
+        return energy(system, state) - energy(system, before) - load * d - report.work_dirichlet;
       }
     };
   } // namespace

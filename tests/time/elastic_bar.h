@@ -21,7 +21,7 @@ namespace signorini
                      private MassProjections,
                      protected NodalImpulses,
                      private MasslessNodes,
-                     private MovingSupports
+                     private MovingDirichletConditions
   {
   public:
     /**
@@ -120,7 +120,7 @@ namespace signorini
     {
       const Eigen::MatrixXd K      = mass + problem.stiffness_factor * stiffness;
       const unsigned int    middle = mass.rows() / 2;
-      solution.increment = solution.contact_reaction = solution.support_reaction = make_vector();
+      solution.increment = solution.contact_reaction = solution.dirichlet_reaction = make_vector();
       const double moved =
         motion ? motion(problem.start.time + problem.step_size) - problem.start.displacement(middle)
                : 0.;
@@ -134,7 +134,7 @@ namespace signorini
         solution.contact_reaction(last()) = reaction[last()];
       solution.normal_reaction = relative_normal(solution.contact_reaction);
       if (motion)
-        solution.support_reaction(middle) = reaction[middle];
+        solution.dirichlet_reaction(middle) = reaction[middle];
     }
 
   protected:
@@ -155,9 +155,9 @@ namespace signorini
       throw RunError("not there");
     }
 
-    bool supports_move(double, double) const override { return static_cast<bool>(motion); }
+    bool dirichlet_values_move(double, double) const override { return static_cast<bool>(motion); }
 
-    void stop_at_supports(Vector &velocity) const override
+    void stop_at_dirichlet(Vector &velocity) const override
     {
       if (motion)
         velocity(mass.rows() / 2) = 0.;
@@ -170,7 +170,7 @@ namespace signorini
                         Vector &mass_correction) override
     {
       correction = mass_correction = make_vector();
-      const double    fixed        = 0.; // supports are not corrected
+      const double    fixed        = 0.; // Dirichlet conditions are not corrected
       const NormalGap left = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
       view(correction) =
         minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
@@ -204,7 +204,7 @@ namespace signorini
       return {};
     }
 
-    Vector support_part(const Vector &forces) const override
+    Vector dirichlet_part(const Vector &forces) const override
     {
       Vector             part   = make_vector();
       const unsigned int middle = mass.rows() / 2;

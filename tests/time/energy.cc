@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 // The energy identity of each scheme holds to round-off in every step, with impacts, springs, loads
-// and moving supports; contact dissipates where theory says so; nothing penetrates, nothing sticks,
-// and a force needs contact.
+// and moving Dirichlet conditions; contact dissipates where theory says so; nothing penetrates,
+// nothing sticks, and a force needs contact.
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ namespace energy_tests
 
       /**
        * 2/tau^2 (tau v - p)'M(d - p) with the projected predictor p, without the reaction of
-       * supports, which is no loss.
+       * Dirichlet conditions, which is no loss.
        */
       double work_of_predictor(const State &before, const Vector &increment) const
       {
@@ -58,7 +58,7 @@ namespace energy_tests
         p += c;
         Vector rest = increment;
         rest -= p;
-        Mc -= support_part(system, Mc);
+        Mc -= dirichlet_part(system, Mc);
         return -2. / (tau * tau) * (Mc * rest);
       }
     };
@@ -83,7 +83,7 @@ namespace energy_tests
         ASSERT_NEAR(report.work_contact, contact, round_off);
         ASSERT_NEAR(report.work_predictor, predictor, round_off);
         ASSERT_NEAR(change,
-                    report.work_contact + report.work_predictor + report.work_support
+                    report.work_contact + report.work_predictor + report.work_dirichlet
                       + report.work_scheme,
                     round_off);
         if (scheme != "newmark")
@@ -111,7 +111,7 @@ namespace energy_tests
             ASSERT_NEAR(gap[k] * force[k], 0., round_off) << "force at a distance";
             largest_force = std::max(largest_force, -force[k]);
           }
-        ASSERT_TRUE(report.work_support == 0. || std::get<1>(GetParam()) == "driven_bar");
+        ASSERT_TRUE(report.work_dirichlet == 0. || std::get<1>(GetParam()) == "driven_bar");
       }
     EXPECT_GT(largest_force, 0.1);
   }

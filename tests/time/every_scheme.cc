@@ -36,7 +36,7 @@ namespace every_scheme_tests
         d -= before.displacement;
         add_mean_load(system, load, 1., before.time, state.time);
         ASSERT_NEAR(energy(system, state) - energy(system, before) - load * d,
-                    report.work_contact + report.work_predictor + report.work_support
+                    report.work_contact + report.work_predictor + report.work_dirichlet
                       + report.work_scheme,
                     round_off);
         n_touching += report.corrector.n_active + report.predictor.n_active > 0

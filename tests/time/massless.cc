@@ -3,8 +3,9 @@
 
 // Schemes for contact nodes without mass, on a bar whose ends have lost theirs: the energy identity
 // of Khenous, Laborde and Renard's Newmark schemes holds in every step, with loads and moving
-// supports, in equilibrium at the end of each step; Hager, Hueeber and Wohlmuth's conserves the
-// energy of its own mass; contact forces are continuous in time, as those of massive nodes are not.
+// Dirichlet conditions, in equilibrium at the end of each step; Hager, Hueeber and Wohlmuth's
+// conserves the energy of its own mass; contact forces are continuous in time, as those of massive
+// nodes are not.
 
 #include <gtest/gtest.h>
 
@@ -78,7 +79,7 @@ namespace massless_tests
               d -= before.displacement;
               add_mean_load(*bar.system, load, 1., before.time, bar.state.time);
               ASSERT_NEAR(energy(*bar.system, bar.state) - energy(*bar.system, before) - load * d,
-                          report.work_contact + report.work_support + report.work_scheme,
+                          report.work_contact + report.work_dirichlet + report.work_scheme,
                           round_off)
                 << kind << " " << beta << " step " << step;
               largest_force = std::max(largest_force, bar.state.contact_force.linfty_norm());

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 // The energy identity of a scheme is one of single steps: it holds to round-off when every step has
-// another length, through impacts, with loads and moving supports.
+// another length, through impacts, with loads and moving Dirichlet conditions.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST_P(VariableSteps, EnergyIdentity)
       Vector           d = state.displacement, load = system.make_vector();
       d -= before.displacement;
       add_mean_load(system, load, 1., before.time, state.time);
-      const double explained = report.work_contact + report.work_predictor + report.work_support
+      const double explained = report.work_contact + report.work_predictor + report.work_dirichlet
                                + report.work_scheme + load * d;
       const double energy_before = energy(system, before), energy_now = energy(system, state);
       ASSERT_NEAR(

@@ -47,10 +47,10 @@ namespace signorini::tests
   {
     explicit FrictionalBodies(const Scene<dim> &scene, const Map<dim> &map = {})
       : MappedAssembled<dim>(scene, map)
-      , supports(this->discretization)
-      , surface(this->discretization, supports, scene.obstacles, scene.pairs)
+      , dirichlet(this->discretization)
+      , surface(this->discretization, dirichlet, scene.obstacles, scene.pairs)
       , mass_note(redistribute_mass(this->discretization, surface, scene.time.mass))
-      , coordinates(this->discretization, surface, supports)
+      , coordinates(this->discretization, surface, dirichlet)
     {
     }
 
@@ -78,10 +78,10 @@ namespace signorini::tests
       return result;
     }
 
-    const Supports<dim>           supports;
-    const ContactSurface<dim>     surface;
-    const std::string             mass_note;
-    const ContactCoordinates<dim> coordinates;
+    const DirichletConditions<dim> dirichlet;
+    const ContactSurface<dim>      surface;
+    const std::string              mass_note;
+    const ContactCoordinates<dim>  coordinates;
   };
 
   /** A motion of bodies by a scheme, step after step, with its energies. */

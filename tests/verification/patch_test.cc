@@ -32,7 +32,7 @@ namespace
     balance -= Loads<dim>(bodies.discretization).at(0.);
     balance -= uniform_contact_force(bodies);
     bodies.coordinates.force_to_contact(balance);
-    for (const unsigned int i : bodies.coordinates.supported_entries())
+    for (const unsigned int i : bodies.coordinates.dirichlet_entries())
       balance.local_element(i) = 0.;
     EXPECT_LT(balance.linfty_norm(), 1e-13 * scale);
   }
@@ -63,8 +63,8 @@ namespace
                                                load,
                                                coordinates.normal_entries(),
                                                bodies.surface.normal_gap(u),
-                                               coordinates.supported_entries(),
-                                               coordinates.supported_values(0.),
+                                               coordinates.dirichlet_entries(),
+                                               coordinates.dirichlet_values(0.),
                                                1e-12 * std::sqrt(energy),
                                                1e-13},
                                      active,

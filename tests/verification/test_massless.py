@@ -168,8 +168,8 @@ class Massless(check_history.SceneTest):
         for force, near in zip(run["contact_force"], other["contact_force"][::4]):
             self.assertLess(abs(force - near), 0.03 * peak)
 
-    def test_reference_and_supports(self):
-        """Supports that stand still stop a body that flies; those that move are refused."""
+    def test_reference_and_dirichlet_conditions(self):
+        """Dirichlet conditions that stand still stop a body that flies; those that move are refused."""
         held = [
             "Bodies/bar/Dirichlet=3: 0; 0",
             "Time/End time=0.3",
@@ -182,7 +182,7 @@ class Massless(check_history.SceneTest):
         self.assertLess(
             max(abs(energy / start - 1) for energy in run["total_energy_modified"][1:]), 1e-5
         )
-        with self.assertRaisesRegex(AssertionError, "does not follow supports that move"):
+        with self.assertRaisesRegex(AssertionError, "does not follow Dirichlet conditions that move"):
             self.run_scene("bar_2d", "moved", ["Bodies/bar/Dirichlet=3: 0; -0.1*sin(t)", *held[1:]])
 
     def test_unexplained_energy_is_said_aloud(self):

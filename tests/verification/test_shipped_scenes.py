@@ -24,7 +24,7 @@ SCENES = {
     "geometry_a": (["Bodies/ball/Refinements=2"], 2.0, DOWN_3D, (0.0, 0.0, 0.0)),
     "quick_start": (["Bodies/ball/Refinements=2"], 2.0, DOWN_3D, (0.0, 0.0, 0.0)),
 }
-#: Scenes that are driven from outside, by loads or supports; free scenes of two bodies have a test of their own.
+#: Scenes that are driven from outside, by loads or Dirichlet conditions; free scenes of two bodies have a test of their own.
 DRIVEN = {
     "stack_of_boxes": (["Time/End time=0.08"], 1.2),
     "hammer_and_anvil": ([], 1.0),

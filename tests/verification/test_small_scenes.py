@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""What the shipped scenes do not show: hanging nodes in contact, moving supports, changing tractions, curved obstacles and cells,
+"""What the shipped scenes do not show: hanging nodes in contact, moving Dirichlet conditions, changing tractions, curved obstacles and cells,
 several bodies, lumped mass. The identities of each step do not care, and the result does not depend on the preconditioner.
 """
 
@@ -60,7 +60,7 @@ IMPACT = [
     "Contact/block[2] : floor/Friction coefficient=0",
 ]
 
-MOVING_SUPPORT = """
+MOVING_CONDITION = """
 set Dimension = 2
 subsection Time
   set Step size = 1e-2
@@ -249,7 +249,7 @@ def mean_load_on_plate(start, end):
 
 class SmallScenes(check_history.SceneTest):
     def check(self, name, text, size, direction=None, load=None, driven=False):
-        """load: nothing is asked of the momentum without; driven: supports or loads bring energy."""
+        """load: nothing is asked of the momentum without; driven: Dirichlet conditions or loads bring energy."""
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(text, f"small-{name}-{scheme}", [f"Time/Scheme={scheme}"])
@@ -265,8 +265,8 @@ class SmallScenes(check_history.SceneTest):
     def test_hanging_nodes_in_contact(self):
         self.check("hanging-nodes", HANGING_NODES, 1.0, direction=(0.0, 0.0, 1.0), load=no_load)
 
-    def test_moving_support(self):
-        self.check("moving-support", MOVING_SUPPORT, 2.0, direction=(0.0, 1.0, 0.0), driven=True)
+    def test_moving_dirichlet_condition(self):
+        self.check("moving-condition", MOVING_CONDITION, 2.0, direction=(0.0, 1.0, 0.0), driven=True)
 
     def test_changing_traction_and_function_as_obstacle(self):
         self.check(
@@ -317,7 +317,7 @@ class SmallScenes(check_history.SceneTest):
                 self.assertAlmostEqual(now, then, delta=1e-8)
 
     def test_preconditioner_changes_nothing(self):
-        for name, text in (("disc", DISC), ("support", MOVING_SUPPORT)):
+        for name, text in (("disc", DISC), ("dirichlet", MOVING_CONDITION)):
             runs = [
                 check_history.Run(
                     text,

@@ -27,25 +27,25 @@ namespace signorini
 
   /** @param stress of the displacement of the balance */
   template <int dim>
-  ContactFields<dim> contact_fields(const StressVectors<dim>  &stress,
-                                    const SurfaceRoles<dim>   &roles,
-                                    const ContactSurface<dim> &surface,
-                                    const Supports<dim>       &supports,
-                                    const ForceBalance        &balance);
+  ContactFields<dim> contact_fields(const StressVectors<dim>       &stress,
+                                    const SurfaceRoles<dim>        &roles,
+                                    const ContactSurface<dim>      &surface,
+                                    const DirichletConditions<dim> &dirichlet,
+                                    const ForceBalance             &balance);
 
   /** @param displacement with ghosts and values at hanging nodes */
   template <int dim>
-  ContactFields<dim> contact_fields(const Discretization<dim> &discretization,
-                                    const ContactSurface<dim> &surface,
-                                    const Supports<dim>       &supports,
-                                    const ForceBalance        &balance,
-                                    const Vector              &displacement)
+  ContactFields<dim> contact_fields(const Discretization<dim>      &discretization,
+                                    const ContactSurface<dim>      &surface,
+                                    const DirichletConditions<dim> &dirichlet,
+                                    const ForceBalance             &balance,
+                                    const Vector                   &displacement)
   {
     const CellNeighbors<dim> mesh(discretization);
     return contact_fields(StressVectors<dim>(mesh, displacement),
                           SurfaceRoles<dim>(mesh, surface),
                           surface,
-                          supports,
+                          dirichlet,
                           balance);
   }
 

@@ -49,11 +49,11 @@ namespace signorini
   /** The indicator that is asked for; null for none. What is of a mesh must outlive it. */
   template <int dim>
   std::unique_ptr<ErrorIndicator<dim>>
-  make_error_indicator(const AdaptivityParameters &parameters,
-                       const TimeIntegration      &time,
-                       const Discretization<dim>  &discretization,
-                       const ContactSurface<dim>  &surface,
-                       const Supports<dim>        &supports);
+  make_error_indicator(const AdaptivityParameters     &parameters,
+                       const TimeIntegration          &time,
+                       const Discretization<dim>      &discretization,
+                       const ContactSurface<dim>      &surface,
+                       const DirichletConditions<dim> &dirichlet);
 
   /**
    * Put indicators to zero if all of them together are round-off compared with the energy of the

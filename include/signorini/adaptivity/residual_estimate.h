@@ -15,8 +15,8 @@ namespace signorini
    *
    *   interior:  w_T |div sigma + rho q|^2,
    *   between cells:  w_F |[sigma n]|^2, half of it for each cell,
-   *   where no contact is possible:  w_F |sigma n - traction|^2 in the components that no support
-   * holds, at slave surfaces:  w_F (|sigma_t - t_t|^2 + sigma_nu^2 but for the parts of
+   *   where no contact is possible:  w_F |sigma n - traction|^2 in the components that no Dirichlet
+   * condition holds, at slave surfaces:  w_F (|sigma_t - t_t|^2 + sigma_nu^2 but for the parts of
    * full-contact nodes) + s gap, at master surfaces:  w_F |sigma n - t|^2.
    *
    * A full-contact node is closed with all its neighbours on the slave surface, and there is no
@@ -33,19 +33,19 @@ namespace signorini
   {
   public:
     /** Of the present mesh; the arguments must outlive it. Collective. */
-    ResidualEstimate(const Discretization<dim> &discretization,
-                     const ContactSurface<dim> &surface,
-                     const Supports<dim>       &supports);
+    ResidualEstimate(const Discretization<dim>      &discretization,
+                     const ContactSurface<dim>      &surface,
+                     const DirichletConditions<dim> &dirichlet);
 
     /** Collective; hanging nodes of the vectors need not be set. */
     dealii::Vector<double> squares(const ForceBalance    &balance,
                                    const ResidualWeights &weights) const;
 
   private:
-    const ContactSurface<dim> &surface;
-    const Supports<dim>       &supports;
-    const CellNeighbors<dim>   mesh;
-    const SurfaceRoles<dim>    roles;
+    const ContactSurface<dim>      &surface;
+    const DirichletConditions<dim> &dirichlet;
+    const CellNeighbors<dim>        mesh;
+    const SurfaceRoles<dim>         roles;
   };
 } // namespace signorini
 

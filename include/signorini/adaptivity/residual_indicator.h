@@ -17,10 +17,10 @@ namespace signorini
   class ResidualIndicator : public ErrorIndicator<dim>
   {
   public:
-    ResidualIndicator(const Discretization<dim> &discretization,
-                      const ContactSurface<dim> &surface,
-                      const Supports<dim>       &supports,
-                      const StepBalance          balance);
+    ResidualIndicator(const Discretization<dim>      &discretization,
+                      const ContactSurface<dim>      &surface,
+                      const DirichletConditions<dim> &dirichlet,
+                      const StepBalance               balance);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 

@@ -30,9 +30,9 @@ namespace signorini
   class ContactCoordinates
   {
   public:
-    ContactCoordinates(const Discretization<dim> &discretization,
-                       const ContactSurface<dim> &surface,
-                       const Supports<dim>       &supports);
+    ContactCoordinates(const Discretization<dim>      &discretization,
+                       const ContactSurface<dim>      &surface,
+                       const DirichletConditions<dim> &dirichlet);
 
     /** u = T w. */
     void displacement_to_cartesian(Vector &vector) const;
@@ -67,23 +67,23 @@ namespace signorini
 
     /**
      * The tangential entries of each contact node on which friction acts, in the order of the
-     * surface: none without friction, and none that a support holds.
+     * surface: none without friction, and none that a Dirichlet condition holds.
      */
     const std::vector<std::vector<unsigned int>> &tangential_entries() const { return tangential; }
 
     /** The owned contact nodes. */
     std::vector<unsigned int> contact_nodes() const;
 
-    /** Entries (in contact coordinates) that supports prescribe. */
-    const std::vector<unsigned int> &supported_entries() const { return supported; }
+    /** Entries (in contact coordinates) that Dirichlet conditions prescribe. */
+    const std::vector<unsigned int> &dirichlet_entries() const { return prescribed; }
 
     /** The owned nodes of the contact surface, with what is known about them. */
     const std::vector<ContactNode<dim>> &surface_nodes() const { return owned_contact_nodes; }
 
-    /** Displacements prescribed at a time, in the order of supported_entries(). */
-    std::vector<double> supported_values(double time) const;
+    /** Displacements prescribed at a time, in the order of dirichlet_entries(). */
+    std::vector<double> dirichlet_values(double time) const;
 
-    /** Frames of the owned contact nodes and supported nodes. */
+    /** Frames of the owned contact nodes and prescribed nodes. */
     const std::map<unsigned int, typename NodeFrames<dim>::Frame> &node_frames() const
     {
       return frames;
@@ -92,14 +92,14 @@ namespace signorini
   private:
     using Frame = typename NodeFrames<dim>::Frame;
 
-    const Supports<dim>                   &supports;
+    const DirichletConditions<dim>        &dirichlet;
     const std::vector<ContactNode<dim>>   &owned_contact_nodes;
     const NodeCoupling<dim>               &node_coupling;
     std::map<unsigned int, Frame>          frames;
-    std::vector<unsigned int>              normals, supported;
+    std::vector<unsigned int>              normals, prescribed;
     std::vector<std::vector<unsigned int>> tangential;
     std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
-      support_sources; ///< condition, point, component
+      dirichlet_sources; ///< condition, point, component
 
     /**
      * Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian

@@ -22,9 +22,9 @@ namespace signorini
    * @return false if there is none, because a held direction is not tangential
    */
   template <int dim>
-  bool contact_frame_with_supports(const dealii::Tensor<1, dim>  &normal,
-                                   const std::array<bool, dim>   &held,
-                                   std::array<double, dim * dim> &frame);
+  bool contact_frame_with_dirichlet(const dealii::Tensor<1, dim>  &normal,
+                                    const std::array<bool, dim>   &held,
+                                    std::array<double, dim * dim> &frame);
 
   /**
    * For each Cartesian component the row of a frame that is its axis, up to the sign; dim where

@@ -24,7 +24,7 @@ namespace signorini
      * share a node
      */
     ContactSurface(const Discretization<dim>                   &discretization,
-                   const Supports<dim>                         &supports,
+                   const DirichletConditions<dim>              &dirichlet,
                    const std::vector<ObstacleDescription<dim>> &obstacles,
                    const std::vector<PairDescription>          &pairs);
 
@@ -40,8 +40,8 @@ namespace signorini
     /** Number of contact nodes on all processes. */
     unsigned int n_global_nodes() const { return n_global; }
 
-    /** Number of nodes (all processes) where a support took the place of contact. */
-    unsigned int n_supported() const { return n_left_to_supports; }
+    /** Number of nodes (all processes) where a Dirichlet condition took the place of contact. */
+    unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
     /** What was assumed about the pairs, for the user: one sentence each. */
     const std::vector<std::string> &notes() const { return assumptions; }
@@ -102,10 +102,10 @@ namespace signorini
     ObstacleContact<dim>               obstacle_contact;
     std::vector<ContactNode<dim>>      contact_nodes;
     std::unique_ptr<NodeCoupling<dim>> node_coupling;
-    unsigned int                       n_global = 0, n_left_to_supports = 0;
+    unsigned int                       n_global = 0, n_left_to_dirichlet = 0;
     std::vector<std::string>           assumptions;
 
-    void add_pair_of_bodies(unsigned int pair, const Supports<dim> &supports);
+    void add_pair_of_bodies(unsigned int pair, const DirichletConditions<dim> &dirichlet);
     /**
      * Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones
      * stay, to be reported.

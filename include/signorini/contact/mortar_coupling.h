@@ -6,7 +6,7 @@
 
 #include <signorini/contact/contact_node.h>
 #include <signorini/contact/contact_search.h>
-#include <signorini/discretization/supports.h>
+#include <signorini/discretization/dirichlet_conditions.h>
 
 #include <Eigen/Core>
 
@@ -28,10 +28,10 @@ namespace signorini
    * opposite ones of the master; the normals of the body that is bent less count more
    * (weights_of_normals). Only the covered part of a slave face counts.
    *
-   * Slave nodes that carry no multiplier because a support holds them in the normal direction, or
-   * because only a sliver of their surroundings is covered, appear among the l, so that constants
-   * and linear functions are still reproduced. Hanging nodes on either side are replaced by their
-   * parents before anything else.
+   * Slave nodes that carry no multiplier because a Dirichlet condition holds them in the normal
+   * direction, or because only a sliver of their surroundings is covered, appear among the l, so
+   * that constants and linear functions are still reproduced. Hanging nodes on either side are
+   * replaced by their parents before anything else.
    */
   template <int dim>
   class MortarCoupling
@@ -39,11 +39,11 @@ namespace signorini
   public:
     /**
      * Collective. @param pair index of a pair of two bodies
-     * @throws UserError if a support holds a direction that is neither normal nor tangential to the
-     * contact surface
+     * @throws UserError if a Dirichlet condition holds a direction that is neither normal nor
+     * tangential to the contact surface
      */
     MortarCoupling(const Discretization<dim>          &discretization,
-                   const Supports<dim>                &supports,
+                   const DirichletConditions<dim>     &dirichlet,
                    const std::vector<PairDescription> &pairs,
                    unsigned int                        pair);
 
@@ -60,11 +60,11 @@ namespace signorini
     /** Number of nodes with multiplier on all processes. */
     unsigned int n_nodes() const { return n_global; }
 
-    /** Largest angle in degrees by which supports turned a normal. */
+    /** Largest angle in degrees by which Dirichlet conditions turned a normal. */
     double largest_turn() const { return turn; }
 
-    /** Number of nodes on all processes that lost their multiplier to a support. */
-    unsigned int n_supported() const { return n_left_to_supports; }
+    /** Number of nodes on all processes that lost their multiplier to a Dirichlet condition. */
+    unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
   private:
     /** Integrals over the covered part of a slave face; one row per node that moves the face. */
@@ -104,7 +104,7 @@ namespace signorini
     const std::string             pair_name;
     std::vector<ContactNode<dim>> contact_nodes;
     double                        total_area = 0., total_covered_area = 0.;
-    unsigned int                  n_left_to_supports = 0, n_global = 0;
+    unsigned int                  n_left_to_dirichlet = 0, n_global = 0;
     bool                          any_segment = false;
     double                        turn        = 0.;
 
@@ -117,19 +117,20 @@ namespace signorini
     };
     NodeIntegrals collect(const std::vector<CoveredFace> &faces) const;
     /**
-     * Fit the frame of a node to its support.
+     * Fit the frame of a node to its Dirichlet condition.
      * @param complaint becomes a message if that is impossible
      * @return whether the node may carry a multiplier
      */
-    bool fit_to_supports(const Supports<dim>          &supports,
-                         const dealii::Tensor<1, dim> &normal,
-                         ContactNode<dim>             &contact_node,
-                         std::string                  &complaint);
+    bool fit_to_dirichlet(const DirichletConditions<dim> &dirichlet,
+                          const dealii::Tensor<1, dim>   &normal,
+                          ContactNode<dim>               &contact_node,
+                          std::string                    &complaint);
     /**
      * Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with
      * ghosts
      */
-    Vector choose_multipliers(const std::vector<CoveredFace> &faces, const Supports<dim> &supports);
+    Vector choose_multipliers(const std::vector<CoveredFace> &faces,
+                              const DirichletConditions<dim> &dirichlet);
     /** Dual basis face by face: partners, gaps. */
     void assemble_rows(const std::vector<CoveredFace> &faces, const Vector &carries);
     /** Sum the rows of all processes at the owners of the nodes. */

@@ -5,7 +5,7 @@
 #define signorini_contact_nodal_friction_h
 
 #include <signorini/contact/contact_node.h>
-#include <signorini/discretization/supports.h>
+#include <signorini/discretization/dirichlet_conditions.h>
 
 namespace signorini
 {
@@ -17,7 +17,7 @@ namespace signorini
    */
   template <int dim>
   void assign_friction(const Discretization<dim>          &discretization,
-                       const Supports<dim>                &supports,
+                       const DirichletConditions<dim>     &dirichlet,
                        const std::vector<PairDescription> &pairs,
                        std::vector<ContactNode<dim>>      &nodes);
 } // namespace signorini

@@ -14,7 +14,7 @@
 namespace signorini
 {
   /**
-   * The frames of the nodes that may ever be held, contact nodes and supported ones, as far as a
+   * The frames of the nodes that may ever be held, contact nodes and prescribed ones, as far as a
    * process sees them: its owned nodes and the ghosts of a partitioner. It turns masks of owned
    * entries into held directions of nodes.
    */

@@ -6,7 +6,7 @@
 
 #include <signorini/contact/contact_node.h>
 #include <signorini/contact/rigid_obstacle.h>
-#include <signorini/discretization/supports.h>
+#include <signorini/discretization/dirichlet_conditions.h>
 
 #include <map>
 
@@ -15,7 +15,7 @@ namespace signorini
   /**
    * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
    * body, and only if its surface faces that obstacle. A node whose normal displacement is
-   * prescribed by a support is left out.
+   * prescribed by a Dirichlet condition is left out.
    */
   template <int dim>
   class ObstacleContact
@@ -23,15 +23,15 @@ namespace signorini
   public:
     /** The pairs of two bodies among @p pairs are left out. */
     ObstacleContact(const Discretization<dim>                   &discretization,
-                    const Supports<dim>                         &supports,
+                    const DirichletConditions<dim>              &dirichlet,
                     const std::vector<ObstacleDescription<dim>> &obstacles,
                     const std::vector<PairDescription>          &pairs);
 
     /** The owned nodes that may touch an obstacle, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
 
-    /** Number of nodes (all processes) where a support took the place of contact. */
-    unsigned int n_supported() const { return n_left_to_supports; }
+    /** Number of nodes (all processes) where a Dirichlet condition took the place of contact. */
+    unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
     /**
      * Largest depth of a displaced contact node in *any* obstacle of its body, on all processes; 0
@@ -51,7 +51,7 @@ namespace signorini
     std::vector<std::string>                         obstacle_names;
     std::vector<std::unique_ptr<RigidObstacle<dim>>> obstacles;
     std::vector<ContactNode<dim>>                    contact_nodes;
-    unsigned int                                     n_left_to_supports = 0;
+    unsigned int                                     n_left_to_dirichlet = 0;
 
     /** Enter the nodes of a pair that have no closer obstacle yet. */
     void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest) const;

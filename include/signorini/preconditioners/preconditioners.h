@@ -16,9 +16,9 @@ namespace signorini
    * What `automatic` means, by measurement (doc/performance.md): the diagonal where the step is so
    * small that the mass rules or the matrix will soon be another one, multigrid (ML) where the
    * stiffness rules, the incomplete factor in between. Where the mass is negligible (Courant
-   * numbers above 1000) multigrid is of no use: it knows neither supports nor contact, bodies
-   * without them are nearly free to move, and the large rigid motions that it then proposes cost
-   * digits.
+   * numbers above 1000) multigrid is of no use: it knows neither Dirichlet conditions nor contact,
+   * bodies without them are nearly free to move, and the large rigid motions that it then proposes
+   * cost digits.
    * @param courant_number   c_p tau / h
    * @param matrix_life_time number of steps that will use the matrix
    */

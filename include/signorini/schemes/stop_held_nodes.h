@@ -25,7 +25,8 @@ namespace signorini
    * @param velocity        at the start of the step
    * @param velocity_change of the step, corrected
    * @param contact_force   gets the impulses over the step size
-   * @param report          gets the effort (with the predictor) and the work of supports
+   * @param report          gets the effort (with the predictor) and the work of Dirichlet
+   * conditions
    * @return the change of energy, <= 0
    */
   double stop_held_nodes(DynamicalSystem &system,

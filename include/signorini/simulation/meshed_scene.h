@@ -39,10 +39,10 @@ namespace signorini
                 unsigned int         mesh_life_time,
                 dealii::TimerOutput &timer);
 
-    Discretization<dim> discretization;
-    Supports<dim>       supports;
-    ContactSurface<dim> surface;
-    std::string         mass_note; ///< what became of the mass, if that is not the consistent one
+    Discretization<dim>      discretization;
+    DirichletConditions<dim> dirichlet;
+    ContactSurface<dim>      surface;
+    std::string mass_note; ///< what became of the mass, if that is not the consistent one
     ContactCoordinates<dim>   coordinates;
     Loads<dim>                loads;
     ElasticContactSystem<dim> system;

@@ -32,7 +32,7 @@ namespace signorini
                                private MassProjections,
                                private NodalImpulses,
                                private MasslessNodes,
-                               private MovingSupports
+                               private MovingDirichletConditions
   {
   public:
     ElasticContactSystem(const Discretization<dim>     &discretization,
@@ -109,9 +109,9 @@ namespace signorini
     SolveReport
     equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
-    bool   supports_move(double start_time, double end_time) const override;
-    void   stop_at_supports(Vector &velocity) const override;
-    Vector support_part(const Vector &forces) const override;
+    bool   dirichlet_values_move(double start_time, double end_time) const override;
+    void   stop_at_dirichlet(Vector &velocity) const override;
+    Vector dirichlet_part(const Vector &forces) const override;
 
     /**
      * The velocity goes on, and contact is where it was: where no increments are known, on a new
@@ -122,7 +122,7 @@ namespace signorini
     /** A node that the first guess drives into the obstacle is expected to touch. */
     void expect_contact(const Vector &increment, const NormalGap &bounds);
 
-    /** What is left to go to the prescribed displacements, per supported entry. */
+    /** What is left to go to the prescribed displacements, per prescribed entry. */
     std::vector<double> prescribed_increments(const IncrementProblem &problem) const;
 
     /**

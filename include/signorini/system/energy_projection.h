@@ -12,8 +12,9 @@ namespace signorini
   /**
    * The correction that makes a displacement the projection of another function in the norm of
    * elastic energy onto the admissible ones: minimise 1/2 c'A c - r'c over c with c.nu <= bounds
-   * and c = 0 at supports, r the products of the error with the shape functions. The elastic energy
-   * of the result is not larger than that of the function, unless a bound is in the way.
+   * and c = 0 at Dirichlet conditions, r the products of the error with the shape functions. The
+   * elastic energy of the result is not larger than that of the function, unless a bound is in the
+   * way.
    *
    * Rigid motions of free bodies have no energy; a tiny multiple of the mass keeps them where they
    * are.

@@ -25,16 +25,16 @@ namespace signorini
    *   \text{minimise} \quad \tfrac12 d^T (M + s A) d - b^T d
    * @f]
    * over increments @f$d@f$ with @f$d \cdot \nu \le@f$ `bounds` at the contact nodes and the
-   * prescribed increments at supports. The step [start.time, start.time + step_size] determines
-   * supports and the scale of errors.
+   * prescribed increments at Dirichlet conditions. The step [start.time, start.time + step_size]
+   * determines the prescribed values and the scale of errors.
    */
   struct IncrementProblem
   {
     double           stiffness_factor; ///< s, tau^2/4 for the trapezoidal rule
     const Vector    &right_hand_side;  ///< b
     const NormalGap &bounds;
-    const State
-      &start; ///< the motion before the step: what supports are measured from, and a first guess
+    const State     &start; ///< the motion before the step: what Dirichlet conditions are measured
+                            ///< from, and a first guess
     double step_size;
     double force_factor; ///< > 0: nodal forces times this are reactions, tau^2/2 for the
                          ///< trapezoidal rule
@@ -51,10 +51,10 @@ namespace signorini
    */
   struct IncrementSolution
   {
-    Vector increment;        ///< d
-    Vector contact_reaction; ///< (K d - b) in the contact entries: compression has a negative
-                             ///< normal component
-    Vector support_reaction; ///< (K d - b) in the entries of supports
+    Vector increment;          ///< d
+    Vector contact_reaction;   ///< (K d - b) in the contact entries: compression has a negative
+                               ///< normal component
+    Vector dirichlet_reaction; ///< (K d - b) in the entries of Dirichlet conditions
     /**
      * The contact reaction as one number per contact node that this process owns, compression < 0;
      * zero where open.
@@ -92,10 +92,10 @@ namespace signorini
     /**
      * @f$L^2@f$ projection of a velocity onto those without relative velocity at some contact
      * nodes: the correction @f$c@f$ with minimal @f$\tfrac12 c^T M c@f$ and [velocity + @f$c@f$] =
-     * 0 there, zero at supports.
+     * 0 there, zero at Dirichlet conditions.
      * @param held            per contact node of this process: closed ones lose their normal
      *                        velocity, sticking ones the tangential one
-     * @param mass_correction @f$M c@f$, the impulses of these nodes and of supports
+     * @param mass_correction @f$M c@f$, the impulses of these nodes and of Dirichlet conditions
      * @return effort; no active node means that no process holds any, and @f$c = 0@f$
      */
     virtual SolveReport stop_relative_motion(const Vector    &velocity,
@@ -141,30 +141,31 @@ namespace signorini
   };
 
 
-  /** Supports whose prescribed displacements may change in time. */
-  class MovingSupports
+  /** Dirichlet conditions whose prescribed displacements may change in time. */
+  class MovingDirichletConditions
   {
   public:
-    virtual ~MovingSupports() = default;
+    virtual ~MovingDirichletConditions() = default;
 
     /** Whether prescribed displacements change in a span of time. Collective. */
-    virtual bool supports_move(double start_time, double end_time) const = 0;
+    virtual bool dirichlet_values_move(double start_time, double end_time) const = 0;
 
-    /** Zero in the directions of supports: the velocity beside supports that stand still. */
-    virtual void stop_at_supports(Vector &velocity) const = 0;
+    /** Zero in the directions of Dirichlet conditions: the velocity beside Dirichlet conditions
+     * that stand still. */
+    virtual void stop_at_dirichlet(Vector &velocity) const = 0;
 
-    /** The part of nodal forces that acts in the directions of supports. */
-    virtual Vector support_part(const Vector &forces) const = 0;
+    /** The part of nodal forces that acts in the directions of Dirichlet conditions. */
+    virtual Vector dirichlet_part(const Vector &forces) const = 0;
   };
 
 
   /** What a system can do beyond DynamicalSystem; null: it cannot, or has nothing of the kind. */
   struct Capabilities
   {
-    MassProjections      *projections     = nullptr;
-    const NodalImpulses  *impulses        = nullptr;
-    MasslessNodes        *massless_nodes  = nullptr;
-    const MovingSupports *moving_supports = nullptr;
+    MassProjections                 *projections      = nullptr;
+    const NodalImpulses             *impulses         = nullptr;
+    MasslessNodes                   *massless_nodes   = nullptr;
+    const MovingDirichletConditions *moving_dirichlet = nullptr;
   };
 
 
@@ -190,7 +191,7 @@ namespace signorini
     /** Add factor times the loads at a time. */
     virtual void add_load(Vector &destination, double factor, double time) = 0;
 
-    /** M^-1 force, zero in the directions of supports and in entries without mass. */
+    /** M^-1 force, zero in the directions of Dirichlet conditions and in entries without mass. */
     virtual Vector solve_mass(const Vector &force) = 0;
 
     virtual NormalGap normal_gap(const Vector &displacement) const = 0;
@@ -230,11 +231,11 @@ namespace signorini
     return nodes != nullptr ? nodes->massless_entries() : std::vector<unsigned int>();
   }
 
-  /** The part of nodal forces that supports bear; zero in a system that has none. */
-  inline Vector support_part(DynamicalSystem &system, const Vector &forces)
+  /** The part of nodal forces that Dirichlet conditions bear; zero in a system that has none. */
+  inline Vector dirichlet_part(DynamicalSystem &system, const Vector &forces)
   {
-    const MovingSupports *supports = system.capabilities().moving_supports;
-    return supports != nullptr ? supports->support_part(forces) : system.make_vector();
+    const MovingDirichletConditions *dirichlet = system.capabilities().moving_dirichlet;
+    return dirichlet != nullptr ? dirichlet->dirichlet_part(forces) : system.make_vector();
   }
 } // namespace signorini
 

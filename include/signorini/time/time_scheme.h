@@ -20,7 +20,7 @@ namespace signorini
     double      work_contact   = 0.; ///< change of energy by contact forces
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
     double      work_friction  = 0.; ///< change of energy by friction
-    double      work_support   = 0.; ///< work of the reactions at prescribed displacements
+    double      work_dirichlet = 0.; ///< work of the reactions at prescribed displacements
     double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
     unsigned int impulse_iterations = 0; ///< laursen-love, per node: of the coupled equations
     bool common_impulses = false; ///< they had no solution; the common factor was taken instead

@@ -2,14 +2,14 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/expressions.h>
-#include <signorini/discretization/supports.h>
+#include <signorini/discretization/dirichlet_conditions.h>
 
 namespace signorini
 {
   using namespace dealii;
 
   template <int dim>
-  Supports<dim>::Supports(const Discretization<dim> &discretization)
+  DirichletConditions<dim>::DirichletConditions(const Discretization<dim> &discretization)
   {
     const auto &bodies = discretization.mesh().bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -46,16 +46,16 @@ namespace signorini
 
 
   template <int dim>
-  double Supports<dim>::value(const unsigned int condition,
-                              const Point<dim>  &point,
-                              const unsigned int component,
-                              const double       time) const
+  double DirichletConditions<dim>::value(const unsigned int condition,
+                                         const Point<dim>  &point,
+                                         const unsigned int component,
+                                         const double       time) const
   {
     functions[condition]->set_time(time);
     return functions[condition]->value(point, component);
   }
 
 
-  template class Supports<2>;
-  template class Supports<3>;
+  template class DirichletConditions<2>;
+  template class DirichletConditions<3>;
 } // namespace signorini

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_discretization_supports_h
-#define signorini_discretization_supports_h
+#ifndef signorini_discretization_dirichlet_conditions_h
+#define signorini_discretization_dirichlet_conditions_h
 
 #include <signorini/discretization/discretization.h>
 
@@ -18,10 +18,10 @@ namespace signorini
    * in time.
    */
   template <int dim>
-  class Supports
+  class DirichletConditions
   {
   public:
-    explicit Supports(const Discretization<dim> &discretization);
+    explicit DirichletConditions(const Discretization<dim> &discretization);
 
     /** Per component the index of the condition that prescribes it, or `none`. */
     using Components                   = std::array<unsigned int, dim>;

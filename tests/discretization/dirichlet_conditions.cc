@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// A support prescribes exactly the given components of the nodes of its boundary, hanging nodes
-// excepted (they follow their neighbours), with the values of its expression in space and time. The
-// first condition in the scene wins.
+// A Dirichlet condition prescribes exactly the given components of the nodes of its boundary,
+// hanging nodes excepted (they follow their neighbours), with the values of its expression in space
+// and time. The first condition in the scene wins.
 
 #include "bodies.h"
 
-#include <signorini/discretization/supports.h>
+#include <signorini/discretization/dirichlet_conditions.h>
 
 #include <gtest/gtest.h>
 
@@ -16,46 +16,46 @@ using namespace signorini::tests;
 
 namespace
 {
-  constexpr unsigned int none = Supports<2>::none;
+  constexpr unsigned int none = DirichletConditions<2>::none;
 
   template <int dim>
-  unsigned int n_global(const Supports<dim> &supports)
+  unsigned int n_global(const DirichletConditions<dim> &dirichlet)
   {
-    return dealii::Utilities::MPI::sum(static_cast<unsigned int>(supports.nodes().size()),
+    return dealii::Utilities::MPI::sum(static_cast<unsigned int>(dirichlet.nodes().size()),
                                        MPI_COMM_WORLD);
   }
 } // namespace
 
-TEST(Supports, PrescribeTheGivenComponents)
+TEST(DirichletConditions, PrescribeTheGivenComponents)
 {
   BodyDescription<2> body = box<2>();
   body.dirichlet          = {{0, {{"0", "-"}}}, {2, {{"1", "x*t"}}}};
-  const Assembled<2> assembled(body);
-  const Supports<2>  supports(assembled.discretization);
+  const Assembled<2>           assembled(body);
+  const DirichletConditions<2> dirichlet(assembled.discretization);
 
-  EXPECT_EQ(n_global(supports), 5u);
-  for (const auto &[node, components] : supports.nodes())
+  EXPECT_EQ(n_global(dirichlet), 5u);
+  for (const auto &[node, components] : dirichlet.nodes())
     {
       const auto &p = assembled.discretization.node_positions()[node];
       EXPECT_TRUE(p[0] == 0. || p[1] == 0.) << p;
       EXPECT_EQ(components[0], p[0] == 0. ? 0u : 1u) << p;
       EXPECT_EQ(components[1], p[1] == 0. ? 1u : none) << p;
     }
-  EXPECT_EQ(supports.value(0, {0., 0.5}, 0, 7.), 0.);
-  EXPECT_EQ(supports.value(1, {0.5, 0.}, 0, 7.), 1.);
-  EXPECT_DOUBLE_EQ(supports.value(1, {0.5, 0.}, 1, 7.), 3.5);
-  EXPECT_DOUBLE_EQ(supports.value(1, {0.5, 0.}, 1, 2.), 1.);
+  EXPECT_EQ(dirichlet.value(0, {0., 0.5}, 0, 7.), 0.);
+  EXPECT_EQ(dirichlet.value(1, {0.5, 0.}, 0, 7.), 1.);
+  EXPECT_DOUBLE_EQ(dirichlet.value(1, {0.5, 0.}, 1, 7.), 3.5);
+  EXPECT_DOUBLE_EQ(dirichlet.value(1, {0.5, 0.}, 1, 2.), 1.);
 }
 
-TEST(Supports, LeaveOutHangingNodesAndOtherBodies)
+TEST(DirichletConditions, LeaveOutHangingNodesAndOtherBodies)
 {
   BodyDescription<3> fine = box_with_hanging_nodes<3>(), other = box<3>();
   fine.dirichlet     = {{4, {{"0", "0", "0"}}}};
   other.lower_corner = dealii::Point<3>(2., 0., 0.);
   other.upper_corner = dealii::Point<3>(3., 1., 1.);
-  const Assembled<3> assembled(scene_of<3>({other, fine}));
-  const auto        &discretization = assembled.discretization;
-  const Supports<3>  supports(discretization);
+  const Assembled<3>           assembled(scene_of<3>({other, fine}));
+  const auto                  &discretization = assembled.discretization;
+  const DirichletConditions<3> dirichlet(discretization);
 
   // The mesh of the face z = 0 repeats that of a square with the same refinement.
   const Assembled<2> face(box_with_hanging_nodes<2>());
@@ -67,8 +67,8 @@ TEST(Supports, LeaveOutHangingNodesAndOtherBodies)
                    : 0.;
   });
   EXPECT_GT(n_hanging, 0.);
-  EXPECT_EQ(n_global(supports), face.discretization.dof_handler().n_dofs() / 2 - n_hanging);
-  for (const auto &[node, components] : supports.nodes())
+  EXPECT_EQ(n_global(dirichlet), face.discretization.dof_handler().n_dofs() / 2 - n_hanging);
+  for (const auto &[node, components] : dirichlet.nodes())
     {
       EXPECT_EQ(discretization.node_positions()[node][2], 0.);
       EXPECT_LE(discretization.node_positions()[node][0], 1.);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Where a support prescribes the displacement along the normal, contact has nothing to decide and
-// the node leaves the contact surface; a support in a tangential direction leaves the node in.
+// Where a Dirichlet condition prescribes the displacement along the normal, contact has nothing to
+// decide and the node leaves the contact surface; a Dirichlet condition in a tangential direction
+// leaves the node in.
 
 #include "contact_scene.h"
 
@@ -13,8 +14,8 @@ using namespace signorini::tests;
 
 namespace
 {
-  /** A box with 3 x 3 nodes on its contact face z = 0; those at x = 0 are supported. */
-  Scene<3> supported_box(const std::array<std::string, 3> &expressions)
+  /** A box with 3 x 3 nodes on its contact face z = 0; those at x = 0 are prescribed. */
+  Scene<3> held_box(const std::array<std::string, 3> &expressions)
   {
     BodyDescription<3> body = box<3>();
     body.dirichlet          = {{0, expressions}};
@@ -22,28 +23,29 @@ namespace
   }
 } // namespace
 
-TEST(SupportedSurface, NormalSupportTakesTheNode)
+TEST(DirichletOnSurface, NormalDirichletTakesTheNode)
 {
-  const ContactProblem<3> problem(supported_box({{"-", "-", "0"}}));
+  const ContactProblem<3> problem(held_box({{"-", "-", "0"}}));
   EXPECT_EQ(problem.surface.n_global_nodes(), 6u);
-  EXPECT_EQ(problem.surface.n_supported(), 3u);
+  EXPECT_EQ(problem.surface.n_left_to_dirichlet_conditions(), 3u);
   for (const ContactNode<3> &node : problem.surface.nodes())
     EXPECT_GT(node.position[0], 0.);
 }
 
-TEST(SupportedSurface, TangentialSupportLeavesTheNode)
+TEST(DirichletOnSurface, TangentialDirichletLeavesTheNode)
 {
-  const ContactProblem<3> problem(supported_box({{"0", "0", "-"}}));
+  const ContactProblem<3> problem(held_box({{"0", "0", "-"}}));
   EXPECT_EQ(problem.surface.n_global_nodes(), 9u);
-  EXPECT_EQ(problem.surface.n_supported(), 0u);
+  EXPECT_EQ(problem.surface.n_left_to_dirichlet_conditions(), 0u);
   for (const ContactNode<3> &node : problem.surface.nodes())
     EXPECT_EQ(node.frame[2], -1.);
 }
 
-TEST(SupportedSurface, ObliqueObstacle)
+TEST(DirichletOnSurface, ObliqueObstacle)
 {
-  // The normal has components in x and z: a support in x or z takes the node, one in y does not.
-  Scene<3> scene  = supported_box({{"-", "0", "-"}});
+  // The normal has components in x and z: a Dirichlet condition in x or z takes the node, one in y
+  // does not.
+  Scene<3> scene  = held_box({{"-", "0", "-"}});
   scene.obstacles = {
     plane<3>("slope", dealii::Point<3>(0., 0., -1.), dealii::Tensor<1, 3>({0.1, 0., 1.}))};
   EXPECT_EQ(ContactProblem<3>(scene).surface.n_global_nodes(), 9u);
