@@ -18,9 +18,13 @@ class ScratchFolder
 public:
   ScratchFolder()
   {
-    const auto parent = std::filesystem::temp_directory_path().string();
-    name              = dealii::Utilities::MPI::broadcast(
-      MPI_COMM_WORLD, parent + "/signorini_output_test_" + std::to_string(getpid()), 0);
+    static unsigned int n_folders = 0;
+    const auto          parent    = std::filesystem::temp_directory_path().string();
+    name                          = dealii::Utilities::MPI::broadcast(MPI_COMM_WORLD,
+                                             parent + "/signorini_output_test_"
+                                               + std::to_string(getpid()) + "_"
+                                               + std::to_string(n_folders++),
+                                             0);
     if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
       std::filesystem::create_directory(name);
     MPI_Barrier(MPI_COMM_WORLD);
