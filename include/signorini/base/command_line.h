@@ -13,8 +13,8 @@ namespace signorini
   /** What the user asked for. */
   struct CommandLine
   {
-    std::string                                      scene;     ///< file name of the scene
-    std::vector<std::pair<std::string, std::string>> overrides; ///< --set: path of the key, value
+    std::string                                      scene_file; ///< file name of the scene
+    std::vector<std::pair<std::string, std::string>> overrides;  ///< --set: path of the key, value
     bool                                             validate         = false;
     bool                                             print_parameters = false;
     bool                                             print_schemes    = false;
