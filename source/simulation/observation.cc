@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/model/has_friction.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/observation.h>
 
@@ -47,7 +46,7 @@ namespace signorini
     largest_energy = energy_of_motion();
     fewest_cells   = most_cells =
       meshed->discretization.mesh().triangulation().n_global_active_cells();
-    write(state, StepReport(), EnergyBooking(), 0.);
+    write(state, StepReport(), EnergyBooking());
   }
 
 
@@ -66,8 +65,7 @@ namespace signorini
 
 
   template <int dim>
-  void
-  Observation<dim>::observe(const State &state, const StepReport &report, const double step_size)
+  void Observation<dim>::observe(const State &state, const StepReport &report)
   {
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
@@ -76,12 +74,12 @@ namespace signorini
                        "constants of the scene.");
     largest_energy   = std::max(largest_energy, energy_of_motion());
     largest_residual = std::max(largest_residual, std::abs(booking.residual));
-    write(state, report, booking, step_size);
+    write(state, report, booking);
 
     n_impulse_solves += report.impulse_iterations > 0;
     n_impulse_iterations += report.impulse_iterations;
     n_common_impulses += report.common_impulses;
-    impulse += step_size * contact_now.normal_force;
+    impulse += report.step_size * contact_now.normal_force;
     work_friction += booking.friction;
     transferred += booking.transfer;
     most_sticking       = std::max(most_sticking, contact_now.n_stick);
@@ -103,14 +101,13 @@ namespace signorini
   template <int dim>
   void Observation<dim>::write(const State         &state,
                                const StepReport    &report,
-                               const EnergyBooking &booking,
-                               const double         step_size)
+                               const EnergyBooking &booking)
   {
     const ProductCount products       = products_of_step();
     const auto        &discretization = meshed->discretization;
     contact_now                       = contact_summary(meshed->surface, discretization, state);
     if (scene.exact_solution.given)
-      latest_errors = errors.evaluate(discretization, state, step_size);
+      latest_errors = errors.evaluate(discretization, state, report.step_size);
     double standard_kinetic = ledger.current().kinetic;
     if (scene.time.mass.has_massless_contact_nodes())
       {
@@ -129,7 +126,6 @@ namespace signorini
     const bool write_row = state.step % scene.output.history_every == 0;
     if (write_row)
       history.write({state,
-                     step_size,
                      discretization.mesh().triangulation().n_global_active_cells(),
                      discretization.dof_handler().n_dofs(),
                      ledger.current(),

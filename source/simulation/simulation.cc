@@ -63,10 +63,10 @@ namespace signorini
       scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
     while (!stepping->finished(state))
       {
-        const AcceptedStep step = advance(*stepping, observation);
+        const StepReport report = advance(*stepping, observation);
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          observation.observe(state, step.report, step.step_size);
+          observation.observe(state, report);
           meshed->system.set_energy(observation.energy_of_motion());
           log.progress(state.step,
                        scene.step_sizes.is_variable() ? 0 : scene.time.n_steps(),
@@ -95,21 +95,21 @@ namespace signorini
 
 
   template <int dim>
-  AcceptedStep Simulation<dim>::advance(TimeStepping &stepping, Observation<dim> &observation)
+  StepReport Simulation<dim>::advance(TimeStepping &stepping, Observation<dim> &observation)
   {
     flags = MeshChange();
     if (!mesh_control.is_due(state.step + 1))
       return advance_on_this_mesh(stepping);
     for (unsigned int repetition = 0;; ++repetition)
       {
-        const State        start = state;
-        const AcceptedStep step  = advance_on_this_mesh(stepping);
+        const State      start  = state;
+        const StepReport report = advance_on_this_mesh(stepping);
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
-          flags = mesh_control.judge(*meshed, {start, state, step.step_size});
+          flags = mesh_control.judge(*meshed, {start, state, report.step_size});
         }
         if (!flags.refines() || repetition == mesh_control.repetitions())
-          return step;
+          return report;
         state = start;
         stepping.take_back();
         adapt_mesh(stepping, observation);
@@ -118,7 +118,7 @@ namespace signorini
 
 
   template <int dim>
-  AcceptedStep Simulation<dim>::advance_on_this_mesh(TimeStepping &stepping)
+  StepReport Simulation<dim>::advance_on_this_mesh(TimeStepping &stepping)
   {
     TimerOutput::Scope scope(
       timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");

@@ -38,7 +38,7 @@ namespace signorini
   }
 
 
-  AcceptedStep AdaptiveSteps::advance(DynamicalSystem &system, State &state)
+  StepReport AdaptiveSteps::advance(DynamicalSystem &system, State &state)
   {
     if (waiting)
       {
@@ -50,7 +50,7 @@ namespace signorini
     record_changes(state, trial);
     estimate->accept(state, trial);
     TakenStep &last = trial.steps.back();
-    if (parameters.end_time - last.state.time <= round_off * last.step_size)
+    if (parameters.end_time - last.state.time <= round_off * last.report.step_size)
       last.state.time = parameters.end_time;
     if (trial.steps.size() > 1)
       waiting = std::move(last);
@@ -144,13 +144,14 @@ namespace signorini
   }
 
 
-  AcceptedStep AdaptiveSteps::hand_out(State &state, TakenStep &&step)
+  StepReport AdaptiveSteps::hand_out(State &state, TakenStep &&step)
   {
-    smallest_size = n_accepted == 0 ? step.step_size : std::min(smallest_size, step.step_size);
-    largest_size  = std::max(largest_size, step.step_size);
+    const double size = step.report.step_size;
+    smallest_size     = n_accepted == 0 ? size : std::min(smallest_size, size);
+    largest_size      = std::max(largest_size, size);
     ++n_accepted;
     state = std::move(step.state);
-    return {step.report, step.step_size};
+    return step.report;
   }
 
 

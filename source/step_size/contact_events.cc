@@ -12,20 +12,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    /** Forces below this part of the largest one are what solvers leave. */
-    constexpr double negligible = 1e-7;
-    /**
-     * As small beside the energy of the motion over the size of the bodies: a force that would
-     * hardly be noticed. A step may end at the touch within round-off, a part of 1e-9 of the step
-     * or less. With that part of the force of an impact it counts as open, and what follows is
-     * decided as without any force.
-     */
-    constexpr double negligible_beside_energy = 1e-7;
-  } // namespace
-
-
   ActiveSet contact_statuses(const DynamicalSystem &system, const State &state)
   {
     const NormalGap force   = system.relative_normal(state.contact_force);
@@ -34,8 +20,8 @@ namespace signorini
       largest = std::max(largest, std::abs(value));
     largest = dealii::Utilities::MPI::max(largest, state.contact_force.get_mpi_communicator());
 
-    const double threshold = std::max(
-      negligible * largest, negligible_beside_energy * energy_of_motion(state) / system.length());
+    const double threshold =
+      unnoticed_force * std::max(largest, energy_of_motion(state) / system.length());
     ActiveSet result(force.size(), contact_status::open);
     for (std::size_t k = 0; k < force.size(); ++k)
       if (force[k] < -threshold)
@@ -69,7 +55,7 @@ namespace signorini
       return std::numeric_limits<double>::infinity();
     const NormalGap gap      = system.normal_gap(state.displacement),
                     approach = system.relative_normal(state.velocity);
-    const double touching    = 1e-9 * system.length();
+    const double touching    = touching_distance(system.length());
     double       first       = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (approach[k] * horizon > gap[k] + touching)

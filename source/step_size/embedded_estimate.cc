@@ -15,9 +15,8 @@ namespace signorini
   {
     StepTrial trial;
     trial.n_solved = 1;
-    trial.steps.push_back({start, {}, span});
-    TakenStep &step = trial.steps.back();
-    step.report     = scheme.advance(system, step.state, span);
+    trial.steps.push_back(take_step(scheme, system, start, span));
+    const TakenStep &step = trial.steps.back();
 
     const bool changed = differ(
       contact_statuses(system, start), contact_statuses(system, step.state), start.displacement);

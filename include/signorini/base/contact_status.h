@@ -74,6 +74,14 @@ namespace signorini
    * from another mesh.
    */
   constexpr double negligible_force = 1e-9;
+
+  /**
+   * Forces below this part of the largest one, or of the energy of the motion over the size of the
+   * bodies, do not count as contact for the size of the steps: they would hardly be noticed. A step
+   * may end at the touch within round-off, a part of 1e-9 of the step or less. With that part of
+   * the force of an impact it counts as open, and what follows is decided as without any force.
+   */
+  constexpr double unnoticed_force = 1e-7;
 } // namespace signorini
 
 #endif

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -65,6 +66,13 @@ namespace signorini
 
     bool of_two_bodies() const { return master != none; }
   };
+
+  /** Whether contact nodes of any pair may bear tangential forces. */
+  inline bool has_friction(const std::vector<PairDescription> &pairs)
+  {
+    return std::any_of(
+      pairs.begin(), pairs.end(), [](const PairDescription &pair) { return pair.friction.any; });
+  }
 
   /** Section `Probes/<name>`: history of the contact node that is closest to a point. */
   template <int dim>

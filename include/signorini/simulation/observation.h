@@ -28,7 +28,7 @@ namespace signorini
     /** Go on with what was built on a changed mesh, and with the state on it. */
     void change_mesh(MeshedScene<dim> &meshed, const State &state);
 
-    void observe(const State &state, const StepReport &report, double step_size);
+    void observe(const State &state, const StepReport &report);
 
     const ContactSummary &contact() const { return contact_now; }
 
@@ -75,10 +75,7 @@ namespace signorini
     double     first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 
-    void write(const State         &state,
-               const StepReport    &report,
-               const EnergyBooking &booking,
-               double               step_size);
+    void write(const State &state, const StepReport &report, const EnergyBooking &booking);
     /** What makes the results doubtful, in words; empty if nothing does. */
     std::string warnings() const;
     /** The energy that changes are compared with. */

@@ -63,8 +63,8 @@ namespace signorini
      * The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a
      * refined one.
      */
-    AcceptedStep advance(TimeStepping &stepping, Observation<dim> &observation);
-    AcceptedStep advance_on_this_mesh(TimeStepping &stepping);
+    StepReport advance(TimeStepping &stepping, Observation<dim> &observation);
+    StepReport advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */
     void        adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
     bool        writes_fields(unsigned int step, bool is_last) const;

@@ -61,11 +61,11 @@ namespace signorini
 
     AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
 
-    AcceptedStep advance(DynamicalSystem &system, State &state) override;
-    double       fraction_done(const State &state) const override;
-    void         forget() override;
-    void         take_back() override { --n_accepted; }
-    std::string  summary() const override;
+    StepReport  advance(DynamicalSystem &system, State &state) override;
+    double      fraction_done(const State &state) const override;
+    void        forget() override;
+    void        take_back() override { --n_accepted; }
+    std::string summary() const override;
 
     unsigned int rejected() const { return n_rejected; }
     unsigned int solved() const { return n_solved; }
@@ -84,12 +84,12 @@ namespace signorini
     unsigned int n_accepted = 0, n_rejected = 0, n_solved = 0;
     double       smallest_size = 0., largest_size = 0.; ///< accepted so far
 
-    double       minimum() const;
-    void         approach(double touch);
-    void         try_longer(const StepTrial &trial, double factor);
-    StepTrial    find_trial(DynamicalSystem &system, const State &state);
-    double       span(const State &state, double touch) const;
-    AcceptedStep hand_out(State &state, TakenStep &&step);
+    double     minimum() const;
+    void       approach(double touch);
+    void       try_longer(const StepTrial &trial, double factor);
+    StepTrial  find_trial(DynamicalSystem &system, const State &state);
+    double     span(const State &state, double touch) const;
+    StepReport hand_out(State &state, TakenStep &&step);
   };
 } // namespace signorini
 

@@ -8,13 +8,16 @@
 
 namespace signorini
 {
-  /** A step that a scheme has made: where it ended, what happened, and its length. */
+  /** A step that a scheme has made: where it ended, and what happened. */
   struct TakenStep
   {
     State      state;
     StepReport report;
-    double     step_size;
   };
+
+  /** Make a step from a state, which is not touched. */
+  TakenStep
+  take_step(TimeScheme &scheme, DynamicalSystem &system, const State &start, double step_size);
 
   /**
    * One or several steps that are to be accepted or rejected together, and the estimate of their
