@@ -2,9 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/vector_kernels.h>
-#include <signorini/system/bound_tolerance.h>
 #include <signorini/system/elastic_contact_system.h>
-#include <signorini/system/response_size.h>
+#include <signorini/system/scales.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 

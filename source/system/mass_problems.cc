@@ -3,8 +3,8 @@
 
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/mass/mass_solver.h>
-#include <signorini/system/bound_tolerance.h>
 #include <signorini/system/mass_problems.h>
+#include <signorini/system/scales.h>
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/preconditioners/preconditioners.h>
-#include <signorini/system/response_size.h>
+#include <signorini/system/scales.h>
 #include <signorini/system/static_equilibrium.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 

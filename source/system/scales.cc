@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/vector_kernels.h>
-#include <signorini/system/response_size.h>
+#include <signorini/system/scales.h>
 
 #include <cmath>
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_system_response_size_h
-#define signorini_system_response_size_h
+#ifndef signorini_system_scales_h
+#define signorini_system_scales_h
 
 #include <signorini/linear_algebra/linear_operator.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
+
+#include <algorithm>
 
 namespace signorini
 {
@@ -19,6 +21,16 @@ namespace signorini
                        const Vector                    &right_hand_side,
                        const std::vector<unsigned int> &prescribed_entries,
                        const std::vector<double>       &prescribed_values);
+
+  /**
+   * What a bound of an increment may be exceeded by: nothing that matters, neither to the size of
+   * the bodies nor to the motion of the step, which may be very slow; but more than the round-off
+   * of the gap.
+   */
+  inline double bound_tolerance(const Vector &increment, const double body_size)
+  {
+    return body_size * std::clamp(1e-6 * increment.linfty_norm() / body_size, 1e-16, 1e-12);
+  }
 } // namespace signorini
 
 #endif
