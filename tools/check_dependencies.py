@@ -24,15 +24,16 @@ MAY_USE = {
     "model": {"base"},
     "mesh_files": {"base", "model"},
     "prm": {"base"},
+    "obstacles": {"base", "prm"},
     "time": {"base"},
     "schemes": {"base", "time"},
     "step_size": {"base", "time"},
-    "scene": {"base", "model", "mesh_files", "prm", "time", "schemes"},
+    "scene": {"base", "model", "mesh_files", "prm", "obstacles", "time", "schemes"},
     "discretization": {"base", "linear_algebra", "model", "mesh_files"},
     "variational_inequality": {"base", "linear_algebra", "friction"},
 }
 MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
-MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction"}
+MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "prm", "obstacles"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["preconditioners"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["system"] = (
@@ -49,16 +50,17 @@ HOLDS = {
     "base": "types, errors, spelling, expressions, the command line",
     "linear_algebra": "block matrices, masks, conjugate gradients, GMRES, the incomplete factor",
     "friction": "the law of friction of one node",
-    "model": "what is simulated, as plain data: bodies, materials, obstacles, pairs, parameters",
+    "model": "what is simulated, as plain data: bodies, materials, pairs, parameters",
     "mesh_files": "readers of meshes (Gmsh, Abaqus, UCD, VTK)",
     "prm": "the text of a `.prm`: statements, sections, expressions, messages with lines",
+    "obstacles": "rigid obstacles: distance and normal, one shape per file, and their table",
     "time": "state, the interface `DynamicalSystem`, the contract of a scheme",
     "schemes": "the time schemes, one file each, and their table",
     "step_size": "steps whose size follows the motion",
     "scene": "the keys of a scene: declared, read, and every cross-check of them",
     "discretization": "mesh of all bodies, degrees of freedom, mass and stiffness, loads, Dirichlet conditions",
     "finite_elements": "kernels on cells and faces: moments, stress vectors, neighbours",
-    "contact": "contact nodes, obstacles, search, mortar coupling, contact coordinates",
+    "contact": "contact nodes, search, mortar coupling, contact coordinates",
     "mass": "the mass without entries at contact nodes: its constructions, definiteness, solution",
     "variational_inequality": (
         "the bound-constrained problem and its solvers: algebra, no mesh, no time"

@@ -27,10 +27,10 @@ namespace signorini
 
 
   template <int dim>
-  ContactSurface<dim>::ContactSurface(const Discretization<dim>                   &discretization,
-                                      const DirichletConditions<dim>              &dirichlet,
-                                      const std::vector<ObstacleDescription<dim>> &obstacles,
-                                      const std::vector<PairDescription>          &pairs)
+  ContactSurface<dim>::ContactSurface(const Discretization<dim>             &discretization,
+                                      const DirichletConditions<dim>        &dirichlet,
+                                      const std::vector<NamedObstacle<dim>> &obstacles,
+                                      const std::vector<PairDescription>    &pairs)
     : discretization(discretization)
     , descriptions(pairs)
     , obstacle_contact(discretization, dirichlet, obstacles, pairs)

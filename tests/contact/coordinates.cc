@@ -123,8 +123,8 @@ TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
     {
       found.push_back(node.node);
       EXPECT_TRUE(node.held[0] && !node.held[1] && !node.held[2]);
-      const auto normal = make_obstacle(problem.scene.obstacles[0])
-                            ->project(problem.discretization.node_positions()[node.node])
+      const auto normal = problem.scene.obstacles[0]
+                            .shape->project(problem.discretization.node_positions()[node.node])
                             .normal;
       EXPECT_LT((Tensor<1, 3>({node.frame[0], node.frame[1], node.frame[2]}) - normal).norm(),
                 1e-14);

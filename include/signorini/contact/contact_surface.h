@@ -23,10 +23,10 @@ namespace signorini
      * @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs
      * share a node
      */
-    ContactSurface(const Discretization<dim>                   &discretization,
-                   const DirichletConditions<dim>              &dirichlet,
-                   const std::vector<ObstacleDescription<dim>> &obstacles,
-                   const std::vector<PairDescription>          &pairs);
+    ContactSurface(const Discretization<dim>             &discretization,
+                   const DirichletConditions<dim>        &dirichlet,
+                   const std::vector<NamedObstacle<dim>> &obstacles,
+                   const std::vector<PairDescription>    &pairs);
 
     /** What was asked to be in contact; ContactNode::pair is an index into this. */
     const std::vector<PairDescription> &pairs() const { return descriptions; }

@@ -4,14 +4,14 @@
 // The gap is the distance to the obstacle, negative inside of it, and the normal is the unit vector
 // towards the obstacle, against the gradient of the distance.
 
-#include "contact_scene.h"
-
 #include <signorini/base/user_error.h>
+#include <signorini/obstacles/level_set.h>
+#include <signorini/obstacles/plane.h>
+#include <signorini/obstacles/round_obstacle.h>
 
 #include <gtest/gtest.h>
 
 using namespace signorini;
-using namespace signorini::tests;
 using dealii::Point;
 using dealii::Tensor;
 
@@ -19,23 +19,30 @@ namespace
 {
   /** Gap and normal at a point; `tolerance` for obstacles that differentiate numerically. */
   template <int dim>
-  void expect_projection(const ObstacleDescription<dim> &obstacle,
-                         const Point<dim>               &point,
-                         const double                    gap,
-                         const Tensor<1, dim>           &normal,
-                         const double                    tolerance = 1e-14)
+  void expect_projection(const RigidObstacle<dim> &obstacle,
+                         const Point<dim>         &point,
+                         const double              gap,
+                         const Tensor<1, dim>     &normal,
+                         const double              tolerance = 1e-14)
   {
-    const auto projection = make_obstacle(obstacle)->project(point);
+    const auto projection = obstacle.project(point);
     EXPECT_NEAR(projection.gap, gap, tolerance) << point;
     EXPECT_LT((projection.normal - normal).norm(), tolerance)
       << projection.normal << " at " << point;
     EXPECT_NEAR(projection.normal.norm(), 1., 1e-14) << point;
   }
+
+  template <int dim>
+  RoundObstacle<dim>
+  sphere(const Point<dim> &centre, const double radius, const bool bodies_inside = false)
+  {
+    return {centre, Tensor<1, dim>(), radius, bodies_inside};
+  }
 } // namespace
 
 TEST(Obstacles, PlaneWithANormalOfAnyLength)
 {
-  const auto wall = plane<2>("wall", Point<2>(1., 0.), Tensor<1, 2>({3., 4.}));
+  const Plane<2> wall(Point<2>(1., 0.), Tensor<1, 2>({3., 4.}));
   expect_projection<2>(wall, {4., 4.}, 5., Tensor<1, 2>({-0.6, -0.8}));
   expect_projection<2>(wall, {-2., -4.}, -5., Tensor<1, 2>({-0.6, -0.8}));
   expect_projection<2>(wall, {5., -3.}, 0., Tensor<1, 2>({-0.6, -0.8}));
@@ -53,53 +60,56 @@ TEST(Obstacles, SphereFromOutsideAndFromInside)
 
 TEST(Obstacles, CentreOfASphereHasSomeNormal)
 {
-  const auto projection = make_obstacle(sphere<3>({1., 2., 3.}, 2., true))->project({1., 2., 3.});
+  const auto projection = sphere<3>({1., 2., 3.}, 2., true).project({1., 2., 3.});
   EXPECT_DOUBLE_EQ(projection.gap, 2.);
   EXPECT_DOUBLE_EQ(projection.normal.norm(), 1.);
 }
 
 TEST(Obstacles, CylinderIgnoresTheWayAlongItsAxis)
 {
-  ObstacleDescription<3> pipe;
-  pipe.shape  = ObstacleShape::cylinder;
-  pipe.point  = Point<3>(0., 0., 1.);
-  pipe.axis   = Tensor<1, 3>({0., 5., 0.});
-  pipe.radius = 2.;
+  const Point<3>     centre(0., 0., 1.);
+  const Tensor<1, 3> axis({0., 5., 0.});
   for (const double y : {-10., 0., 3.})
-    expect_projection<3>(pipe, {3., y, 5.}, 3., Tensor<1, 3>({-0.6, 0., -0.8}));
-  pipe.bodies_inside = true;
-  expect_projection<3>(pipe, {0.6, 7., 1.8}, 1., Tensor<1, 3>({0.6, 0., 0.8}));
+    expect_projection<3>(
+      RoundObstacle<3>(centre, axis, 2., false), {3., y, 5.}, 3., Tensor<1, 3>({-0.6, 0., -0.8}));
+  expect_projection<3>(
+    RoundObstacle<3>(centre, axis, 2., true), {0.6, 7., 1.8}, 1., Tensor<1, 3>({0.6, 0., 0.8}));
+}
+
+TEST(Obstacles, AxisOfACylinderHasANormalAcrossIt)
+{
+  for (const auto &axis : {Tensor<1, 3>({0., 0., 1.}), Tensor<1, 3>({0.1, 0., 1.})})
+    {
+      const auto projection =
+        RoundObstacle<3>(Point<3>(1., 2., 3.), axis, 2., true).project({1., 2., 3.});
+      EXPECT_DOUBLE_EQ(projection.gap, 2.);
+      EXPECT_DOUBLE_EQ(projection.normal.norm(), 1.);
+      EXPECT_NEAR(projection.normal * axis, 0., 1e-15);
+    }
 }
 
 TEST(Obstacles, FunctionIsScaledToADistance)
 {
-  ObstacleDescription<3> ball;
-  ball.shape           = ObstacleShape::function;
-  ball.signed_distance = "5*(sqrt(x*x + y*y + z*z) - 1)";
+  const LevelSet<3> ball("ball", "5*(sqrt(x*x + y*y + z*z) - 1)");
   for (const Point<3> &point :
        {Point<3>(0., 0., 2.), Point<3>(0.6, 0., 0.8), Point<3>(-1., 2., 2.), Point<3>(0., 0.5, 0.)})
     expect_projection<3>(ball, point, point.norm() - 1., -point / point.norm(), 1e-9);
-  ball.signed_distance = "z - 0.1*x";
-  expect_projection<3>(
-    ball, {0., 0., 0.}, 0., Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01), 1e-9);
+  expect_projection<3>(LevelSet<3>("slope", "z - 0.1*x"),
+                       {0., 0., 0.},
+                       0.,
+                       Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01),
+                       1e-9);
 }
 
 TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
 {
-  ObstacleDescription<3> wave, pipe;
-  wave.shape           = ObstacleShape::function;
-  wave.signed_distance = "z - 0.1*sin(3*x)*cos(2*y)";
-  pipe.shape           = ObstacleShape::cylinder;
-  pipe.point           = Point<3>(0., 0., 1.);
-  pipe.axis            = Tensor<1, 3>({1., 2., 2.});
-  pipe.radius          = 0.3;
-  for (const auto &description :
-       {plane<3>("plane", Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.})),
-        sphere<3>({2., 0., 0.}, 1.),
-        pipe,
-        wave})
+  const Plane<3>         plane(Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.}));
+  const RoundObstacle<3> ball = sphere<3>({2., 0., 0.}, 1.);
+  const RoundObstacle<3> pipe(Point<3>(0., 0., 1.), Tensor<1, 3>({1., 2., 2.}), 0.3, false);
+  const LevelSet<3>      wave("wave", "z - 0.1*sin(3*x)*cos(2*y)");
+  for (const RigidObstacle<3> *obstacle :
+       std::initializer_list<const RigidObstacle<3> *>{&plane, &ball, &pipe, &wave})
     {
-      const auto     obstacle = make_obstacle(description);
       const Point<3> point(0.3, 0.2, 0.);
       const auto     projection = obstacle->project(point);
       const double   step       = 1e-5;
@@ -107,16 +117,11 @@ TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
                             - obstacle->project(point - step * projection.normal).gap)
                            / (2. * step);
       // A function is a distance only to first order; here it is not far from one.
-      EXPECT_NEAR(slope, -1., description.shape == ObstacleShape::function ? 0.05 : 1e-9)
-        << name_of(description.shape);
+      EXPECT_NEAR(slope, -1., obstacle == &wave ? 0.05 : 1e-9);
     }
 }
 
 TEST(Obstacles, FunctionWithoutNormalIsRefused)
 {
-  ObstacleDescription<2> constant;
-  constant.name            = "fog";
-  constant.shape           = ObstacleShape::function;
-  constant.signed_distance = "1";
-  EXPECT_THROW(make_obstacle(constant)->project({0., 0.}), UserError);
+  EXPECT_THROW(LevelSet<2>("fog", "1").project({0., 0.}), UserError);
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_rigid_obstacle_h
-#define signorini_contact_rigid_obstacle_h
+#ifndef signorini_obstacles_rigid_obstacle_h
+#define signorini_obstacles_rigid_obstacle_h
 
-#include <signorini/model/obstacle_description.h>
+#include <deal.II/base/point.h>
 
 #include <memory>
+#include <string>
 
 namespace signorini
 {
@@ -28,9 +29,13 @@ namespace signorini
     virtual ObstacleProjection<dim> project(const dealii::Point<dim> &point) const = 0;
   };
 
-  /** plane, sphere, cylinder or function, as the description says. */
+  /** Section `Obstacles/<name>` of a scene. */
   template <int dim>
-  std::unique_ptr<RigidObstacle<dim>> make_obstacle(const ObstacleDescription<dim> &description);
+  struct NamedObstacle
+  {
+    std::string                               name;
+    std::shared_ptr<const RigidObstacle<dim>> shape;
+  };
 } // namespace signorini
 
 #endif
