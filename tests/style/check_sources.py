@@ -2,7 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Checks of the form of all tracked sources: check_sources.py length|functions|columns|guard|licence [ROOT]."""
+"""Checks of the form of all tracked files.
+
+check_sources.py schemes|length|functions|columns|guard|licence [ROOT]
+"""
 
 import ast
 import pathlib
@@ -62,14 +65,15 @@ NO_CODE = re.compile(
 
 
 def functions_of_cpp(text):
-    """(name, first line, number of lines) of each function, from its return type to its last brace."""
+    """(name, first line, number of lines) of each function, return type and braces included."""
     code = NO_CODE.sub(blank, text)
     head_start, depth_of_function, depth, head = 0, None, 0, ""
     for brace in re.finditer(r"[{};]|(?<=[^:])(?:public|private|protected):", code):
         if brace.group() == "{":
             before = code[head_start : brace.start()]
             scope = re.match(
-                r"\s*(template\s*<.*>\s*)?(inline\s+)?(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
+                r"\s*(template\s*<.*>\s*)?(inline\s+)?"
+                r"(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
                 before,
                 re.DOTALL,
             )
@@ -156,7 +160,7 @@ def licence(root):
 
 
 def schemes(root):
-    """Names of schemes stand in the table of schemes and in tests only: nothing compares with them."""
+    """Names of schemes stand in the table of schemes and in tests only: no code compares names."""
     table = root / "source" / "schemes" / "scheme_table.cc"
     names = (
         re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The style checks find what they are there for: each gets a small tree with one mistake, and one without."""
+"""The style checks find what they are for: each gets a small tree with a mistake, and without."""
 
 import pathlib
 import sys
@@ -45,7 +45,7 @@ class StyleChecks(unittest.TestCase):
         self.assertEqual(self.findings(check_sources.length), 1)
 
     def expect_limit(self, code, name="source/time/state.cc"):
-        """Whether a function is found with one line too many, and not without; `%s`: its statements."""
+        """A function is found with one line too many, and not without; `%s`: its statements."""
         others = len((code % "x").splitlines()) - 1
         for too_many in (0, 1):
             n_statements = check_sources.MAXIMUM_FUNCTION_LINES - others + too_many
