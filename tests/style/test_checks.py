@@ -70,8 +70,12 @@ class StyleChecks(unittest.TestCase):
         self.assertEqual(self.findings(check_sources.functions), 0)
 
     def test_columns(self):
-        self.write("x" * (check_sources.MAXIMUM_COLUMNS + 1), name="doc/page.md")
-        self.assertEqual(self.findings(check_sources.columns), 1)
+        names = ("doc/page.md", "dev", "tools/check.sh", ".ci/run", "a.prm", "a.ini", "a.bib")
+        for number, name in enumerate(names, 1):
+            self.write("x" * (check_sources.MAXIMUM_COLUMNS + 1), name=name)
+            self.assertEqual(self.findings(check_sources.columns), number, name)
+
+    def test_columns_of_tables_and_addresses(self):
         for exception in ("| a table |", "https://example.org/"):
             self.write(exception + "x" * check_sources.MAXIMUM_COLUMNS, name="doc/page.md")
             self.assertEqual(self.findings(check_sources.columns), 0)
