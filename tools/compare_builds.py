@@ -7,7 +7,7 @@
     compare_builds.py record EXECUTABLE FOLDER [SCENE ...]    run scenes, keep histories in FOLDER
     compare_builds.py against FOLDER EXECUTABLE [SCENE ...]   run them again and compare
 
-Without scenes all of parameters/*.prm. Columns agree if they differ by at most TOLERANCE times the
+Without scenes all in parameters/. Columns agree if they differ by at most TOLERANCE times the
 largest value of their kind: of all energies and works the largest energy, of momenta the largest
 one or the impulse of contact. What may be zero but for round-off, penetration and angular momentum,
 is measured by the way that the bodies could go with their energy and momentum. Effort is added up
@@ -148,7 +148,7 @@ def main():
     )
     parser.add_argument("--tolerance", type=float, default=TOLERANCE)
     arguments = parser.parse_args()
-    scenes = arguments.scenes or sorted((ROOT / "parameters").glob("*.prm"))
+    scenes = arguments.scenes or sorted((ROOT / "parameters").rglob("*.prm"))
     executable, folder = arguments.first, pathlib.Path(arguments.second)
     if arguments.what == "against":
         executable, folder = arguments.second, pathlib.Path(arguments.first)

@@ -39,6 +39,11 @@ TIMEOUT = 250
 settings = {"executable": "", "folder": ""}
 
 
+def scene_file(name):
+    """A scene of parameters/ or of a folder in it."""
+    return next(PARAMETERS.rglob(f"{name}.prm"))
+
+
 def read_table(path):
     """The columns of a table by name."""
     with open(path, newline="", encoding="utf-8") as file:

@@ -47,7 +47,7 @@ class Friction(check_history.SceneTest):
     def run_scene(self, name, label="", overrides=(), coefficients=None, processes=1):
         """coefficients: if the overrides change those of the scene."""
         run = check_history.Run(
-            check_history.PARAMETERS / f"{name}.prm",
+            check_history.scene_file(name),
             f"friction-{name}{label}",
             overrides,
             processes,
@@ -169,7 +169,7 @@ class Friction(check_history.SceneTest):
             for k in range(-count, count + 1)
         )
         names = ", ".join(f"p{k}" for k in range(2 * count + 1))
-        scene = (check_history.PARAMETERS / "cattaneo_mindlin.prm").read_text(encoding="utf-8")
+        scene = check_history.scene_file("cattaneo_mindlin").read_text(encoding="utf-8")
         scene = (
             scene[: scene.index("subsection Probes")]
             + f"subsection Probes\n  set Names = {names}\n{probes}end\n"

@@ -5,10 +5,10 @@
 """Orders in time. Contact that comes and goes smoothly: all schemes but backward Euler are of
 second order in the displacement, and the contact force converges faster than linearly at the
 instant to which it belongs, and only there. The manufactured solution of
-parameters/manufactured_bar.prm has active contact half of the time, with approach and release at
-zero speed; the mesh's own error is hundreds of times smaller. And the integration with error
-control has no error in time: what remains depends on the mesh, not on the tolerance, energy is
-conserved, and a scheme for the same problem converges to it.
+parameters/verification/manufactured_bar.prm has active contact half of the time, with approach and
+release at zero speed; the mesh's own error is hundreds of times smaller. And the integration with
+error control has no error in time: what remains depends on the mesh, not on the tolerance, energy
+is conserved, and a scheme for the same problem converges to it.
 """
 
 import functools
@@ -51,7 +51,7 @@ FORCES = {
     "khenous-laborde-renard 1/2": instants.MIDDLE,
 }
 STEPS = (0.025, 0.00625)
-BAR = check_history.PARAMETERS / "manufactured_bar.prm"
+BAR = check_history.scene_file("manufactured_bar")
 
 
 def setUpModule():

@@ -42,7 +42,7 @@ class ShippedScenes(check_history.SceneTest):
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(
-                    check_history.PARAMETERS / f"{name}.prm",
+                    check_history.scene_file(name),
                     f"shipped-{name}-{scheme}",
                     overrides + [f"Time/Scheme={scheme}"],
                 )
@@ -56,7 +56,7 @@ class ShippedScenes(check_history.SceneTest):
 
     def test_no_scene_is_forgotten(self):
         self.assertEqual(
-            sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")),
+            sorted(path.stem for path in check_history.PARAMETERS.rglob("*.prm")),
             sorted(
                 [
                     *SCENES,
@@ -73,7 +73,7 @@ class ShippedScenes(check_history.SceneTest):
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(
-                    check_history.PARAMETERS / f"{name}.prm",
+                    check_history.scene_file(name),
                     f"shipped-{name}-{scheme}",
                     overrides + [f"Time/Scheme={scheme}"],
                 )

@@ -5,9 +5,9 @@
 
 The contact force of a step acts against all others, and it belongs to the instant at which those
 are taken. For elastic forces with equal weights at both ends, that is the middle of the step; for
-equilibrium at the end, the end. Measured on parameters/manufactured_bar.prm, where the force is
-known: at its own instant the error of the force has order 1.3 to 1.8 (the kinks at closing and
-opening limit it), elsewhere order 1. What holds for which scheme is in the program's own table,
+equilibrium at the end, the end. Measured on parameters/verification/manufactured_bar.prm, where the
+force is known: at its own instant the error of the force has order 1.3 to 1.8 (the kinks at closing
+and opening limit it), elsewhere order 1. What holds for which scheme is in the program's own table,
 `signorini --print-schemes=json`.
 """
 

@@ -62,8 +62,8 @@ namespace signorini
      * How far before the end of a step the contact force belongs, as a part of the step: an
      * expression in p, the value of the key `parameter` of section Time. The force of a step acts
      * against the elastic forces of an instant, and it is that instant's: at its own instant its
-     * error has order 1.3 to 1.8 on parameters/manufactured_bar.prm (the kinks where contact begins
-     * and ends limit it), at others order 1.
+     * error has order 1.3 to 1.8 on parameters/verification/manufactured_bar.prm (the kinks where
+     * contact begins and ends limit it), at others order 1.
      */
     std::string              force_before_end;
     std::string              parameter;
