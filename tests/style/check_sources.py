@@ -4,10 +4,11 @@
 
 """Checks of the form of all tracked files.
 
-check_sources.py length|functions|columns|guard|licence|schemes [ROOT]
+check_sources.py length|functions|columns|folders|guard|licence|schemes [ROOT]
 """
 
 import ast
+import collections
 import pathlib
 import re
 import subprocess
@@ -16,6 +17,7 @@ import sys
 MAXIMUM_LINES = 400
 MAXIMUM_FUNCTION_LINES = 60
 MAXIMUM_COLUMNS = 100
+MAXIMUM_FILES = 25
 WITH_COLUMNS = {".h", ".cc", ".py", ".md", ".bib", ".cmake", ".sh", ".prm", ".ini"}
 # Included by the compiler's command line and never by a source.
 WITHOUT_GUARD = {"include/signorini/base/precompiled.h"}
@@ -129,6 +131,14 @@ def columns(root):
                 yield f"{name}:{number}: {len(line)} columns; at most {MAXIMUM_COLUMNS}"
 
 
+def folders(root):
+    """Folders have at most MAXIMUM_FILES files of their own, but for the top level."""
+    files = collections.Counter(name.parent for name in sources(root) if len(name.parts) > 1)
+    for folder, count in sorted(files.items()):
+        if count > MAXIMUM_FILES:
+            yield f"{folder} has {count} files; at most {MAXIMUM_FILES}: make folders in it"
+
+
 def guard(root):
     """The include guard of include/signorini/<module>/<file>.h is signorini_<module>_<file>_h."""
     for name in sources(root):
@@ -182,6 +192,7 @@ CHECKS = {
     "length": length,
     "functions": functions,
     "columns": columns,
+    "folders": folders,
     "guard": guard,
     "licence": licence,
     "schemes": schemes,

@@ -80,6 +80,14 @@ class StyleChecks(unittest.TestCase):
             self.write(exception + "x" * check_sources.MAXIMUM_COLUMNS, name="doc/page.md")
             self.assertEqual(self.findings(check_sources.columns), 0)
 
+    def test_folders(self):
+        for number in range(check_sources.MAXIMUM_FILES + 1):
+            self.assertEqual(self.findings(check_sources.folders), 0)
+            self.write("x\n", name=f"doc/{number}.md")
+            self.write("x\n", name=f"{number}.md")  # the top level may have more
+            self.write("x\n", name=f"doc/pictures/{number % 2}.md")
+        self.assertEqual(self.findings(check_sources.folders), 1)
+
     def test_guard_of_another_file(self):
         self.write(HEADER % "", name="include/signorini/time/newmark.h")
         self.assertEqual(self.findings(check_sources.guard), 1)
