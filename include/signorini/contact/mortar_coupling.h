@@ -18,14 +18,17 @@ namespace signorini
    * Contact of two bodies with dual Lagrange multipliers (Wohlmuth 2000; Krause and Walloth 2012,
    * section 2). For each node i of the slave surface that carries a multiplier
    *
-   *   D_i = int psi_i N_i,    P_il = 1/D_i int psi_i N_l(chi) over the nodes l of the master, sum_l
-   * P_il = 1,
+   * @f[
+   *   D_i = \int \psi_i N_i, \qquad
+   *   P_{il} = \frac1{D_i} \int \psi_i N_l(\chi) \text{ over the nodes } l \text{ of the master},
+   *   \qquad \sum_l P_{il} = 1,
+   * @f]
    *
-   * with chi the projection along the normals of the slave faces. The relative displacement [u]_i =
-   * u_i - sum_l P_il u_l is a matter of single nodes, because the multipliers are biorthogonal to
-   * the traces. The same combination of positions gives the gap g_i = -nu_i.[X]_i. nu_i is a mean
-   * over the covered faces around i, weighted with N_i, of the normals of the slave and the
-   * opposite ones of the master; the normals of the body that is bent less count more
+   * with chi the projection along the normals of the slave faces. The relative displacement
+   * [u]_i = u_i - sum_l P_il u_l is a matter of single nodes, because the multipliers are
+   * biorthogonal to the traces. The same combination of positions gives the gap g_i = -nu_i.[X]_i.
+   * nu_i is a mean over the covered faces around i, weighted with N_i, of the normals of the slave
+   * and the opposite ones of the master; the normals of the body that is bent less count more
    * (weights_of_normals). Only the covered part of a slave face counts.
    *
    * Slave nodes that carry no multiplier because a Dirichlet condition holds them in the normal
