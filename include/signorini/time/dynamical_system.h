@@ -65,8 +65,8 @@ namespace signorini
     Vector friction_reaction;   ///< like the contact reaction, in tangential directions; empty
                                 ///< without friction
     Vector slip; ///< relative tangential increments of closed contact nodes; empty without friction
-    double friction_work =
-      0.; ///< friction_reaction times increment, exactly zero where nodes stick
+    /** friction_reaction times increment, exactly zero where nodes stick. */
+    double      friction_work = 0.;
     SolveReport effort;
   };
 
