@@ -171,7 +171,7 @@ class Massless(check_history.SceneTest):
             self.assertLess(abs(force - near), 0.03 * peak)
 
     def test_reference_and_dirichlet_conditions(self):
-        """Dirichlet conditions at rest stop a body that flies; those that move are refused."""
+        """Prescribed nodes at rest stop a body that flies; moving ones are refused."""
         held = [
             "Bodies/bar/Dirichlet=3: 0; 0",
             "Time/End time=0.3",
@@ -184,7 +184,7 @@ class Massless(check_history.SceneTest):
         self.assertLess(
             max(abs(energy / start - 1) for energy in run["total_energy_modified"][1:]), 1e-5
         )
-        with self.assertRaisesRegex(AssertionError, "not follow Dirichlet conditions that move"):
+        with self.assertRaisesRegex(AssertionError, "not follow prescribed displacements"):
             self.run_scene("bar_2d", "moved", ["Bodies/bar/Dirichlet=3: 0; -0.1*sin(t)", *held[1:]])
 
     def test_unexplained_energy_is_said_aloud(self):

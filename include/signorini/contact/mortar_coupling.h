@@ -31,10 +31,10 @@ namespace signorini
    * and the opposite ones of the master; the normals of the body that is bent less count more
    * (weights_of_normals). Only the covered part of a slave face counts.
    *
-   * Slave nodes that carry no multiplier because a Dirichlet condition holds them in the normal
-   * direction, or because only a sliver of their surroundings is covered, appear among the l, so
-   * that constants and linear functions are still reproduced. Hanging nodes on either side are
-   * replaced by their parents before anything else.
+   * Slave nodes that carry no multiplier, because their normal displacement is prescribed or only a
+   * sliver of their surroundings is covered, appear among the l, so that constants and linear
+   * functions are still reproduced. Hanging nodes on either side are replaced by their parents
+   * before anything else.
    */
   template <int dim>
   class MortarCoupling
@@ -42,8 +42,8 @@ namespace signorini
   public:
     /**
      * Collective. @param pair index of a pair of two bodies
-     * @throws UserError if a Dirichlet condition holds a direction that is neither normal nor
-     * tangential to the contact surface
+     * @throws UserError if a prescribed direction is neither normal nor tangential to the contact
+     * surface
      */
     MortarCoupling(const Discretization<dim>          &discretization,
                    const DirichletConditions<dim>     &dirichlet,
@@ -63,10 +63,10 @@ namespace signorini
     /** Number of nodes with multiplier on all processes. */
     unsigned int n_nodes() const { return n_global; }
 
-    /** Largest angle in degrees by which Dirichlet conditions turned a normal. */
+    /** Largest angle in degrees by which a prescribed direction turned a normal. */
     double largest_turn() const { return turn; }
 
-    /** Number of nodes on all processes that lost their multiplier to a Dirichlet condition. */
+    /** Number of nodes on all processes without multiplier, their normal being prescribed. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
   private:
@@ -120,7 +120,7 @@ namespace signorini
     };
     NodeIntegrals collect(const std::vector<CoveredFace> &faces) const;
     /**
-     * Fit the frame of a node to its Dirichlet condition.
+     * Fit the frame of a node to its prescribed directions.
      * @param complaint becomes a message if that is impossible
      * @return whether the node may carry a multiplier
      */

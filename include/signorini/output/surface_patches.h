@@ -26,9 +26,8 @@ namespace signorini
    * - CSLIP_INCREMENT: its part in the last step
    *
    * most of them under the names that Abaqus uses. Vertices of a slave surface that can never touch
-   * (on the far side of a ball, or held by a Dirichlet condition) have no gap; they show the
-   * largest COPEN of the contact nodes, so that they look open without spoiling the scale of
-   * colours.
+   * (on the far side of a ball, or prescribed) have no gap; they show the largest COPEN of the
+   * contact nodes, so that they look open without spoiling the scale of colours.
    */
   template <int dim>
   class SurfacePatches : public dealii::DataOutInterface<dim - 1, dim>
