@@ -2,15 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Whether two builds compute the same: runs scenes with both and compares all columns of history.csv.
+"""Whether two builds compute the same: runs scenes with both, compares all of history.csv.
 
-    compare_builds.py record EXECUTABLE FOLDER [SCENE ...]    run the scenes, keep the histories in FOLDER
+    compare_builds.py record EXECUTABLE FOLDER [SCENE ...]    run scenes, keep histories in FOLDER
     compare_builds.py against FOLDER EXECUTABLE [SCENE ...]   run them again and compare
 
-Without scenes all of parameters/*.prm. Columns agree if they differ by at most TOLERANCE times the largest value of their
-kind: of all energies and works the largest energy, of momenta the largest one or the impulse of contact. What may be
-zero but for round-off, penetration and angular momentum, is measured by the way that the bodies could go with their
-energy and momentum. Effort is added up and shown: it should not grow. Exit status 1 if anything differs.
+Without scenes all in parameters/. Columns agree if they differ by at most TOLERANCE times the
+largest value of their kind: of all energies and works the largest energy, of momenta the largest
+one or the impulse of contact. What may be zero but for round-off, penetration and angular momentum,
+is measured by the way that the bodies could go with their energy and momentum. Effort is added up
+and shown: it should not grow. Exit status 1 if anything differs.
 """
 
 import argparse
@@ -147,7 +148,7 @@ def main():
     )
     parser.add_argument("--tolerance", type=float, default=TOLERANCE)
     arguments = parser.parse_args()
-    scenes = arguments.scenes or sorted((ROOT / "parameters").glob("*.prm"))
+    scenes = arguments.scenes or sorted((ROOT / "parameters").rglob("*.prm"))
     executable, folder = arguments.first, pathlib.Path(arguments.second)
     if arguments.what == "against":
         executable, folder = arguments.second, pathlib.Path(arguments.first)

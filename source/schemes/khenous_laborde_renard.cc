@@ -10,8 +10,8 @@ namespace signorini
   namespace
   {
     /**
-     * The forces at the start of a step that acceleration and contact do not balance: reactions of
-     * Dirichlet conditions, and in a first step whatever loads massless nodes.
+     * The forces at the start of a step that acceleration and contact do not balance: reactions at
+     * prescribed nodes, and in a first step whatever loads massless nodes.
      */
     Vector
     unbalanced_forces(const State &state, const Vector &mass_acceleration, const Vector &load)

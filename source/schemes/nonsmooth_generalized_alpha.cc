@@ -127,7 +127,7 @@ namespace signorini
     Vector velocity_change = rule.velocity_change(a, a_new, tau);
     velocity_change += jump;
 
-    // Dirichlet conditions react to the jump, too, by an impulse of their own.
+    // Prescribed nodes react to the jump, too, by an impulse of their own.
     Vector impulse = jump;
     system.apply_mass(impulse, jump);
     impulse                             = dirichlet_part(system, impulse);

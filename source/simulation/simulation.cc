@@ -214,12 +214,11 @@ namespace signorini
          << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none "
-              "faces its obstacle, or Dirichlet conditions hold them all\n";
+              "faces its obstacle, or all of them are prescribed\n";
     if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
       text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
-           << " nodes of the contact surface are held in the normal direction by a Dirichlet "
-              "condition and "
-              "take no part in contact\n";
+           << " nodes of the contact surface have a prescribed normal displacement, and take no "
+              "part in contact\n";
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
         && std::any_of(
           scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {

@@ -9,11 +9,11 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int n_kept =
-      4; ///< matrices: sizes of steps and half steps, and their neighbours
-    constexpr unsigned int forget_age =
-      4; ///< in solutions: older increments belong to another phase of the motion
-  }      // namespace
+    /** Matrices: sizes of steps and half steps, and their neighbours. */
+    constexpr unsigned int n_kept = 4;
+    /** In solutions: older increments belong to another phase of the motion. */
+    constexpr unsigned int forget_age = 4;
+  } // namespace
 
 
   template <int dim>

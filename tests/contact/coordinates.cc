@@ -23,8 +23,7 @@ namespace
     return contact_scene<3>(ball<3>(1), {sphere<3>({0., 0., 1.1}, 1.2, true)});
   }
 
-  /** A box on the floor with a moving Dirichlet condition at x = 0 in x, and at y = 1 in y and z.
-   */
+  /** A box on the floor, with prescribed motions at x = 0 in x, and at y = 1 in y and z. */
   Scene<3> held_box()
   {
     BodyDescription<3> body = box<3>();

@@ -255,7 +255,7 @@ TEST(RelativeCoordinates, In2d)
     expect_all(scene_2d(), angle);
 }
 
-// Here Dirichlet conditions hold the normal of some slave nodes, and one of the tangents of others.
+// The normal of some slave nodes is prescribed, and one of the tangents of others.
 TEST(RelativeCoordinates, In3d)
 {
   expect_all(scene_3d(), 0.);
@@ -279,7 +279,7 @@ TEST(RelativeCoordinates, SomeTangentsAreHeldIn3d)
   EXPECT_EQ(count(0), bodies.sum([](const ContactNode<3> &node) { return node.pair == 1; }));
 }
 
-// Without Dirichlet conditions the same in a general position.
+// The same in a general position, without prescribed nodes.
 TEST(RelativeCoordinates, In3dTurned)
 {
   Scene<3> scene            = scene_3d();

@@ -170,7 +170,7 @@ namespace signorini
                         Vector &mass_correction) override
     {
       correction = mass_correction = make_vector();
-      const double    fixed        = 0.; // Dirichlet conditions are not corrected
+      const double    fixed        = 0.; // prescribed nodes are not corrected
       const NormalGap left = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
       view(correction) =
         minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);

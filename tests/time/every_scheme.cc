@@ -24,8 +24,8 @@ namespace every_scheme_tests
     protected:
       const std::unique_ptr<TimeScheme> scheme = make_time_scheme(GetParam());
 
-      unsigned int n_touching =
-        0; ///< steps with contact; the projection of contact-stabilized is no contact force
+      /** Steps with contact; the projection of contact-stabilized is no contact force. */
+      unsigned int n_touching = 0;
 
       /** A step, and what has to hold afterwards. */
       void advance(DynamicalSystem &system, State &state, const double speed)

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 // The energy identity of a scheme is one of single steps: it holds to round-off when every step has
-// another length, through impacts, with loads and moving Dirichlet conditions.
+// another length, through impacts, with loads and moving boundaries.
 
 #include <gtest/gtest.h>
 

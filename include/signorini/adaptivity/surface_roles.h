@@ -26,7 +26,7 @@ namespace signorini
     const SurfaceCondition<dim> *condition; ///< null for none
   };
 
-  /** What each outer face of a mesh is to contact, Dirichlet conditions and loads. */
+  /** The role of each outer face: contact, Dirichlet conditions, loads. */
   template <int dim>
   class SurfaceRoles
   {

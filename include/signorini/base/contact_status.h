@@ -14,8 +14,8 @@ namespace signorini
     constexpr char open  = 0; ///< no force
     constexpr char slip  = 1; ///< held in the normal direction; friction, if any, is at its bound
     constexpr char stick = 2; ///< held in all directions relative to the other side
-    constexpr char hang =
-      3; ///< held in the tangential directions only: possible with Tresca's friction
+    /** Held in the tangential directions only: possible with Tresca's friction. */
+    constexpr char hang = 3;
 
     inline bool is_closed(const char status)
     {

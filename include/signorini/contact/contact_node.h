@@ -34,8 +34,7 @@ namespace signorini
     FrictionLaw friction = {};
     /**
      * Which directions of the frame are measured relative to the other side: the normal if there
-     * are partners, and with friction the tangents, too, except those that a Dirichlet condition
-     * holds.
+     * are partners, and with friction the tangents, too, except prescribed ones.
      */
     std::array<bool, dim> relative{};
     /**

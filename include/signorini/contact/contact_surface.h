@@ -40,7 +40,7 @@ namespace signorini
     /** Number of contact nodes on all processes. */
     unsigned int n_global_nodes() const { return n_global; }
 
-    /** Number of nodes (all processes) where a Dirichlet condition took the place of contact. */
+    /** Number of nodes (all processes) whose normal displacement is prescribed: no contact. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
     /** What was assumed about the pairs, for the user: one sentence each. */

@@ -15,7 +15,7 @@ namespace signorini
   /**
    * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
    * body, and only if its surface faces that obstacle. A node whose normal displacement is
-   * prescribed by a Dirichlet condition is left out.
+   * prescribed is left out.
    */
   template <int dim>
   class ObstacleContact
@@ -30,7 +30,7 @@ namespace signorini
     /** The owned nodes that may touch an obstacle, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
 
-    /** Number of nodes (all processes) where a Dirichlet condition took the place of contact. */
+    /** Number of nodes (all processes) whose normal displacement is prescribed: no contact. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
     /**

@@ -13,10 +13,7 @@
 
 namespace signorini
 {
-  /**
-   * Dirichlet conditions: which components of which owned nodes are prescribed, and their values
-   * in time.
-   */
+  /** Which components of which owned nodes are prescribed, and their values in time. */
   template <int dim>
   class DirichletConditions
   {

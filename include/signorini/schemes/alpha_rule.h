@@ -55,8 +55,9 @@ namespace signorini
     double reaction_weight(double step_size) const;
 
     /**
-     * What the rule itself does to the energy in a step with known works of contact and Dirichlet
-     * conditions: the mean velocity is not d/tau, and the forces are not the means of both ends.
+     * What the rule itself does to the energy in a step with known works of contact and of
+     * prescribed nodes: the mean velocity is not d/tau, and the forces are not the means of both
+     * ends.
      */
     static double work(DynamicalSystem  &system,
                        const State      &before,

@@ -21,7 +21,7 @@ namespace signorini
    * integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of
    * its own as it takes within each step of the run. Against it, the error of a scheme in time can
    * be measured on the same mesh. What the tolerance leaves is seen as unexplained energy. Slow:
-   * every stage solves a contact problem. Dirichlet conditions have to stand still.
+   * every stage solves a contact problem. Prescribed displacements have to be constant.
    */
   class ReferenceIntegration : public TimeScheme
   {

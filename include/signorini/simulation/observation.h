@@ -69,11 +69,11 @@ namespace signorini
     unsigned int  n_mesh_changes = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
     unsigned int  most_sticking = 0, most_slipping = 0;
-    double        standard_change  = 0.; ///< change of the total energy with the consistent mass
-    unsigned int  n_impulse_solves = 0, n_impulse_iterations = 0,
-                 n_common_impulses = 0; ///< of laursen-love, per node
-    double     first_contact = -1., last_contact = -1.;
-    ErrorNorms latest_errors;
+    double        standard_change = 0.; ///< change of the total energy with the consistent mass
+    /** Of laursen-love, per node. */
+    unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
+    double       first_contact = -1., last_contact = -1.;
+    ErrorNorms   latest_errors;
 
     void write(const State &state, const StepReport &report, const EnergyBooking &booking);
     /** What makes the results doubtful, in words; empty if nothing does. */

@@ -50,8 +50,8 @@ namespace signorini
       double minimum;
       double maximum;
       double end_time;
-      double wave_part =
-        0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
+      /** Of the time of a wave through the smallest cell, the default of the minimum. */
+      double wave_part = 0.5;
       /**
        * The time that a wave takes through the smallest cell of the present mesh. Empty: there are
        * no cells.

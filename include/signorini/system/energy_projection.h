@@ -12,15 +12,17 @@ namespace signorini
   /**
    * The correction that makes a displacement the projection of another function in the norm of
    * elastic energy onto the admissible ones: minimise 1/2 c'A c - r'c over c with c.nu <= bounds
-   * and c = 0 at Dirichlet conditions, r the products of the error with the shape functions. The
+   * and c = 0 in prescribed entries, r the products of the error with the shape functions. The
    * elastic energy of the result is not larger than that of the function, unless a bound is in the
    * way.
    *
    * Rigid motions of free bodies have no energy; a tiny multiple of the mass keeps them where they
    * are.
+   *
+   * Collective.
    * @param error_moments r
    * @param size          of the function, as a norm of energy (the square root of twice an energy):
-   * the unit of accepted errors Collective.
+   *                      the unit of accepted errors
    */
   template <int dim>
   Vector project_in_energy(const Discretization<dim>     &discretization,

@@ -60,7 +60,7 @@ def computed(run):
 
 
 def steps_needed(curve, error):
-    """Steps of equal size for an error, interpolated in logarithms; curve: (steps, error), the error falls."""
+    """Equal steps for an error, interpolated in logarithms; curve: (steps, falling error)."""
     for (few, large), (many, small) in zip(curve, curve[1:]):
         if small <= error <= large:
             return few * (many / few) ** (math.log(large / error) / math.log(large / small))
@@ -151,7 +151,8 @@ class StepSize(check_history.SceneTest):
                         self.assertLessEqual(abs(a - b), tolerated, f"{control}: {column}, {row}")
 
     def test_ball(self):
-        # A coarse one of curved cells. In contact for 0.315 of 0.5, so that nothing but a free flight would save 37 % of the steps.
+        # A coarse one of curved cells. In contact for 0.315 of 0.5, so that nothing but a free
+        # flight would save 37 % of the steps.
         common = ["Bodies/ball/Refinements=3", "Mapping=curved"]
         exact = pieces(
             check_history.Run(
@@ -174,7 +175,8 @@ class StepSize(check_history.SceneTest):
         )
 
     def test_two_bodies_with_friction(self):
-        """The steps of one and two processes are the same; touch and release are met by shorter steps than flight."""
+        """The steps of one and two processes are the same; touch and release are met by shorter
+        steps than flight."""
         scene = check_history.PARAMETERS / "oblique_impact_two_balls.prm"
         settings = [
             "Time/Step size control=force",

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Runs on meshes that change: the account of the energy closes with the column energy_transfer, the contact force is that of a fine uniform mesh at a
-part of its unknowns, a mesh that need not change is kept, changes of the mesh give no blow, a front in a bar is followed, and any number of processes
+"""Runs on meshes that change: the account of the energy closes with the column energy_transfer, the
+contact force is that of a fine uniform mesh at a part of its unknowns, a mesh that need not change
+is kept, changes of the mesh give no blow, a front in a bar is followed, and any number of processes
 makes the same meshes.
 """
 
@@ -47,7 +48,7 @@ def roughness(force):
 
 
 def kicks(run):
-    """Mean second difference of the contact force where the mesh changed, over that elsewhere in contact."""
+    """Mean second difference of the contact force where the mesh changed, over that elsewhere."""
     changed, other = [], []
     force, cells = run["contact_force"], run["cells"]
     for k in range(1, len(force) - 1):
@@ -69,7 +70,7 @@ class Adaptivity(check_history.SceneTest):
         )
 
     def expect_account(self, run, tolerance):
-        """The ledger closes, and a new mesh brings no energy but for the quadrature of curved cells."""
+        """The ledger closes; a new mesh brings no energy but for the quadrature of curved cells."""
         self.expect_ledger_closes(run)
         energy = run["total_energy"][0]
         for row in range(1, len(run)):
@@ -96,7 +97,8 @@ class Adaptivity(check_history.SceneTest):
         """Cells as in refinement 3 where contact is or will be soon."""
         fine = self.run_ball("uniform-3", ["Mapping=curved", "Bodies/ball/Refinements=3"])
         coarse = self.run_ball("uniform-2", BALL)
-        # Curved cells of a quarter of the radius are integrated to 1e-10; residual changes more of them in the middle of contact.
+        # Curved cells of a quarter of the radius are integrated to 1e-10; residual changes more of
+        # them in the middle of contact.
         for name, overrides, error, transfer in (
             ("distance", DISTANCE, 0.03, 1e-11),
             ("residual", RESIDUAL, 0.03, 1e-9),
@@ -140,7 +142,8 @@ class Adaptivity(check_history.SceneTest):
         self.assertLess(kicks(run), 1.2)
 
     def test_bar_against_uniform_meshes(self):
-        """Displacement error against the exact solution: fine cells at the front only are worth twice as many, and half of the steps do."""
+        """Displacement error against the exact solution: fine cells at the front only are worth
+        twice as many, and half of the steps do."""
         coarse, fine = (
             check_history.Run(
                 check_history.PARAMETERS / "bar_2d.prm",
@@ -178,7 +181,7 @@ class Adaptivity(check_history.SceneTest):
         self.assertLess(len(run), 0.5 * len(fine))
 
     def test_flight_keeps_the_mesh(self):
-        """A body that flies undeformed has nothing to refine; nothing is near an obstacle either."""
+        """A body that flies undeformed, far from obstacles, has nothing to refine."""
         for name, indicator in (
             ("residual", RESIDUAL),
             ("kelly", [entry.replace("residual", "kelly") for entry in RESIDUAL]),
@@ -191,7 +194,7 @@ class Adaptivity(check_history.SceneTest):
             self.assertEqual(max(map(abs, run["energy_transfer"])), 0.0)
 
     def test_block_with_friction(self):
-        """Slip and status go along; the block comes as far as on a mesh that stays, and nothing is gained."""
+        """Slip and status go along; the block comes as far as on a fixed mesh, without a gain."""
         kept = check_history.Run(
             check_history.PARAMETERS / "sliding_block.prm",
             "adaptivity-block-kept",

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Two processes compute the same motion as one: the histories agree to 1e-8, because each step is solved to an accuracy far below
-that and does not depend on how the mesh is distributed.
+"""Two processes compute the same motion as one: the histories agree to 1e-8, because each step is
+solved to an accuracy far below that and does not depend on how the mesh is distributed.
 """
 
 import check_history
@@ -37,7 +37,8 @@ SCENES = {
     "hammer_and_anvil": [],
 }
 
-#: A block slides over a longer one, and a block that is thrown obliquely on a floor sticks and slips.
+#: A block slides over a longer one, and a block that is thrown obliquely on a floor sticks and
+#: slips.
 FRICTION = {
     "friction_2d": (
         """

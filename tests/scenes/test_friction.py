@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Scenes with friction repeat what is known exactly: rigid blocks slide, stop and stick at the right time and place, the zone of
-sticking under a tangential load is that of Cattaneo and Mindlin, and a ball that slips through a whole impact loses mu times
-the normal impulse. In every step friction takes energy, the ledger closes, and no probe exceeds Coulomb's bound.
+"""Scenes with friction repeat what is known exactly: rigid blocks slide, stop and stick at the
+right time and place, the zone of sticking under a tangential load is that of Cattaneo and Mindlin,
+and a ball that slips through a whole impact loses mu times the normal impulse. In every step
+friction takes energy, the ledger closes, and no probe exceeds Coulomb's bound.
 """
 
 import math
@@ -46,7 +47,7 @@ class Friction(check_history.SceneTest):
     def run_scene(self, name, label="", overrides=(), coefficients=None, processes=1):
         """coefficients: if the overrides change those of the scene."""
         run = check_history.Run(
-            check_history.PARAMETERS / f"{name}.prm",
+            check_history.scene_file(name),
             f"friction-{name}{label}",
             overrides,
             processes,
@@ -80,7 +81,8 @@ class Friction(check_history.SceneTest):
                 )
 
     def test_sliding_block_stops_where_it_should(self):
-        """The missing distance is the rest of a parabola: mu g tau^2/18 if it stops a third of a step after an instant."""
+        """The missing distance is the rest of a parabola: mu g tau^2/18 if it stops a third of a
+        step after an instant."""
         for scheme, stop in (
             ("contact-stabilized", "true"),
             ("contact-stabilized", "false"),
@@ -167,7 +169,7 @@ class Friction(check_history.SceneTest):
             for k in range(-count, count + 1)
         )
         names = ", ".join(f"p{k}" for k in range(2 * count + 1))
-        scene = (check_history.PARAMETERS / "cattaneo_mindlin.prm").read_text(encoding="utf-8")
+        scene = check_history.scene_file("cattaneo_mindlin").read_text(encoding="utf-8")
         scene = (
             scene[: scene.index("subsection Probes")]
             + f"subsection Probes\n  set Names = {names}\n{probes}end\n"
@@ -268,7 +270,8 @@ class Friction(check_history.SceneTest):
         )
 
     def oblique_impact(self, angle):
-        """On a coarse mesh: the run, and psi after the impact from the rigid part of the ball's motion; kappa = 1.4/1.7."""
+        """On a coarse mesh: the run, and psi after the impact from the rigid part of the ball's
+        motion; kappa = 1.4/1.7."""
         speed, sideways = 0.15, angle * 0.3 * 0.15 * 1.7 / 1.4
         run = self.run_scene(
             "oblique_impact",
@@ -293,7 +296,8 @@ class Friction(check_history.SceneTest):
         return run, (run["momentum_x"][-1] - spin) / mass * 1.4 / 1.7 / (0.3 * speed)
 
     def test_oblique_impact(self):
-        """Beyond 4.77 the ball slips all the time; at 2 theory has -0.84, and such a large contact gives some more."""
+        """Beyond 4.77 the ball slips all the time; at 2 theory has -0.84, and such a large contact
+        gives some more."""
         run, _ = self.oblique_impact(6)
         self.assertEqual(max(run["stick_nodes"]), 0)
         self.expect_close(
@@ -327,7 +331,8 @@ class Friction(check_history.SceneTest):
                 self.assertLess(abs(component), 1e-9 * scale, f"momentum in row {row}")
 
     def test_two_balls_that_slip_all_the_time(self):
-        """They lose mu times the normal impulse along the plane of contact, however large the contact is: normals tilted against it would add a sixth."""
+        """They lose mu times the normal impulse along the plane of contact, however large the
+        contact is: normals tilted against it would add a sixth."""
         speed, sideways = 0.15, 6 * 0.1 * 0.15 * 1.7 / 1.4
         run = self.run_scene(
             "oblique_impact_two_balls",

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""What the shipped scenes do not show: hanging nodes in contact, moving Dirichlet conditions, changing tractions, curved obstacles and cells,
-several bodies, lumped mass. The identities of each step do not care, and the result does not depend on the preconditioner.
+"""What the shipped scenes do not show: hanging nodes in contact, moving Dirichlet conditions,
+changing tractions, curved obstacles and cells, several bodies, lumped mass. The identities of each
+step do not care, and the result does not depend on the preconditioner.
 """
 
 import math
@@ -239,7 +240,8 @@ def no_load(_start, _end):
 
 
 def mean_load_on_plate(start, end):
-    """Traction times the area 2 of the upper side, and body force times the mass 2, averaged over the ends of a step."""
+    """Traction times the area 2 of the upper side, and body force times the mass 2, averaged over
+    the ends of a step."""
     return (
         2 * 1.5 * (start + end),
         0.0,
@@ -249,7 +251,7 @@ def mean_load_on_plate(start, end):
 
 class SmallScenes(check_history.SceneTest):
     def check(self, name, text, size, direction=None, load=None, driven=False):
-        """load: nothing is asked of the momentum without; driven: Dirichlet conditions or loads bring energy."""
+        """load: without it, momentum is not checked; driven: conditions or loads bring energy."""
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(text, f"small-{name}-{scheme}", [f"Time/Scheme={scheme}"])
@@ -266,7 +268,9 @@ class SmallScenes(check_history.SceneTest):
         self.check("hanging-nodes", HANGING_NODES, 1.0, direction=(0.0, 0.0, 1.0), load=no_load)
 
     def test_moving_dirichlet_condition(self):
-        self.check("moving-condition", MOVING_CONDITION, 2.0, direction=(0.0, 1.0, 0.0), driven=True)
+        self.check(
+            "moving-condition", MOVING_CONDITION, 2.0, direction=(0.0, 1.0, 0.0), driven=True
+        )
 
     def test_changing_traction_and_function_as_obstacle(self):
         self.check(
@@ -277,7 +281,8 @@ class SmallScenes(check_history.SceneTest):
         self.check("several-bodies", SEVERAL_BODIES, 1.0, load=no_load)
 
     def test_lumped_predictor(self):
-        """With the lumped mass only in the predictor the identities hold, but nothing is promised about the sign."""
+        """With the lumped mass only in the predictor the identities hold, but nothing is promised
+        about the sign."""
         run = check_history.Run(
             HANGING_NODES, "small-lumped-predictor", ["Time/Predictor mass=lumped"]
         )
@@ -302,7 +307,8 @@ class SmallScenes(check_history.SceneTest):
         self.expect_same_history(*runs, 1e-8)
 
     def test_slow_motion_is_fast_motion_slowed_down(self):
-        """Without gap and loads everything is proportional to the velocity, however small the way of a step is."""
+        """Without gap and loads everything is proportional to the velocity, however small the way
+        of a step is."""
         energies = []
         for speed in (1.0, 1e-6, 1e-10):
             run = check_history.Run(

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""`Start = equilibrium`: what is at rest under its loads stays at rest with every scheme, and what cannot be at rest starts with the
-right rigid acceleration and without vibration.
+"""`Start = equilibrium`: what is at rest under its loads stays at rest with every scheme, and what
+cannot be at rest starts with the right rigid acceleration and without vibration.
 """
 
 import math

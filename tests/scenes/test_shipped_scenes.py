@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Every scene in parameters/ with every scheme keeps what theory promises in each step: the ledger of energy closes, energy never
-grows but with the classical scheme, nothing penetrates, contact only presses, and momentum changes by the forces alone.
-Expensive scenes are shortened. Scenes of two bodies and those with friction have tests of their own.
+"""Every scene in parameters/ with every scheme keeps what theory promises in each step: the ledger
+of energy closes, energy never grows but with the classical scheme, nothing penetrates, contact only
+presses, and momentum changes by the forces alone. Expensive scenes are shortened. Scenes of two
+bodies and those with friction have tests of their own.
 """
 
 import check_history
@@ -15,7 +16,8 @@ import test_two_bodies
 DOWN_2D = (0.0, 1.0, 0.0)
 DOWN_3D = (0.0, 0.0, 1.0)
 
-#: Scene: overrides that make it short, size of the body, direction of the contact force on a plane, load.
+#: Scene: overrides that make it short, size of the body, direction of the contact force on a plane,
+#: load.
 SCENES = {
     "bar_2d": ([], 10.0, DOWN_2D, (0.0, 0.0, 0.0)),
     "bar_3d": (["Time/End time=0.8"], 10.0, DOWN_3D, (0.0, 0.0, 0.0)),
@@ -24,7 +26,8 @@ SCENES = {
     "geometry_a": (["Bodies/ball/Refinements=2"], 2.0, DOWN_3D, (0.0, 0.0, 0.0)),
     "quick_start": (["Bodies/ball/Refinements=2"], 2.0, DOWN_3D, (0.0, 0.0, 0.0)),
 }
-#: Scenes that are driven from outside, by loads or Dirichlet conditions; free scenes of two bodies have a test of their own.
+#: Scenes that are driven from outside, by loads or Dirichlet conditions; free scenes of two bodies
+#: have a test of their own.
 DRIVEN = {
     "stack_of_boxes": (["Time/End time=0.08"], 1.2),
     "hammer_and_anvil": ([], 1.0),
@@ -39,7 +42,7 @@ class ShippedScenes(check_history.SceneTest):
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(
-                    check_history.PARAMETERS / f"{name}.prm",
+                    check_history.scene_file(name),
                     f"shipped-{name}-{scheme}",
                     overrides + [f"Time/Scheme={scheme}"],
                 )
@@ -53,7 +56,7 @@ class ShippedScenes(check_history.SceneTest):
 
     def test_no_scene_is_forgotten(self):
         self.assertEqual(
-            sorted(path.stem for path in check_history.PARAMETERS.glob("*.prm")),
+            sorted(path.stem for path in check_history.PARAMETERS.rglob("*.prm")),
             sorted(
                 [
                     *SCENES,
@@ -70,7 +73,7 @@ class ShippedScenes(check_history.SceneTest):
         for scheme in check_history.SCHEMES:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(
-                    check_history.PARAMETERS / f"{name}.prm",
+                    check_history.scene_file(name),
                     f"shipped-{name}-{scheme}",
                     overrides + [f"Time/Scheme={scheme}"],
                 )

@@ -3,7 +3,8 @@
 
 """Runs scenes with the real executable and checks what theory promises of every row of history.csv.
 
-Only the standard library. A test calls main(), which takes EXECUTABLE and FOLDER (for results) from the command line.
+Only the standard library. A test calls main(), which takes EXECUTABLE and FOLDER (for results) from
+the command line.
 """
 
 import csv
@@ -36,6 +37,11 @@ ACCURACY = 1e-10
 TIMEOUT = 250
 
 settings = {"executable": "", "folder": ""}
+
+
+def scene_file(name):
+    """A scene of parameters/ or of a folder in it."""
+    return next(PARAMETERS.rglob(f"{name}.prm"))
 
 
 def read_table(path):
@@ -100,7 +106,8 @@ class Run:
         return [self.history[f"{quantity}_{axis}"][row] for axis in "xyz"]
 
     def energy_scales(self, driven):
-        """The scale of errors of energy in each row: the initial energy, or if the motion is driven, the largest one so far."""
+        """The scale of errors of energy in each row: the initial energy, or if the motion is
+        driven, the largest one so far."""
         motion = [k + e for k, e in zip(self["kinetic_energy"], self["elastic_energy"])]
         return list(itertools.accumulate(motion, max)) if driven else [motion[0]] * len(self)
 
@@ -122,7 +129,7 @@ class SceneTest(unittest.TestCase):
         )
 
     def expect_ledger_closes(self, run, driven=False):
-        """Energy identity of the scheme: reported works explain the change of energy in every step."""
+        """Energy identity of the scheme: the works of a step explain its change of energy."""
         scales = run.energy_scales(driven)
         for row, residual in enumerate(run["energy_residual"]):
             self.assertLessEqual(
@@ -130,7 +137,8 @@ class SceneTest(unittest.TestCase):
             )
 
     def expect_no_gain_of_energy(self, run, driven=False):
-        """What the outside world does not bring never adds to the energy, and both dissipative terms have their sign."""
+        """What the outside world does not bring never adds to the energy, and both dissipative
+        terms have their sign."""
         scales = run.energy_scales(driven)
         for row in range(1, len(run)):
             tolerance = ACCURACY * scales[row]
@@ -150,7 +158,8 @@ class SceneTest(unittest.TestCase):
             self.assertLessEqual(depth, 1e-10 * size, f"penetration in row {row}")
 
     def expect_pressure(self, run, direction=None):
-        """Contact only presses: probes feel no tension, and on a plane the forces add up to the resultant along `direction`."""
+        """Contact only presses: probes feel no tension, and on a plane the forces add up to the
+        resultant along `direction`."""
         largest = max(run["contact_force"])
         for name, probe in run.probes.items():
             self.assertGreaterEqual(min(probe["pressure"]), 0.0, f"tension at the probe {name}")
@@ -163,7 +172,8 @@ class SceneTest(unittest.TestCase):
                 )
 
     def expect_balance_of_momentum(self, run, scheme, load):
-        """p_new - p = tau (contact force + load); the classical scheme takes the mean of old and new contact force.
+        """p_new - p = tau (contact force + load); the classical scheme takes the mean of old and
+        new contact force.
 
         load(start, end): mean load of a step.
         """
@@ -189,7 +199,8 @@ class SceneTest(unittest.TestCase):
         self.assertGreater(max(run["contact_force"]), 0.0)
 
     def expect_same_history(self, run, other, tolerance):
-        """Agreement relative to the largest value of each kind of quantity; counts and times of the clock are left out."""
+        """Agreement relative to the largest value of each kind of quantity; counts and times of the
+        clock are left out."""
         kinds = {
             "energy": (
                 "kinetic_energy",

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The ball on a plane of Krause and Walloth at refinement 3: impulse, duration, rebound, force and energy of the three schemes are
-those that independent computations give on the same mesh.
+"""The ball on a plane of Krause and Walloth at refinement 3: impulse, duration, rebound, force and
+energy of the three schemes are those that independent computations give on the same mesh.
 """
 
 import check_history

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The bar that hits a wall, of which the exact solution is known: energy, errors and contact force of each scheme are those that an
-independent computation in one dimension gives for 100 elements and Courant number 0.9, to three percent.
+"""The bar that hits a wall, of which the exact solution is known: energy, errors and contact force
+of each scheme are those that an independent computation in one dimension gives for 100 elements and
+Courant number 0.9, to three percent.
 """
 
 import statistics

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The bar that bounces under gravity, 400 elements: after two, four and six impacts the energy is what an independent one-dimensional computation
-gives for each scheme, in per cent of the energy of an impact. The periodic motion itself has impacts of pressure 300 to 500 and back.
+"""The bar that bounces under gravity, 400 elements: after two, four and six impacts the energy is
+what an independent one-dimensional computation gives for each scheme, in per cent of the energy of
+an impact. The periodic motion itself has impacts of pressure 300 to 500 and back.
 """
 
 import check_history

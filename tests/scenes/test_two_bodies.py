@@ -2,14 +2,16 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Two bodies that hit each other: momentum is conserved because the forces on both are equal and opposite, the scenes of bars repeat
-the exact solutions of one-dimensional wave theory, two equal bars lose exactly what one bar loses at a wall, and it does
-not matter beyond the discretisation error which body is the slave.
+"""Two bodies that hit each other: momentum is conserved because the forces on both are equal and
+opposite, the scenes of bars repeat the exact solutions of one-dimensional wave theory, two equal
+bars lose exactly what one bar loses at a wall, and it does not matter beyond the discretisation
+error which body is the slave.
 """
 
 import check_history
 
-#: Scene without outside forces: overrides that make it short, size of the bodies, what to do with the energy.
+#: Scene without outside forces: overrides that make it short, size of the bodies, what to do with
+#: the energy.
 FREE_SCENES = {
     "two_bars": ([], 10.0),
     "striking_bar": ([], 10.0),
@@ -150,7 +152,8 @@ class TwoBodies(check_history.SceneTest):
                     self.expect_no_penetration(run, 10.0)
 
     def test_impulses_per_node_conserve_energy_and_momentum(self):
-        """On one and two processes, many coupled contact nodes; the equations of the nodes are solved in every step."""
+        """On one and two processes, many coupled contact nodes; the equations of the nodes are
+        solved in every step."""
         runs = [
             check_history.Run(
                 check_history.PARAMETERS / "geometry_b_curved.prm",
@@ -203,7 +206,7 @@ class TwoBodies(check_history.SceneTest):
         )
 
     def test_head_on_impact_keeps_angular_momentum_and_oblique_one_does_not(self):
-        """Theory: forces on facing points are a moment unless the gap between them is parallel to the normal."""
+        """Theory: forces on facing points are a moment unless the gap is parallel to the normal."""
         drift = {}
         for name in ("two_balls_head_on", "two_balls_off_centre"):
             run = self.run_scene(name, "contact-stabilized", FREE_SCENES[name][0], "-drift")
@@ -237,7 +240,8 @@ class TwoBodies(check_history.SceneTest):
         self.assertGreater(humps["newmark"], 2)
 
     def test_swapping_slave_and_master_changes_little(self):
-        """The force curves differ by less than the discretisation errors of both, estimated by the next finer mesh, and ever less."""
+        """The force curves differ by less than the discretisation errors of both, estimated by the
+        next finer mesh, and ever less."""
         curves = {}
         for refinement in (2, 3, 4):
             for pair in ("upper[4] : lower[5]", "lower[5] : upper[4]"):

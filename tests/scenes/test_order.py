@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Orders in time. Contact that comes and goes smoothly: all schemes but backward Euler are of second order in the
-displacement, and the contact force converges faster than linearly at the instant to which it belongs, and only there.
-The manufactured solution of parameters/manufactured_bar.prm has active contact half of the time, with approach and
-release at zero speed; the mesh's own error is hundreds of times smaller. And the integration with error control has no
-error in time: what remains depends on the mesh, not on the tolerance, energy is conserved, and a scheme for the same
-problem converges to it.
+"""Orders in time. Contact that comes and goes smoothly: all schemes but backward Euler are of
+second order in the displacement, and the contact force converges faster than linearly at the
+instant to which it belongs, and only there. The manufactured solution of
+parameters/verification/manufactured_bar.prm has active contact half of the time, with approach and
+release at zero speed; the mesh's own error is hundreds of times smaller. And the integration with
+error control has no error in time: what remains depends on the mesh, not on the tolerance, energy
+is conserved, and a scheme for the same problem converges to it.
 """
 
 import functools
@@ -50,7 +51,7 @@ FORCES = {
     "khenous-laborde-renard 1/2": instants.MIDDLE,
 }
 STEPS = (0.025, 0.00625)
-BAR = check_history.PARAMETERS / "manufactured_bar.prm"
+BAR = check_history.scene_file("manufactured_bar")
 
 
 def setUpModule():
@@ -124,7 +125,8 @@ class Order(check_history.SceneTest):
                 self.assertGreater(order(displacement), 1.7, f"{displacement}")
 
     def test_the_force_belongs_to_an_instant(self):
-        """At its instant the force converges with an order that only the kinks at closing and opening limit; elsewhere it is a step fraction late."""
+        """At its instant the force converges with an order that only the kinks at closing and
+        opening limit; elsewhere it is a step fraction late."""
         for variant, wrong in FORCES.items():
             with self.subTest(variant=variant):
                 runs = smooth_contact(variant)

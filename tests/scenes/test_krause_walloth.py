@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The studies with a name: their files fit together, a variant that fails stops nothing, tables, figures and page are written, and what
-the page says follows the numbers: the same sentences with two runs exchanged name the other run.
+"""The studies with a name: their files fit together, a variant that fails stops nothing, tables,
+figures and page are written, and what the page says follows the numbers: the same sentences with
+two runs exchanged name the other run.
 """
 
 import csv
@@ -37,8 +38,8 @@ def write_run(folder, force, energy, depth, velocity):
     folder.mkdir(parents=True, exist_ok=True)
     with open(folder / "history.csv", "w", encoding="utf-8") as file:
         file.write(
-            "step,time,step_size,contact_force,total_energy,total_energy_modified,kinetic_energy_modified,elastic_energy,"
-            "max_penetration,wall_time\n"
+            "step,time,step_size,contact_force,total_energy,total_energy_modified,"
+            "kinetic_energy_modified,elastic_energy,max_penetration,wall_time\n"
         )
         for n, (f, e, d) in enumerate(zip(force, energy, depth)):
             file.write(f"{n},{n * STEP},{STEP},{f},{e},{e},{e},0,{d},0\n")
@@ -50,7 +51,8 @@ def write_run(folder, force, energy, depth, velocity):
 
 
 def good_and_bad(folder):
-    """A smooth run that loses energy, and one that zigzags, gains energy and penetrates; both touch from row 1 to 19."""
+    """A smooth run that loses energy, and one that zigzags, gains energy and penetrates; both touch
+    from row 1 to 19."""
     hump = [math.sin(math.pi * n / 20) if 0 < n < 20 else 0.0 for n in range(25)]
     rest = [APPROACH] + [0.0] * 19 + [-1.0] * 5
     good = write_run(
@@ -229,7 +231,7 @@ class Comparison(check_history.SceneTest):
             )
 
     def write_study(self, folder):
-        """A coarse ball with three schemes, one of which does not exist; the paper's number is deliberately wrong."""
+        """A coarse ball with three schemes, one unknown; the paper's number is wrong on purpose."""
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         (folder / "tiny.ini").write_text(
@@ -257,7 +259,9 @@ Time/Scheme = contact-stabilized
             encoding="utf-8",
         )
         (folder / "paper.csv").write_text(
-            "section,geometry,variant,quantity,paper\n1,A,stabilized,energy_grows,no\n1,A,stabilized,penetrates,yes\n"
+            "section,geometry,variant,quantity,paper\n"
+            "1,A,stabilized,energy_grows,no\n"
+            "1,A,stabilized,penetrates,yes\n"
             "1,A,nonsense,penetrates,yes\n"
             "1,A,classical,energy_most,1e-3\n",
             encoding="utf-8",
@@ -321,7 +325,8 @@ Time/Scheme = contact-stabilized
             self.assertLess((folder / "doc" / "pictures" / picture).stat().st_size, LARGEST_PICTURE)
 
     def test_no_result_is_older_than_its_run(self):
-        """A run that fails now does not show what an earlier one left, nor the other way round; without runs, everything is as it was."""
+        """A run that fails now does not show what an earlier one left, nor the other way round;
+        without runs, everything is as it was."""
         folder = pathlib.Path(check_history.settings["folder"]) / "again"
         self.write_study(folder)
         self.compare(folder)

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""A study runs all combinations of its variations and tabulates them: one row per run, rates between neighbours of a refinement (which
-for the impact of a bar lie between one half and two). Runs are compared with an exact force and with a reference run; a run equal to its reference has no
+"""A study runs all combinations of its variations and tabulates them: one row per run, rates
+between neighbours of a refinement (which for the impact of a bar lie between one half and two).
+Runs are compared with an exact force and with a reference run; a run equal to its reference has no
 distance from it. Mistakes in the file are named, and a run that fails does not spoil the others.
 """
 
@@ -24,6 +25,33 @@ from studies.quantities import read_quantities  # noqa: E402
 
 TOOL = check_history.SOURCE / "tools" / "study.py"
 BAR = check_history.PARAMETERS / "bar_2d.prm"
+STUDY, VARIATIONS = "[study]\nscene = mistake.ini\n", "[variations]\na = 1\n"
+#: A study file, and what the answer must say.
+MISTAKES = (
+    ("[study]\nscene = nowhere.prm\n" + VARIATIONS, "there is no file"),
+    ("[study]\n" + VARIATIONS, "needs `scene = ...`"),
+    (STUDY, "nothing varies"),
+    (STUDY + "observe = forse\n" + VARIATIONS, "forse is not known"),
+    (STUDY + "[together]\na = 1; 2\nb = 1\n", "the same number of values"),
+    ("[studie]\n", "unknown section [studie]"),
+    (STUDY + "observe = force_distance\n" + VARIATIONS, "needs a section [reference]"),
+    (STUDY + "observe = force_error\n" + VARIATIONS, "needs `exact force = ...`"),
+    (STUDY + "exact force = 2*x\n" + VARIATIONS, "exact force = 2*x: x is not known"),
+    (STUDY + "obsreve = impulse\n" + VARIATIONS, "no key `obsreve`"),
+    (STUDY + VARIATIONS + "[reference]\n", "[reference] is empty"),
+    (STUDY + VARIATIONS + "[reference]\nb = 1\n", "needs the step size of each run"),
+    (STUDY + "figure = impulse\n" + VARIATIONS, "give two observations or quantities"),
+    (STUDY + "curve = nowhere.csv\n" + VARIATIONS, "curve = "),
+    (STUDY + "[quantities]\na b = 1\n" + VARIATIONS, "is no name"),
+    (
+        f"[study]\nscene = {BAR}\n[variations]\nTime/Step size = 2e-3; 3e-3\n[reference]\nb = 1\n",
+        "the step size 0.003 is no whole multiple of it. Give `Time/Step size` in [reference]",
+    ),
+    (
+        f"[study]\nscene = {BAR}\n{VARIATIONS}[reference]\nTime/Step size = 2e-3\n",
+        "[reference] Time/Step size = 2e-3: the step size 0.003 of a run is no whole multiple",
+    ),
+)
 
 
 class StudyTest(check_history.SceneTest):
@@ -91,82 +119,14 @@ Bodies/bar/Repetitions = 1, 50; 1, 100
             self.assertLess(float(second[6]), 2.2)
 
     def test_mistakes_are_named(self):
-        for text, message in (
-            ("[study]\nscene = nowhere.prm\n[variations]\na = 1\n", "there is no file"),
-            ("[study]\n[variations]\na = 1\n", "needs `scene = ...`"),
-            ("[study]\nscene = mistake.ini\n", "nothing varies"),
-            (
-                "[study]\nscene = mistake.ini\nobserve = forse\n[variations]\na = 1\n",
-                "forse is not known",
-            ),
-            (
-                "[study]\nscene = mistake.ini\n[together]\na = 1; 2\nb = 1\n",
-                "the same number of values",
-            ),
-            ("[studie]\n", "unknown section [studie]"),
-            (
-                "[study]\nscene = mistake.ini\nobserve = force_distance\n[variations]\na = 1\n",
-                "needs a section [reference]",
-            ),
-            (
-                "[study]\nscene = mistake.ini\nobserve = force_error\n[variations]\na = 1\n",
-                "needs `exact force = ...`",
-            ),
-            (
-                "[study]\nscene = mistake.ini\nexact force = 2*x\n[variations]\na = 1\n",
-                "exact force = 2*x: x is not known",
-            ),
-            (
-                "[study]\nscene = mistake.ini\nobsreve = impulse\n[variations]\na = 1\n",
-                "no key `obsreve`",
-            ),
-            (
-                "[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\n",
-                "[reference] is empty",
-            ),
-            (
-                "[study]\nscene = mistake.ini\n[variations]\na = 1\n[reference]\nb = 1\n",
-                "needs the step size of each run",
-            ),
-            (
-                "[study]\nscene = mistake.ini\nfigure = impulse\n[variations]\na = 1\n",
-                "give two observations or quantities",
-            ),
-            (
-                "[study]\nscene = mistake.ini\ncurve = nowhere.csv\n[variations]\na = 1\n",
-                "curve = ",
-            ),
-            (
-                "[study]\nscene = mistake.ini\n[quantities]\na b = 1\n[variations]\na = 1\n",
-                "is no name",
-            ),
-            (
-                (
-                    f"[study]\nscene = {BAR}\n[variations]\nTime/Step size = 2e-3;"
-                    " 3e-3\n[reference]\nb = 1\n"
-                ),
-                (
-                    "the step size 0.003 is no whole multiple of it. Give `Time/Step size` in"
-                    " [reference]"
-                ),
-            ),
-            (
-                (
-                    f"[study]\nscene = {BAR}\n[variations]\na = 1\n[reference]\nTime/Step size ="
-                    " 2e-3\n"
-                ),
-                (
-                    "[reference] Time/Step size = 2e-3: the step size 0.003 of a run is no whole"
-                    " multiple of it"
-                ),
-            ),
-        ):
+        for text, message in MISTAKES:
             result, _ = self.run_study("mistake", text)
             self.assertEqual(result.returncode, 2)
             self.assertIn(message, result.stderr)
 
     def test_distance_from_a_reference(self):
-        """The massless bar hits the wall: both step sizes share one reference for each mesh; the reference itself is at no distance."""
+        """The massless bar hits the wall: both step sizes share one reference for each mesh; the
+        reference itself is at no distance."""
         result, rows = self.run_study(
             "reference",
             f"""
@@ -298,7 +258,8 @@ Time/Scheme = reference
             read_quantities({"a": "last(forse)"}, "file", None)["a"](Run())
 
     def test_quantities_of_a_study(self):
-        """The wall takes twice the momentum of a bar that returns as it came; the points lie on the line of the curve, which the figure shows."""
+        """The wall takes twice the momentum of a bar that returns as it came; the points lie on the
+        line of the curve, which the figure shows."""
         folder = pathlib.Path(check_history.settings["folder"])
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "line.csv").write_text("impulse,twice\n-100,200\n100,-200\n", encoding="utf-8")

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The study of adaptive runs: curves with different steps are compared at the instants to which forces belong, so that a linear force has no error whatever
-the steps are; a uniform mesh that is as accurate as an adaptive run is found on the curve through the uniform runs, and nowhere beyond it; its files fit together
-and the scenes of their variants are valid.
+"""The study of adaptive runs: curves with different steps are compared at the instants to which
+forces belong, so that a linear force has no error whatever the steps are; a uniform mesh that is as
+accurate as an adaptive run is found on the curve through the uniform runs, and nowhere beyond it;
+its files fit together and the scenes of their variants are valid.
 """
 
 import math
@@ -95,7 +96,7 @@ class Files(check_history.SceneTest):
                 self.assertGreater(groups.count(adaptive.UNIFORM), 1, name)
                 self.assertGreater(len(set(groups)), 2, name)
             last = {
-                variant.group.split(',')[0]: task
+                variant.group.split(",")[0]: task
                 for variant, task in zip(case.study.variants, case.tasks)
             }
             for task in [*last.values(), *([case.reference] if case.reference else [])]:
