@@ -34,7 +34,7 @@ MAY_USE = {
     "variational_inequality": {"base", "linear_algebra", "friction"},
 }
 MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
-MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "prm", "obstacles"}
+MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["preconditioners"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["system"] = (

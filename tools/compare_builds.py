@@ -16,6 +16,7 @@ and shown: it should not grow. Exit status 1 if anything differs.
 
 import argparse
 import csv
+import math
 import os
 import pathlib
 import shutil
@@ -101,6 +102,11 @@ def scales(history):
     return result
 
 
+def difference(a, b):
+    """Infinite if one of them is not a finite number: comparisons with NaN hide it."""
+    return abs(a - b) if math.isfinite(a) and math.isfinite(b) else math.inf
+
+
 def differences(before, after):
     """(part of the scale, column, row), the largest of each column that both have."""
     scale = scales(before)
@@ -109,7 +115,7 @@ def differences(before, after):
             continue
         size = scale[group(column)] or 1.0
         yield max(
-            (abs(a - b) / size, column, row)
+            (difference(a, b) / size, column, row)
             for row, (a, b) in enumerate(zip(before[column], after[column]))
         )
 
@@ -118,6 +124,10 @@ def compare(name, before, after, tolerance):
     """A line about a scene. @return whether it is the same"""
     if len(before["step"]) != len(after["step"]):
         print(f"{name}: {len(before['step'])} rows before, {len(after['step'])} after  DIFFERENT")
+        return False
+    missing = sorted(set(before) - set(after))
+    if missing:
+        print(f"{name}: columns {', '.join(missing)} are missing  DIFFERENT")
         return False
     part, column, row = max(differences(before, after))
     counts = ", ".join(

@@ -9,6 +9,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace signorini
 {
@@ -26,10 +27,7 @@ namespace signorini
   template <int dim>
   ObstacleProjection<dim> LevelSet<dim>::project(const Point<dim> &p) const
   {
-    // Truncation, of order h^4, and cancellation are both below 1e-11 of the slope unless the
-    // surface has features much smaller than its distance from the origin.
-    function->set_h(1e-4 * std::max(1e-3, p.norm()));
-    const Tensor<1, dim> gradient = function->gradient(p);
+    const Tensor<1, dim> gradient = this->gradient(p);
     const double         slope    = gradient.norm();
     if (!(slope > 1e-8))
       throw UserError("Obstacles/" + name
@@ -37,6 +35,29 @@ namespace signorini
                         "vanishes), so it has no normal there. Give a distance function whose "
                         "gradient has length 1.");
     return {function->value(p) / slope, -gradient / slope};
+  }
+
+
+  template <int dim>
+  Tensor<1, dim> LevelSet<dim>::gradient(const Point<dim> &p) const
+  {
+    // Differences of order h^4. Steps are right if the next smaller ones agree: longer ones suffer
+    // from the features of the surface, shorter ones from cancellation, which depends on how far
+    // away the origin is.
+    double step = 1e-2 * std::max(1e-3, p.norm()), best = std::numeric_limits<double>::max();
+    Tensor<1, dim> result, last;
+    for (unsigned int k = 0; k < 6; ++k, step /= 10.)
+      {
+        function->set_h(step);
+        const Tensor<1, dim> next = function->gradient(p);
+        if (k > 0 && (next - last).norm() < best)
+          {
+            best   = (next - last).norm();
+            result = next;
+          }
+        last = next;
+      }
+    return result;
   }
 
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/schemes/first_acceleration.h>
+#include <signorini/schemes/acceleration.h>
 #include <signorini/schemes/khenous_laborde_renard.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
@@ -36,9 +36,8 @@ namespace signorini
     const std::vector<unsigned int> massless = massless_entries(system);
     Vector                          load     = system.make_vector();
     system.add_load(load, 1., state.time);
-    const Vector a =
-      state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
-    Vector mass_a = system.make_vector(), new_load = mass_a;
+    const Vector a      = acceleration_of(system, state);
+    Vector       mass_a = system.make_vector(), new_load = mass_a;
     system.apply_mass(mass_a, a);
     system.add_load(new_load, 1., state.time + tau);
 

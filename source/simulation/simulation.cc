@@ -25,6 +25,7 @@ namespace signorini
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
+    , scheme(make_time_scheme(scene.time.scheme, scene.time.parameters))
     , mesh_control(mesh,
                    scene.adaptivity,
                    {scheme_info(scene.time.scheme).balance, scene.time.step_size},
@@ -50,8 +51,6 @@ namespace signorini
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
-    const auto scheme = make_time_scheme(scene.time.scheme, scene.time.parameters);
-    check_capabilities(*scheme, meshed->system);
     FieldOutput<dim> fields(scene.output_directory, mesh.communicator());
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
@@ -144,6 +143,7 @@ namespace signorini
   {
     mesh_control.check_first_mesh();
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
+    check_capabilities(*scheme, meshed->system);
     set_initial_state();
     if (mesh_control.any())
       adapt_initial_mesh();

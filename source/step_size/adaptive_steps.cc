@@ -133,14 +133,14 @@ namespace signorini
     double       size  = std::ldexp(parameters.first, level);
     const double clear = clear_of_touch * std::min(size, parameters.first);
     const double left  = parameters.end_time - state.time;
-    // Round-off would decide whether a step that ends at the touch sees it. Not nearer, either: a
-    // tiny part of an impact, seen by a whole step, says little about the rest of it.
-    if (std::abs(touch - size) < clear)
-      size = touch + clear;
     // No tiny last step: forces are changes of momentum divided by it.
     if (left <= (1.25 + round_off) * size)
       return left;
-    return left < 2. * size ? left / 2. : size;
+    if (left < 2. * size)
+      size = left / 2.;
+    // Round-off would decide whether a step that ends at the touch sees it. Not nearer, either: a
+    // tiny part of an impact, seen by a whole step, says little about the rest of it.
+    return std::abs(touch - size) < clear ? touch + clear : size;
   }
 
 

@@ -34,10 +34,9 @@ namespace signorini
   }
 
 
-  bool any_contact(const DynamicalSystem &system, const State &state)
+  bool any_contact(const ActiveSet &statuses, const Vector &like)
   {
-    const ActiveSet statuses = contact_statuses(system, state);
-    return differ(statuses, ActiveSet(statuses.size(), contact_status::open), state.displacement);
+    return differ(statuses, ActiveSet(statuses.size(), contact_status::open), like);
   }
 
 
@@ -51,7 +50,7 @@ namespace signorini
 
   double time_to_touch(const DynamicalSystem &system, const State &state, const double horizon)
   {
-    if (any_contact(system, state))
+    if (any_contact(contact_statuses(system, state), state.displacement))
       return std::numeric_limits<double>::infinity();
     const NormalGap gap      = system.normal_gap(state.displacement),
                     approach = system.relative_normal(state.velocity);

@@ -12,9 +12,8 @@ namespace signorini
                                   const double     span,
                                   const double     tolerance)
   {
-    StepTrial       coarse       = single.attempt(system, start, span, tolerance);
-    const State    &end          = coarse.steps.back().state;
-    const ActiveSet coarse_nodes = contact_statuses(system, end);
+    StepTrial    coarse = single.attempt(system, start, span, tolerance);
+    const State &end    = coarse.steps.back().state;
     if (coarse.is_known && coarse.is_flight && coarse.error <= tolerance)
       return coarse;
 
@@ -25,8 +24,11 @@ namespace signorini
     trial.steps.push_back(take_step(scheme, system, start, span / 2.));
     trial.steps.push_back(take_step(scheme, system, trial.steps.front().state, span / 2.));
     for (const TakenStep &step : trial.steps)
-      if (differ(contact_statuses(system, step.state), coarse_nodes, start.displacement))
-        trial.exponent = 2.;
+      {
+        trial.end_statuses = contact_statuses(system, step.state);
+        if (differ(trial.end_statuses, coarse.end_statuses, start.displacement))
+          trial.exponent = 2.;
+      }
     const State &fine_end = trial.steps.back().state;
     const double error    = energy_distance(fine_end, end);
     if (error > 0.)

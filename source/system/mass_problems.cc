@@ -93,8 +93,7 @@ namespace signorini
     keep_only(held, mass_correction);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
-    return {
-      report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
+    return report;
   }
 
 

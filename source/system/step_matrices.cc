@@ -76,9 +76,9 @@ namespace signorini
     if (kind == matrix.kind)
       return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-    matrix.kind           = kind;
     matrix.preconditioner = make_preconditioner(
       kind, discretization.matrices(), coordinates, 1., matrix.stiffness_factor);
+    matrix.kind = kind;
     ++built;
   }
 

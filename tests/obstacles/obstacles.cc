@@ -101,6 +101,27 @@ TEST(Obstacles, FunctionIsScaledToADistance)
                        1e-9);
 }
 
+TEST(Obstacles, FunctionFarFromTheOriginHasTheSameNormal)
+{
+  // The features of a surface are as large as the bodies, wherever the origin is.
+  const LevelSet<2> near("near", "y - 0.1*sin(3*x)"),
+    far("far", "y - 1000 - 0.1*sin(3*(x - 1000))");
+  const auto expected = near.project({0.3, 0.2}), found = far.project({1000.3, 1000.2});
+  EXPECT_NEAR(found.gap, expected.gap, 1e-8);
+  EXPECT_LT((found.normal - expected.normal).norm(), 1e-8);
+}
+
+TEST(Obstacles, FunctionWithAnEdgeHasTheNormalOfItsSide)
+{
+  const LevelSet<2> roof("roof", "y + abs(x)");
+  for (const double x : {-1., -1e-3, 1e-3, 1.})
+    expect_projection<2>(roof,
+                         {x, 0.},
+                         std::abs(x) / std::sqrt(2.),
+                         Tensor<1, 2>({x > 0. ? -1. : 1., -1.}) / std::sqrt(2.),
+                         1e-8);
+}
+
 TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
 {
   const Plane<3>         plane(Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.}));

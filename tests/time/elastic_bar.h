@@ -201,7 +201,9 @@ namespace signorini
         prescribe(mass.rows() / 2, 0.);
       view(correction) = matrix.partialPivLu().solve(right);
       apply_mass(mass_correction, correction);
-      return {};
+      SolveReport effort;
+      effort.n_active = (held[0] != contact_status::open) + (held[1] != contact_status::open);
+      return effort;
     }
 
     Vector dirichlet_part(const Vector &forces) const override

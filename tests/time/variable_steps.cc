@@ -54,19 +54,7 @@ TEST_P(VariableSteps, EnergyIdentity)
 
 INSTANTIATE_TEST_SUITE_P(All,
                          VariableSteps,
-                         testing::Combine(testing::Values("newmark",
-                                                          "laursen-chawla",
-                                                          "laursen-love",
-                                                          "khenous-laborde-renard",
-                                                          "hager-hueeber-wohlmuth",
-                                                          "contact-implicit",
-                                                          "contact-stabilized",
-                                                          "contact-stabilized-projected",
-                                                          "hht-alpha",
-                                                          "generalized-alpha",
-                                                          "nonsmooth-generalized-alpha",
-                                                          "backward-euler",
-                                                          "moreau-jean"),
+                         testing::Combine(testing::ValuesIn(schemes_with_steps()),
                                           testing::Values("mass_on_spring", "bar", "driven_bar")),
                          [](const auto &info) {
                            std::string name =

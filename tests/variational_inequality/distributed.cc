@@ -120,7 +120,7 @@ TEST_P(Distributed, SolutionIsThatOfTheWholeProblem)
       const unsigned int owned = partitioner.locally_owned_size();
       DenseInverse       preconditioner(2.1 * Eigen::MatrixXd::Identity(owned, owned));
       ActiveSet          active(problem.bounded_entries.size(), 0);
-      const SolveReport  report = make_solver(GetParam())
+      const SolveReport  report = GetParam().make_solver()
                                    ->solve({matrix,
                                             preconditioner,
                                             b,

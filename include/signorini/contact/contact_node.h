@@ -14,7 +14,7 @@ namespace signorini
   struct ContactNode
   {
     unsigned int       node;     ///< owned node
-    unsigned int       pair;     ///< index into Scene::pairs
+    unsigned int       pair;     ///< index of the pair
     dealii::Point<dim> position; ///< in the reference configuration
     double gap; ///< g: bound on the normal entry of the relative displacement, see `transmission`
     double weight;                       ///< D: area (length in 2d) that belongs to the node

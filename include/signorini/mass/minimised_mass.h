@@ -22,7 +22,7 @@ namespace signorini
    * with a symmetric polynomial q, linear in each point, whose few coefficients follow from the
    * constraints. (Without the weights the matrix of a ball is indefinite.) It is positive definite
    * if the matrix of the coefficients of 1 + q is, by Schur's product theorem; else look at
-   * smallest_mass_ratio().
+   * MassSolver::smallest_ratio().
    *
    * Collective. Replaces matrices.mass and keeps the consistent one in matrices.standard_mass.
    * @throws UserError if all nodes of a body are contact nodes

@@ -55,11 +55,11 @@ namespace signorini
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
     std::string  name;  ///< as written in the scene
-    unsigned int slave; ///< index into Scene::bodies
+    unsigned int slave; ///< index of a body
     std::vector<dealii::types::boundary_id>
                  slave_boundary_ids; ///< empty: the whole boundary of the body
-    unsigned int obstacle = none;    ///< index into Scene::obstacles, or
-    unsigned int master   = none;    ///< index into Scene::bodies
+    unsigned int obstacle = none;    ///< index of an obstacle, or
+    unsigned int master   = none;    ///< index of a body
     std::vector<dealii::types::boundary_id>
                         master_boundary_ids; ///< empty: the whole boundary of the body
     FrictionDescription friction;

@@ -31,6 +31,8 @@ namespace signorini
   private:
     const std::string                                  name;
     const std::unique_ptr<dealii::FunctionParser<dim>> function;
+
+    dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &p) const;
   };
 
   void declare_level_set(dealii::ParameterHandler &prm);

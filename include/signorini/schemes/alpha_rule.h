@@ -30,9 +30,6 @@ namespace signorini
 
     const double alpha_m, alpha_f, beta, gamma;
 
-    /** a, or at the start that of loads and elastic forces. */
-    Vector acceleration(DynamicalSystem &system, const State &state) const;
-
     /** tau v + tau^2 (1/2 - beta) a: the increment without a_new. */
     Vector free_increment(const State &state, const Vector &acceleration, double step_size) const;
 

@@ -31,7 +31,12 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
-    Needs needs() const override { return {false, false, true}; }
+    Needs needs() const override
+    {
+      Needs needs;
+      needs.massless_nodes = true;
+      return needs;
+    }
 
   private:
     const double tolerance;

@@ -4,6 +4,7 @@
 #ifndef signorini_schemes_scheme_table_h
 #define signorini_schemes_scheme_table_h
 
+#include <signorini/base/enum_names.h>
 #include <signorini/time/time_scheme.h>
 
 #include <algorithm>
@@ -36,12 +37,28 @@ namespace signorini
     none        ///< may add some
   };
 
+  template <>
+  struct EnumNames<EnergyLaw>
+  {
+    static constexpr EnumName<EnergyLaw> table[] = {{EnergyLaw::dissipates, "dissipates"},
+                                                    {EnergyLaw::conserves, "conserves"},
+                                                    {EnergyLaw::none, "none"}};
+  };
+
   /** Contact nodes without mass: what a scheme makes of them. */
   enum class MasslessNodesAre
   {
     refused,
     possible,
     needed
+  };
+
+  template <>
+  struct EnumNames<MasslessNodesAre>
+  {
+    static constexpr EnumName<MasslessNodesAre> table[] = {{MasslessNodesAre::refused, "refused"},
+                                                           {MasslessNodesAre::possible, "possible"},
+                                                           {MasslessNodesAre::needed, "needed"}};
   };
 
   /** All that is known about a scheme without running it. */

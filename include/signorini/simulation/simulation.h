@@ -47,7 +47,9 @@ namespace signorini
     dealii::TimerOutput timer;
     Mesh<dim>           mesh;
     State               state;
-    unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
+
+    const std::unique_ptr<TimeScheme> scheme;
+    unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;

@@ -31,9 +31,9 @@ namespace signorini
    *   not shorter than the smallest size: the approach ends after some steps, and contact begins
    *   with a small one. Where flight is free, a step may come close to the touch, and contact
    *   begins with the first size, if that is not rejected.
-   * - No step ends at the touch, where round-off would decide whether there is contact. One that
-   *   would end within an eighth of its size before or after it ends an eighth after it; longer
-   *   ones in free flight end an eighth of the first size before it, or earlier.
+   * - No step but the last one ends at the touch, where round-off would decide whether there is
+   * contact. One that would end within an eighth of its size before or after it ends an eighth
+   * after it; longer ones in free flight end an eighth of the first size before it, or earlier.
    * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
    */
   class AdaptiveSteps : public TimeStepping

@@ -26,6 +26,7 @@ namespace signorini
   struct StepTrial
   {
     std::vector<TakenStep> steps;
+    ActiveSet              end_statuses; ///< of the contact nodes of this process
     double error = 0.; ///< estimate, relative to what the motion or its forces have been so far
     /** The step size goes with this power of the error: 1/p for an error O(tau^p). */
     double       exponent  = 1.;
