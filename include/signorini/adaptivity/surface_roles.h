@@ -15,8 +15,8 @@ namespace signorini
   template <int dim>
   struct SurfaceCondition
   {
-    std::array<bool, dim>                        held{};
-    std::unique_ptr<dealii::FunctionParser<dim>> traction; ///< null for none
+    std::array<bool, dim>        held{};
+    dealii::FunctionParser<dim> *traction = nullptr; ///< null for none
   };
 
   template <int dim>

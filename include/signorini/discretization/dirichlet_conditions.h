@@ -9,7 +9,6 @@
 #include <deal.II/base/function_parser.h>
 
 #include <map>
-#include <memory>
 
 namespace signorini
 {
@@ -34,8 +33,9 @@ namespace signorini
                  double                    time) const;
 
   private:
-    std::map<unsigned int, Components>                        prescribed;
-    std::vector<std::unique_ptr<dealii::FunctionParser<dim>>> functions;
+    std::map<unsigned int, Components> prescribed;
+    std::vector<dealii::FunctionParser<dim> *>
+      functions; ///< of each condition; the mesh keeps them
   };
 } // namespace signorini
 
