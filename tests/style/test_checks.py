@@ -100,6 +100,22 @@ class StyleChecks(unittest.TestCase):
         self.write("int x;\n", name="source/time/state.cc")
         self.assertEqual(self.findings(check_sources.licence), 1)
 
+    def test_names_of_schemes(self):
+        self.write('info.name = "contact-implicit";\n', name="source/schemes/scheme_table.cc")
+        self.write('// "contact-implicit" in a comment\nint x;\n', name="source/time/state.cc")
+        self.assertEqual(self.findings(check_sources.schemes), 0)
+        self.write('if (scheme == "contact-implicit")\n', name="source/time/state.cc")
+        self.assertEqual(self.findings(check_sources.schemes), 1)
+
+    def test_outdated_documents(self):
+        marks = "<!-- modules: by a program -->\n%s\n<!-- end of modules -->\n"
+        self.write(marks % ("\n" + check_dependencies.table() + "\n"), name="CONTRIBUTING.md")
+        self.assertEqual(list(check_dependencies.outdated(self.root, write=False)), [])
+        self.write(marks % "an older table", name="CONTRIBUTING.md")
+        self.assertEqual(len(list(check_dependencies.outdated(self.root, write=False))), 1)
+        list(check_dependencies.outdated(self.root, write=True))
+        self.assertEqual(list(check_dependencies.outdated(self.root, write=False)), [])
+
     def test_module_above(self):
         self.write(HEADER % "#include <signorini/contact/obstacle.h>")
         self.assertEqual(self.findings(check_dependencies.violations), 1)
