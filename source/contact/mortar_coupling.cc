@@ -50,7 +50,7 @@ namespace signorini
      * of a curved surface at a plane of symmetry is an average over one side only; its small part
      * in the prescribed direction means nothing and is dropped.
      * @return the part of the normal in free directions: its square is 1 if the prescribed
-     * directions are tangential, 0 if the normal is prescribed
+     *         directions are tangential, 0 if the normal is prescribed
      */
     template <int dim>
     double fit_frame_to_dirichlet(const typename DirichletConditions<dim>::Components &components,

@@ -53,8 +53,8 @@ namespace signorini
       }
 
       /**
-       * @param force b, Cartesian @param solution, residual in contact coordinates, the former
-       * also a guess
+       * @param force              b, Cartesian
+       * @param solution, residual in contact coordinates, the former also a guess
        */
       void solve(Vector           force,
                  const NormalGap &gap,

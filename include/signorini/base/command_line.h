@@ -25,8 +25,8 @@ namespace signorini
   };
 
   /**
-   * @param arguments without the name of the program. @throws UserError for what cannot be
-   * understood.
+   * @param arguments without the name of the program
+   * @throws UserError for what cannot be understood
    */
   CommandLine parse_command_line(const std::vector<std::string> &arguments);
 

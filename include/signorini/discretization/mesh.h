@@ -26,7 +26,7 @@ namespace signorini
     /**
      * Collective.
      * @param changes whether the cells are going to change; then the bodies keep the geometry of
-     * their uniform refinements, see MeshGeometry
+     *                their uniform refinements, see MeshGeometry
      */
     Mesh(std::vector<BodyDescription<dim>> bodies,
          MPI_Comm                          communicator,
