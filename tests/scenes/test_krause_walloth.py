@@ -291,6 +291,10 @@ Time/Scheme = contact-stabilized
         page = (folder / "results" / "page.md").read_text(encoding="utf-8")
         self.assertRegex(page, r"Some runs failed[^#]*Tiny, nonsense: `.*nonsense")
         self.assertNotIn(str(check_history.SOURCE), page)
+        self.assertEqual(  # the committed page is checked like other documents
+            [line for line in page.splitlines() if len(line) > 100 and not line.startswith("| ")],
+            [],
+        )
         with open(folder / "results" / "paper_A.csv", newline="", encoding="utf-8") as file:
             beside = [row[-2:] for row in csv.reader(file)][1:]
         self.assertEqual(beside[:3], [["no", "agrees"], ["no", "differs"], ["-", "-"]])
