@@ -16,10 +16,14 @@
 
 namespace signorini
 {
-  template <typename Solver>
-  std::unique_ptr<ConstrainedSolver> make()
+  inline std::unique_ptr<ConstrainedSolver> make_active_set()
   {
-    return std::make_unique<Solver>();
+    return std::make_unique<PrimalDualActiveSet>(ActiveSetLimits());
+  }
+
+  inline std::unique_ptr<ConstrainedSolver> make_mprgp()
+  {
+    return std::make_unique<Mprgp>();
   }
 
   struct SolverCase
@@ -29,9 +33,9 @@ namespace signorini
     const char *preconditioner; ///< exact | diagonal
   };
 
-  const SolverCase solver_cases[] = {{"active_set", make<PrimalDualActiveSet>, "exact"},
-                                     {"active_set", make<PrimalDualActiveSet>, "diagonal"},
-                                     {"mprgp", make<Mprgp>, "diagonal"}};
+  const SolverCase solver_cases[] = {{"active_set", make_active_set, "exact"},
+                                     {"active_set", make_active_set, "diagonal"},
+                                     {"mprgp", make_mprgp, "diagonal"}};
 
   inline std::ostream &operator<<(std::ostream &out, const SolverCase &solver_case)
   {
