@@ -115,23 +115,23 @@ namespace signorini
         }
     if (status == Triangulation<dim>::CELL_COARSEN)
       for (const Source &source : sources)
-        append(source.moments != nullptr ? moments_of_children(cell, source)
-                                         : VertexValues(n_values, 0.),
-               fields);
+        for (const Moments moments : source.moments)
+          append(moments_of_children(cell, source, moments), fields);
     return compress(fields, n_values);
   }
 
 
   template <int dim>
   VertexValues FieldTransfer<dim>::moments_of_children(const Cell   &parent,
-                                                       const Source &source) const
+                                                       const Source &source,
+                                                       const Moments moments) const
   {
     VertexValues sum(n_values, 0.);
     for (unsigned int child = 0; child < parent->n_children(); ++child)
       {
         const FullMatrix<double> &weights =
           discretization->fe().base_element(0).get_prolongation_matrix(child);
-        const VertexValues of_child = source.moments(
+        const VertexValues of_child = moments(
           *discretization, parent->child(child), vertex_values(parent->child(child), source.field));
         for (unsigned int a = 0; a < weights.m(); ++a)
           for (unsigned int b = 0; b < weights.n(); ++b)
@@ -215,6 +215,8 @@ namespace signorini
   template <int dim>
   Vector FieldTransfer<dim>::lost_moments(const std::vector<CellFields> &cells,
                                           const unsigned int             source,
+                                          const unsigned int             block,
+                                          const Moments                  moments,
                                           const Vector                  &field)
   {
     const Vector                         filled = discretization->interpolate_hanging_nodes(field);
@@ -235,9 +237,9 @@ namespace signorini
             }
           if (!any) // neither this cell nor a neighbour was coarsened
             continue;
-          const VertexValues sum = sources[source].moments(*discretization, cell, difference);
+          const VertexValues sum = moments(*discretization, cell, difference);
           for (unsigned int i = 0; i < n_values; ++i)
-            local[i] = sum[i] + (coarsened ? old[n_values * (sources.size() + source) + i] : 0.);
+            local[i] = sum[i] + (coarsened ? old[n_values * block + i] : 0.);
           cell->get_dof_indices(dofs);
           discretization->hanging_node_constraints().distribute_local_to_global(
             local, dofs, result);
@@ -259,9 +261,11 @@ namespace signorini
       Utilities::MPI::max(static_cast<unsigned int>(here), discretization->communicator()) > 0;
 
     std::vector<Result> results = values_at_nodes(cells);
-    for (unsigned int s = 0; s < sources.size(); ++s)
-      if (coarsened && sources[s].moments != nullptr)
-        results[s].lost_moments = lost_moments(cells, s, results[s].field);
+    unsigned int        block   = sources.size();
+    for (unsigned int s = 0; s < sources.size() && coarsened; ++s)
+      for (const Moments moments : sources[s].moments)
+        results[s].lost_moments.push_back(
+          lost_moments(cells, s, block++, moments, results[s].field));
     return results;
   }
 

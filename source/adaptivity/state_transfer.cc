@@ -31,20 +31,20 @@ namespace signorini
             const State                   &state)
     {
       std::vector<typename FieldTransfer<dim>::Source> result = {
-        {state.displacement, &stiffness_moments<dim>},
-        {state.velocity, &mass_moments<dim>},
-        {stress_at_nodes(surface, coordinates, state.contact_force)}};
+        {state.displacement, {&stiffness_moments<dim>, &mass_moments<dim>}},
+        {state.velocity, {&mass_moments<dim>}},
+        {stress_at_nodes(surface, coordinates, state.contact_force), {}}};
       if (state.acceleration.size() > 0)
-        result.push_back({state.acceleration, &mass_moments<dim>});
+        result.push_back({state.acceleration, {&mass_moments<dim>}});
       if (const FrictionState &friction = state.friction; friction.any())
         {
-          result.push_back({stress_at_nodes(surface, coordinates, friction.force)});
-          result.push_back({friction.slip});
-          result.push_back({friction.accumulated_slip});
-          result.push_back({path_and_status(surface, friction)});
+          result.push_back({stress_at_nodes(surface, coordinates, friction.force), {}});
+          result.push_back({friction.slip, {}});
+          result.push_back({friction.accumulated_slip, {}});
+          result.push_back({path_and_status(surface, friction), {}});
         }
       if (state.last_step.any())
-        result.push_back({state.last_step.velocity_change, &mass_moments<dim>});
+        result.push_back({state.last_step.velocity_change, {&mass_moments<dim>}});
       return result;
     }
   } // namespace
@@ -77,18 +77,19 @@ namespace signorini
     auto       next    = results.begin();
     State      state   = clock;
     const auto in_mass = [&](typename FieldTransfer<dim>::Result &result) {
-      if (result.lost_moments.size() > 0)
-        result.field += system.solve_mass(result.lost_moments);
+      if (!result.lost_moments.empty())
+        result.field += system.solve_mass(result.lost_moments[0]);
       return std::move(result.field);
     };
 
     auto &displacement = *next++;
     surface.admit(displacement.field);
     state.displacement = displacement.field;
-    if (displacement.lost_moments.size() > 0)
+    if (!displacement.lost_moments.empty())
       state.displacement += project_in_energy(discretization,
                                               coordinates,
-                                              displacement.lost_moments,
+                                              displacement.lost_moments[0],
+                                              displacement.lost_moments[1],
                                               surface.normal_gap(state.displacement),
                                               elastic_size,
                                               limits);

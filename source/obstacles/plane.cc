@@ -41,10 +41,11 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                             \
-  template class Plane<dim>;                                                                         \
-  template void                                      declare_plane<dim>(dealii::ParameterHandler &); \
-  template std::shared_ptr<const RigidObstacle<dim>> parse_plane(const SectionReader &,              \
+#define INSTANTIATE(dim)                                                                           \
+  template class Plane<dim>;                                                                       \
+  template void declare_plane<dim>(dealii::ParameterHandler &);                                    \
+                                                                                                   \
+  template std::shared_ptr<const RigidObstacle<dim>> parse_plane(const SectionReader &,            \
                                                                  const std::string &);
   INSTANTIATE(2)
   INSTANTIATE(3)

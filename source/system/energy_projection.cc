@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/contact_status.h>
+#include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/energy_projection.h>
+#include <signorini/system/response_size.h>
+#include <signorini/system/rigid_modes.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 namespace signorini
@@ -18,42 +22,99 @@ namespace signorini
         slowest = std::min(slowest, body.material.pressure_wave_speed());
       return 1e-8 * std::pow(slowest / discretization.mesh().body_size(), 2);
     }
+
+    /** Entries that Dirichlet conditions or closed nodes hold, or nodes that are closed here. */
+    template <int dim>
+    std::vector<unsigned int> held_entries(const ContactCoordinates<dim> &coordinates,
+                                           const std::vector<double>     &bounds,
+                                           const ActiveSet               &active,
+                                           const double                   touching)
+    {
+      std::vector<unsigned int> held = coordinates.dirichlet_entries();
+      for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (bounds[k] <= touching || contact_status::is_closed(active[k]))
+          held.push_back(coordinates.normal_entries()[k]);
+      return held;
+    }
+
+
+    /** Minimise 1/2 c'A c - r'c + a little of c'M c. @return c, Cartesian */
+    template <int dim>
+    Vector minimise(const Discretization<dim>     &discretization,
+                    const ContactCoordinates<dim> &coordinates,
+                    Vector                         right_hand_side,
+                    const std::vector<double>     &bounds,
+                    const double                   size,
+                    const SolverParameters        &limits,
+                    ActiveSet                     &active)
+    {
+      const double            mass_factor = negligible_frequency_square(discretization);
+      const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
+      const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
+        PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);
+      PrimalDualActiveSet solver(
+        {limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
+      coordinates.force_to_contact(right_hand_side);
+      const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);
+      Vector                    correction = discretization.make_vector(), residual = correction;
+      // Of a body without deformation both sizes are round-off; then the larger one is the measure.
+      const double tolerance = std::max(
+        1e-12 * size,
+        1e-10
+          * response_size(
+            matrix, *preconditioner, right_hand_side, coordinates.dirichlet_entries(), nothing));
+      solver.solve({matrix,
+                    *preconditioner,
+                    right_hand_side,
+                    coordinates.normal_entries(),
+                    bounds,
+                    coordinates.dirichlet_entries(),
+                    nothing,
+                    tolerance,
+                    1e-14 * discretization.mesh().body_size()},
+                   active,
+                   correction,
+                   residual);
+      coordinates.displacement_to_cartesian(correction);
+      return correction;
+    }
   } // namespace
 
 
   template <int dim>
   Vector project_in_energy(const Discretization<dim>     &discretization,
                            const ContactCoordinates<dim> &coordinates,
-                           const Vector                  &error_moments,
+                           const Vector                  &energy_moments,
+                           const Vector                  &mass_moments,
                            const std::vector<double>     &bounds,
                            const double                   size,
                            const SolverParameters        &limits)
   {
-    const double            mass_factor = negligible_frequency_square(discretization);
-    const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
-    const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
-      PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);
-    PrimalDualActiveSet solver(
-      {limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
+    AssertDimension(bounds.size(), coordinates.normal_entries().size());
+    Assert(size >= 0., dealii::ExcMessage("The size of a displacement is a norm."));
+    const RigidModes<dim> rigid(discretization, coordinates);
+    const double          touching = touching_distance(discretization.mesh().body_size());
+    ActiveSet             active(bounds.size(), contact_status::open);
 
-    Vector right_hand_side = error_moments, correction = discretization.make_vector(),
-           residual = correction;
-    coordinates.force_to_contact(right_hand_side);
-    const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);
-    ActiveSet                 active(bounds.size(), contact_status::open);
-    solver.solve({matrix,
-                  *preconditioner,
-                  right_hand_side,
-                  coordinates.normal_entries(),
-                  bounds,
-                  coordinates.dirichlet_entries(),
-                  nothing,
-                  1e-12 * size,
-                  1e-14 * discretization.mesh().body_size()},
-                 active,
-                 correction,
-                 residual);
-    coordinates.displacement_to_cartesian(correction);
+    Vector shift = discretization.make_vector();
+    for (const Motion &mode : rigid.free_of(held_entries(coordinates, bounds, active, touching)))
+      shift.add(dot(mode.displacement, mass_moments), mode.displacement);
+    Vector shift_of_nodes = shift;
+    coordinates.displacement_to_contact(shift_of_nodes);
+    std::vector<double> left = bounds;
+    for (std::size_t k = 0; k < left.size(); ++k)
+      left[k] -= shift_of_nodes.local_element(coordinates.normal_entries()[k]);
+
+    // What the moments have of forces on free bodies is round-off. The little mass of the problem
+    // would let it move them far.
+    Vector moments = energy_moments;
+    for (const Motion &mode : rigid.free_of(coordinates.dirichlet_entries()))
+      moments.add(-dot(mode.displacement, moments), mode.momentum);
+    Vector correction =
+      minimise(discretization, coordinates, std::move(moments), left, size, limits, active);
+    for (const Motion &mode : rigid.free_of(held_entries(coordinates, bounds, active, touching)))
+      correction.add(-dot(mode.momentum, correction), mode.displacement);
+    correction += shift;
     return correction;
   }
 
@@ -61,6 +122,7 @@ namespace signorini
 #define INSTANTIATE(dim)                                                                           \
   template Vector project_in_energy(const Discretization<dim> &,                                   \
                                     const ContactCoordinates<dim> &,                               \
+                                    const Vector &,                                                \
                                     const Vector &,                                                \
                                     const std::vector<double> &,                                   \
                                     double,                                                        \

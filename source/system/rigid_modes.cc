@@ -14,25 +14,39 @@ namespace signorini
 {
   namespace
   {
-    /** Translations, then rotations about the axes through the origin. */
+    /** The body of each owned node, none of hanging ones. */
     template <int dim>
-    std::vector<std::array<std::string, dim>> rigid_motions();
-
-    template <>
-    std::vector<std::array<std::string, 2>> rigid_motions<2>()
+    std::vector<unsigned int> bodies_of_nodes(const Discretization<dim> &discretization)
     {
-      return {{{"1", "0"}}, {{"0", "1"}}, {{"-y", "x"}}};
+      const auto               &partitioner = *discretization.matrices().pattern.partitioner;
+      std::vector<unsigned int> result(discretization.matrices().pattern.n_owned,
+                                       dealii::numbers::invalid_unsigned_int);
+      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+        if (cell->is_locally_owned())
+          for (const unsigned int v : cell->vertex_indices())
+            if (const auto dof = cell->vertex_dof_index(v, 0);
+                partitioner.in_local_range(dof)
+                && !discretization.hanging_node_constraints().is_constrained(dof))
+              result[partitioner.global_to_local(dof) / dim] = cell->material_id();
+      return result;
     }
 
-    template <>
-    std::vector<std::array<std::string, 3>> rigid_motions<3>()
+
+    /** Translations, then rotations about the axes through the origin. */
+    template <int dim>
+    dealii::Tensor<1, dim> rigid_motion(const unsigned int which, const dealii::Point<dim> &x)
     {
-      return {{{"1", "0", "0"}},
-              {{"0", "1", "0"}},
-              {{"0", "0", "1"}},
-              {{"0", "-z", "y"}},
-              {{"z", "0", "-x"}},
-              {{"-y", "x", "0"}}};
+      dealii::Tensor<1, dim> u;
+      if (which < dim)
+        u[which] = 1.;
+      else
+        {
+          const unsigned int axis = dim == 2 ? 2 : which - dim;
+          const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
+          u[a] = -x[b];
+          u[b] = x[a];
+        }
+      return u;
     }
   } // namespace
 
@@ -42,17 +56,18 @@ namespace signorini
                               const ContactCoordinates<dim> &coordinates)
     : discretization(discretization)
   {
-    const std::size_t n_bodies = discretization.mesh().bodies().size();
-    for (std::size_t body = 0; body < n_bodies; ++body)
+    const std::vector<unsigned int> bodies = bodies_of_nodes(discretization);
+    for (unsigned int body = 0; body < discretization.mesh().bodies().size(); ++body)
       {
         const std::size_t first = modes.size();
-        for (const auto &motion : rigid_motions<dim>())
+        for (unsigned int which = 0; which < n_motions; ++which)
           {
-            std::array<std::string, dim> rest;
-            rest.fill("0");
-            std::vector<std::array<std::string, dim>> expressions(n_bodies, rest);
-            expressions[body] = motion;
-            Motion mode{discretization.interpolate(expressions), discretization.make_vector()};
+            Motion mode{discretization.make_vector(), discretization.make_vector()};
+            for (unsigned int node = 0; node < bodies.size(); ++node)
+              if (bodies[node] == body)
+                for (unsigned int c = 0; c < dim; ++c)
+                  mode.displacement.local_element(dim * node + c) =
+                    rigid_motion(which, discretization.node_positions()[node])[c];
             // Twice: far from the origin a rotation is nearly a translation.
             for (unsigned int pass = 0; pass < 2; ++pass)
               for (std::size_t j = first; j < modes.size(); ++j)

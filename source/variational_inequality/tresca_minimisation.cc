@@ -58,6 +58,7 @@ namespace signorini
             double &normal = solution.local_element(problem.bounded_entries[k]);
             normal         = std::min(normal, problem.upper_bounds[k]);
           }
+        stop_slip_of_round_off(); // of the guess
         problem.matrix.vmult(residual, solution);
         residual.sadd(-1., 1., problem.right_hand_side);
       }
@@ -232,8 +233,10 @@ namespace signorini
       }
 
       /**
-       * A step that ends just short of a kink leaves a part of 1e-15 of the slip. The node would
-       * count as slipping, with all the force of its bound, in a direction that nothing can turn.
+       * A step that ends just short of a kink leaves a part of 1e-15 of the slip, and the next one
+       * a part of that. The node would count as slipping, with all the force of its bound, in a
+       * direction that nothing can turn: the curvature of |slip| hides the node from Newton's
+       * method.
        */
       void stop_slip_of_round_off()
       {

@@ -19,6 +19,22 @@
 
 namespace signorini::tests
 {
+  /** The unit square or cube on a coordinate plane that is moved up to a height. */
+  template <int dim>
+  BodyDescription<dim> box(const std::string &name, const double bottom)
+  {
+    dealii::Point<dim> lower, upper;
+    for (unsigned int c = 0; c < dim; ++c)
+      upper[c] = 1.;
+    lower[dim - 1] += bottom;
+    upper[dim - 1] += bottom;
+    std::array<unsigned int, dim> repetitions;
+    repetitions.fill(1);
+    BodyDescription<dim> body = block<dim>(name, lower, upper, repetitions);
+    body.refinements          = 1;
+    return body;
+  }
+
   /** A scene in motion on a mesh that changes at random, the same on any number of processes. */
   template <int dim>
   struct MovingMesh

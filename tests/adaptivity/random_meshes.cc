@@ -25,21 +25,6 @@ using namespace signorini::tests;
 namespace
 {
   template <int dim>
-  BodyDescription<dim> box(const std::string &name, const double bottom)
-  {
-    dealii::Point<dim> lower, upper;
-    for (unsigned int c = 0; c < dim; ++c)
-      upper[c] = 1.;
-    lower[dim - 1] += bottom;
-    upper[dim - 1] += bottom;
-    std::array<unsigned int, dim> repetitions;
-    repetitions.fill(1);
-    BodyDescription<dim> body = block<dim>(name, lower, upper, repetitions);
-    body.refinements          = 1;
-    return body;
-  }
-
-  template <int dim>
   void fly()
   {
     BodyDescription<dim> body      = box<dim>("box", 0.);

@@ -22,8 +22,8 @@ namespace every_scheme_tests
     /** Conditions on the velocity let a node go through the wall before they stop it. */
     bool may_penetrate(const std::string &scheme)
     {
-      return scheme == "laursen-chawla" || scheme == "moreau-jean"
-             || scheme == "nonsmooth-generalized-alpha";
+      return scheme == "laursen-chawla" || scheme == "hager-hueeber-wohlmuth"
+             || scheme == "moreau-jean" || scheme == "nonsmooth-generalized-alpha";
     }
 
     class EveryScheme : public testing::TestWithParam<std::string>

@@ -23,7 +23,7 @@ namespace signorini
   public:
     using Cell = typename dealii::Triangulation<dim>::cell_iterator;
 
-    /** Moments that a field shall be projected with: mass_moments or stiffness_moments. */
+    /** Moments that a projection of a field needs: mass_moments or stiffness_moments. */
     using Moments = VertexValues (*)(const Discretization<dim> &,
                                      const Cell &,
                                      const VertexValues &);
@@ -31,16 +31,16 @@ namespace signorini
     /** A field of the old mesh. */
     struct Source
     {
-      Vector  field;             ///< hanging nodes need not be filled
-      Moments moments = nullptr; ///< null: values at nodes are good enough
+      Vector               field;   ///< hanging nodes need not be filled
+      std::vector<Moments> moments; ///< none: values at nodes are good enough
     };
 
     /** A field on the new mesh. */
     struct Result
     {
-      Vector field;        ///< values at nodes
-      Vector lost_moments; ///< of old minus new function; empty for sources without moments and if
-                           ///< nothing was coarsened
+      Vector              field;        ///< values at nodes
+      std::vector<Vector> lost_moments; ///< of old minus new function, in the order of the
+                                        ///< source; empty if nothing was coarsened
     };
 
     /**
@@ -60,7 +60,7 @@ namespace signorini
     static constexpr unsigned int n_values = dim * (1u << dim); ///< per cell and field
 
     /**
-     * The old functions on a cell: the values of each source, and on coarsened cells also the
+     * The old functions on a cell: the values of each source, and on coarsened cells also all the
      * moments of each.
      */
     using CellFields = std::vector<double>;
@@ -75,14 +75,19 @@ namespace signorini
       return fields.size() > n_values * sources.size();
     }
 
-    std::vector<char>       pack(const Cell &cell, CellStatus status) const;
-    VertexValues            vertex_values(const Cell &active_cell, const Vector &field) const;
-    VertexValues            moments_of_children(const Cell &parent, const Source &source) const;
-    CellFields              prolongate(const CellFields &parent, unsigned int child) const;
+    std::vector<char> pack(const Cell &cell, CellStatus status) const;
+    VertexValues      vertex_values(const Cell &active_cell, const Vector &field) const;
+    VertexValues      moments_of_children(const Cell &, const Source &, Moments) const;
+    CellFields        prolongate(const CellFields &parent, unsigned int child) const;
+
     std::vector<CellFields> receive();
     std::vector<Result>     values_at_nodes(const std::vector<CellFields> &cells) const;
-    Vector
-    lost_moments(const std::vector<CellFields> &cells, unsigned int source, const Vector &field);
+    /** @param source, block where values and moments are in the fields of a cell */
+    Vector lost_moments(const std::vector<CellFields> &cells,
+                        unsigned int                   source,
+                        unsigned int                   block,
+                        Moments                        moments,
+                        const Vector                  &field);
   };
 } // namespace signorini
 

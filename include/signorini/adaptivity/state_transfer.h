@@ -17,9 +17,9 @@ namespace signorini
    *
    * On refined cells every function stays what it is. Where cells are coarsened, velocity and
    * acceleration are projected in the mass matrix, which keeps momentum and takes kinetic energy,
-   * and the displacement in the energy of the elastic forces onto the admissible set. Contact
-   * forces go as stresses at contact nodes, slip as values at nodes; a new node between two that
-   * stick or slip does what they do.
+   * and the displacement in the energy of the elastic forces onto the admissible set, which moves
+   * no free body (project_in_energy()). Contact forces go as stresses at contact nodes, slip as
+   * values at nodes; a new node between two that stick or slip does what they do.
    */
   template <int dim>
   class StateTransfer

@@ -23,6 +23,8 @@ namespace signorini
   class RigidModes
   {
   public:
+    static constexpr unsigned int n_motions = dim * (dim + 1) / 2; ///< of a body
+
     RigidModes(const Discretization<dim>     &discretization,
                const ContactCoordinates<dim> &coordinates);
 
