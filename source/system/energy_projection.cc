@@ -5,8 +5,8 @@
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/energy_projection.h>
-#include <signorini/system/response_size.h>
 #include <signorini/system/rigid_modes.h>
+#include <signorini/system/scales.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 namespace signorini
