@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 #
-# Tests with GoogleTest: an executable for each folder of tests, and as many ctests of it as its suites need.
+# Tests with GoogleTest: an executable for each folder of tests, and as many ctests of it as its
+# suites need.
 #
 # signorini_add_test_executable(<executable> <file>...)
 #   The executable test_<executable>. Its sources are compiled as one, like those of the library.
 #
-# signorini_add_test(<name> [EXECUTABLE <executable>] [SUITES <suite>...] [RANKS <n>...] [LABELS <label>...]
-#                    [TIMEOUT <seconds>])
-#   Runs an executable (default: of the same name) on each number of ranks (default: 1); with SUITES only the tests of
-#   these. The ctest <name> runs on one process, <name>.mpirun=<n> on n processes.
+# signorini_add_test(<name> [EXECUTABLE <executable>] [SUITES <suite>...] [RANKS <n>...]
+#                    [LABELS <label>...] [TIMEOUT <seconds>])
+#   Runs an executable (default: of the same name) on each number of ranks (default: 1); with SUITES
+#   only the tests of these. The ctest <name> runs on one process, <name>.mpirun=<n> on n processes.
 function(signorini_add_test_executable name)
   add_executable(test_${name} ${ARGN})
   signorini_compile(test_${name})
@@ -17,7 +18,8 @@ function(signorini_add_test_executable name)
   target_compile_definitions(test_${name} PRIVATE
     SIGNORINI_SOURCE_DIR="${CMAKE_SOURCE_DIR}" SIGNORINI_EXECUTABLE="$<TARGET_FILE:signorini>")
   target_precompile_headers(test_${name} REUSE_FROM signorini_test_main)
-  set_target_properties(test_${name} PROPERTIES UNITY_BUILD ${SIGNORINI_UNITY} UNITY_BUILD_BATCH_SIZE 0)
+  set_target_properties(test_${name} PROPERTIES
+    UNITY_BUILD ${SIGNORINI_UNITY} UNITY_BUILD_BATCH_SIZE 0)
 endfunction()
 
 function(signorini_add_test name)

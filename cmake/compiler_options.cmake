@@ -4,19 +4,39 @@
 # signorini_compile(<target>): how all code of the project is compiled.
 
 include(CheckCXXCompilerFlag)
+include(CheckCXXSourceCompiles)
+
+# The first of the given sets of flags that the compiler takes without a word; nothing if none is.
+function(signorini_first_quiet_flags result)
+  set(CMAKE_REQUIRED_QUIET ON)
+  foreach(flags IN LISTS ARGN)
+    string(MAKE_C_IDENTIFIER "quiet ${flags}" quiet)
+    set(CMAKE_REQUIRED_FLAGS "-Werror ${flags}")
+    check_cxx_source_compiles("int main() { return 0; }" ${quiet})
+    if(${quiet})
+      separate_arguments(flags)
+      set(${result} ${flags} PARENT_SCOPE)
+      return()
+    endif()
+  endforeach()
+  set(${result} "" PARENT_SCOPE)
+endfunction()
 
 # The flags of the options below that this compiler knows. All targets get them, because Eigen
 # aligns its memory by the widest registers: who includes a header with a matrix has to agree.
 set(SIGNORINI_FLAGS "")
 set(candidates "")
 if(SIGNORINI_NATIVE)
-  # Floating-point contraction changes round-off only; every result is defined by a tolerance. Small blocks fill
-  # registers of four numbers, so AVX-512 has nothing to add.
-  list(APPEND candidates -march=native -mno-avx512f)
+  # Floating-point contraction changes round-off only; every result is defined by a tolerance. Small
+  # blocks fill registers of four numbers, so AVX-512 has nothing to add. GCC 14 gives a warning
+  # where the processor has AVX10, which brings AVX-512 back, unless that is switched off, too.
+  signorini_first_quiet_flags(SIGNORINI_FLAGS
+    "-march=native -mno-avx512f" "-march=native -mno-avx10.1-512 -mno-avx512f"
+    "-march=native -mno-avx10.1 -mno-avx512f" "-march=native")
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Release")
-  # Debian's deal.II passes on its own flags. Debug information and unrolling of all loops cost a third of the time of
-  # the compiler; the loops that matter are unrolled by hand.
+  # Debian's deal.II passes on its own flags. Debug information and unrolling of all loops cost a
+  # third of the time of the compiler; the loops that matter are unrolled by hand.
   list(APPEND candidates -g0 -fno-unroll-loops -fno-unroll-all-loops)
 endif()
 if(CMAKE_BUILD_TYPE STREQUAL "Debug")
@@ -29,8 +49,8 @@ if(SIGNORINI_UNITY)
   list(APPEND candidates -Wno-subobject-linkage)
 endif()
 if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-  # Debian's deal.II was compiled by GCC and passes on options that only GCC knows. GoogleTest's macros
-  # leave their last argument empty.
+  # Debian's deal.II was compiled by GCC and passes on options that only GCC knows. GoogleTest's
+  # macros leave their last argument empty.
   list(APPEND candidates -Wno-unknown-warning-option -Wno-ignored-optimization-argument
                          -Wno-gnu-zero-variadic-macro-arguments)
 endif()

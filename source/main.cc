@@ -3,11 +3,9 @@
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
-#include <signorini/base/user_error.h>
-#include <signorini/scene/output_directory.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
-#include <signorini/simulation/simulation.h>
+#include <signorini/simulation/run_scene.h>
 
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
@@ -17,35 +15,6 @@
 namespace
 {
   using namespace signorini;
-
-  /** Every process reads the scene; only the first one tries the output folder. */
-  template <int dim>
-  int execute(const CommandLine &options, const MPI_Comm comm, const FailureReporter &reporter)
-  {
-    const bool first = dealii::Utilities::MPI::this_mpi_process(comm) == 0;
-    Scene<dim> scene;
-    const int  status = reporter.separately([&] {
-      scene = read_scene<dim>(options.scene, options.overrides);
-      if (first)
-        check_output_directory(scene.output_directory);
-    });
-    if (status != 0)
-      return status;
-
-    return reporter.together([&] {
-      naming_file<UserError>(scene.file_name, [&] {
-        Simulation<dim> simulation(scene, comm, options.quiet);
-        if (options.validate)
-          {
-            const std::string text = simulation.validate();
-            if (first)
-              std::cout << text << std::flush;
-          }
-        else
-          simulation.run();
-      });
-    });
-  }
 
   void print_information(const CommandLine &options)
   {
@@ -75,17 +44,17 @@ int main(int argc, char **argv)
   const int    status    = reporter.separately([&] {
     options = parse_command_line({argv + 1, argv + argc});
     if (options.help || options.version || options.print_parameters || options.print_schemes)
-      options.scene.clear();
-    if (!options.scene.empty())
-      dimension = read_dimension(options.scene, options.overrides);
+      options.scene_file.clear();
+    if (!options.scene_file.empty())
+      dimension = read_dimension(options.scene_file, options.overrides);
   });
   if (status != 0)
     return status;
 
   if (dimension == 2)
-    return execute<2>(options, comm, reporter);
+    return run_scene<2>(options, comm, reporter);
   if (dimension == 3)
-    return execute<3>(options, comm, reporter);
+    return run_scene<3>(options, comm, reporter);
   if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
     print_information(options);
   return 0;

@@ -4,13 +4,14 @@
 
 """What a step costs: bench.py EXECUTABLE [REFINEMENT ...]
 
-Runs Geometry A (one body) and Geometry B (two bodies, curved face; both in parameters/) at each refinement (default: 3 and 4) on
-one and on two processes, 100 steps without fields, and prints, from columns of history.csv: the time of a step with contact and
-of a step after release (the bodies vibrate, no contact) in the same run, their ratio, iterations, and matrix-vector
-products per step by matrix; then the part that the set-up of contact (search, segments, coupling) and of the preconditioner has in
-the run. Then what friction costs: the same bodies thrown obliquely, a step with contact with the coefficient 0.3 against one without friction.
-Last, the products of a step in undeformed flight. Times are those of this machine at this moment; ratios and
-counts travel.
+Runs Geometry A (one body) and Geometry B (two bodies, curved face; both in parameters/) at each
+refinement (default: 3 and 4) on one and on two processes, 100 steps without fields, and prints,
+from columns of history.csv: the time of a step with contact and of a step after release (the bodies
+vibrate, no contact) in the same run, their ratio, iterations, and matrix-vector products per step
+by matrix; then the part that the set-up of contact (search, segments, coupling) and of the
+preconditioner has in the run. Then what friction costs: the same bodies thrown obliquely, a step
+with contact with the coefficient 0.3 against one without friction. Last, the products of a step in
+undeformed flight. Times are those of this machine at this moment; ratios and counts travel.
 """
 
 import csv
@@ -39,7 +40,7 @@ MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("pro
 
 
 def run(executable, scene, processes, *settings):
-    """The rows of history.csv of one run, numbers instead of texts, and the seconds of the set-up of contact."""
+    """The rows of history.csv of one run as numbers, and the seconds of the set-up of contact."""
     environment = dict(
         os.environ,
         OMP_NUM_THREADS="1",
@@ -70,7 +71,7 @@ def run(executable, scene, processes, *settings):
 
 
 def phases(history):
-    """Steps with contact, and steps after the last contact. The first step is set-up and left out."""
+    """Steps with contact, and steps after the last contact; without the first one, the set-up."""
     touching = [row for row in history if row["active_nodes"] > 0]
     last = touching[-1]["step"] if touching else 0
     return touching, [row for row in history if row["step"] > last + 1]

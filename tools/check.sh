@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 #
-# Checks that take longer than the tests: ./dev check KIND. Whatever differs from ./dev test is decided
-# by round-off or by the machine, and is mended by a law that holds on every machine.
+# Checks that take longer than the tests: ./dev check KIND. Whatever differs from ./dev test is
+# decided by round-off or by the machine, and is mended by a law that holds on every machine.
 # A kind is a function check_KIND and a line of the usage.
 set -euo pipefail
 

@@ -41,8 +41,8 @@ make_base() {
 # What the host needs to reach the mirror. Without /etc/hosts an MPI program waits for the DNS.
 connect() {
   cp /etc/resolv.conf /etc/hosts "$1/etc/"
-  apt-config dump | grep -E '^Acquire::(http|https|Check-|Retries)' >"$1/etc/apt/apt.conf.d/99host" ||
-    true
+  apt-config dump | grep -E '^Acquire::(http|https|Check-|Retries)' \
+    >"$1/etc/apt/apt.conf.d/99host" || true
 }
 
 copy_checkout() {
@@ -54,8 +54,8 @@ copy_checkout() {
   fi
 }
 
-# Runs a command of ./dev in a new chroot. All mounts are those of its own namespace and end with it,
-# and so do its processes.
+# Runs a command of ./dev in a new chroot. All mounts are those of its own namespace and end with
+# it, and so do its processes.
 run() {
   local root=$cache/debian$number-$1 log=$cache/debian$number-$1.log start=$SECONDS status=0
   local environment=(PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8) name

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Checks that each module includes only headers of the modules below it: check_dependencies.py [ROOT].
+"""Checks that each module includes only headers of the modules below it.
 
+check_dependencies.py [ROOT]       the check
 check_dependencies.py --table      the table of modules in CONTRIBUTING.md
 check_dependencies.py --picture    the picture of modules in doc/architecture.md
 check_dependencies.py --write      puts both into these files; without it they are compared
@@ -13,10 +14,10 @@ import pathlib
 import re
 import sys
 
-# The order of the modules: which ones a module may use besides itself. A module that is not named here is an error.
-# What is said about a scene stops at `simulation`: the modules that compute get the values and the small structs of
-# `model`. The three chains up to contact, variational_inequality and schemes do not see each other; system is where
-# they meet.
+# The order of the modules: which ones a module may use besides itself. A module that is not named
+# here is an error. What is said about a scene stops at `simulation`: the modules that compute get
+# the values and the small structs of `model`. The three chains up to contact,
+# variational_inequality and schemes do not see each other; system is where they meet.
 MAY_USE = {
     "base": set(),
     "linear_algebra": {"base"},
@@ -24,15 +25,16 @@ MAY_USE = {
     "model": {"base"},
     "mesh_files": {"base", "model"},
     "prm": {"base"},
+    "obstacles": {"base", "prm"},
     "time": {"base"},
     "schemes": {"base", "time"},
     "step_size": {"base", "time"},
-    "scene": {"base", "model", "mesh_files", "prm", "time", "schemes"},
+    "scene": {"base", "model", "mesh_files", "prm", "obstacles", "time", "schemes"},
     "discretization": {"base", "linear_algebra", "model", "mesh_files"},
     "variational_inequality": {"base", "linear_algebra", "friction"},
 }
 MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
-MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction"}
+MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["preconditioners"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["system"] = (
@@ -49,16 +51,19 @@ HOLDS = {
     "base": "types, errors, spelling, expressions, the command line",
     "linear_algebra": "block matrices, masks, conjugate gradients, GMRES, the incomplete factor",
     "friction": "the law of friction of one node",
-    "model": "what is simulated, as plain data: bodies, materials, obstacles, pairs, parameters",
+    "model": "what is simulated, as plain data: bodies, materials, pairs, parameters",
     "mesh_files": "readers of meshes (Gmsh, Abaqus, UCD, VTK)",
     "prm": "the text of a `.prm`: statements, sections, expressions, messages with lines",
+    "obstacles": "rigid obstacles: distance and normal, one shape per file, and their table",
     "time": "state, the interface `DynamicalSystem`, the contract of a scheme",
     "schemes": "the time schemes, one file each, and their table",
     "step_size": "steps whose size follows the motion",
     "scene": "the keys of a scene: declared, read, and every cross-check of them",
-    "discretization": "mesh of all bodies, degrees of freedom, mass and stiffness, loads, Dirichlet conditions",
+    "discretization": (
+        "mesh of all bodies, degrees of freedom, mass and stiffness, loads, Dirichlet conditions"
+    ),
     "finite_elements": "kernels on cells and faces: moments, stress vectors, neighbours",
-    "contact": "contact nodes, obstacles, search, mortar coupling, contact coordinates",
+    "contact": "contact nodes, search, mortar coupling, contact coordinates",
     "mass": "the mass without entries at contact nodes: its constructions, definiteness, solution",
     "variational_inequality": (
         "the bound-constrained problem and its solvers: algebra, no mesh, no time"
@@ -136,7 +141,7 @@ def replaced(text, name, content):
 
 
 def outdated(root, write):
-    """A sentence for each document whose generated part is another one; with `write` it is put right."""
+    """A sentence for each document whose generated part is outdated; `write` puts it right."""
     for file, (name, content) in GENERATED.items():
         path = root / file
         if not path.exists():

@@ -2,19 +2,21 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Whether two builds compute the same: runs scenes with both and compares all columns of history.csv.
+"""Whether two builds compute the same: runs scenes with both, compares all of history.csv.
 
-    compare_builds.py record EXECUTABLE FOLDER [SCENE ...]    run the scenes, keep the histories in FOLDER
+    compare_builds.py record EXECUTABLE FOLDER [SCENE ...]    run scenes, keep histories in FOLDER
     compare_builds.py against FOLDER EXECUTABLE [SCENE ...]   run them again and compare
 
-Without scenes all of parameters/*.prm. Columns agree if they differ by at most TOLERANCE times the largest value of their
-kind: of all energies and works the largest energy, of momenta the largest one or the impulse of contact. What may be
-zero but for round-off, penetration and angular momentum, is measured by the way that the bodies could go with their
-energy and momentum. Effort is added up and shown: it should not grow. Exit status 1 if anything differs.
+Without scenes all in parameters/. Columns agree if they differ by at most TOLERANCE times the
+largest value of their kind: of all energies and works the largest energy, of momenta the largest
+one or the impulse of contact. What may be zero but for round-off, penetration and angular momentum,
+is measured by the way that the bodies could go with their energy and momentum. Effort is added up
+and shown: it should not grow. Exit status 1 if anything differs.
 """
 
 import argparse
 import csv
+import math
 import os
 import pathlib
 import shutil
@@ -100,6 +102,11 @@ def scales(history):
     return result
 
 
+def difference(a, b):
+    """Infinite if one of them is not a finite number: comparisons with NaN hide it."""
+    return abs(a - b) if math.isfinite(a) and math.isfinite(b) else math.inf
+
+
 def differences(before, after):
     """(part of the scale, column, row), the largest of each column that both have."""
     scale = scales(before)
@@ -108,7 +115,7 @@ def differences(before, after):
             continue
         size = scale[group(column)] or 1.0
         yield max(
-            (abs(a - b) / size, column, row)
+            (difference(a, b) / size, column, row)
             for row, (a, b) in enumerate(zip(before[column], after[column]))
         )
 
@@ -117,6 +124,10 @@ def compare(name, before, after, tolerance):
     """A line about a scene. @return whether it is the same"""
     if len(before["step"]) != len(after["step"]):
         print(f"{name}: {len(before['step'])} rows before, {len(after['step'])} after  DIFFERENT")
+        return False
+    missing = sorted(set(before) - set(after))
+    if missing:
+        print(f"{name}: columns {', '.join(missing)} are missing  DIFFERENT")
         return False
     part, column, row = max(differences(before, after))
     counts = ", ".join(
@@ -147,7 +158,7 @@ def main():
     )
     parser.add_argument("--tolerance", type=float, default=TOLERANCE)
     arguments = parser.parse_args()
-    scenes = arguments.scenes or sorted((ROOT / "parameters").glob("*.prm"))
+    scenes = arguments.scenes or sorted((ROOT / "parameters").rglob("*.prm"))
     executable, folder = arguments.first, pathlib.Path(arguments.second)
     if arguments.what == "against":
         executable, folder = arguments.second, pathlib.Path(arguments.first)

@@ -6,8 +6,9 @@
 
 anvil.msh   Gmsh 2.2: a block with sloping sides, its top in the plane z = 0.
             Physical groups, which become boundary ids: 1 bottom, 2 top, 3 sides.
-hammer.inp  Abaqus: a round bar that lies along the x axis, with a conical nose whose slightly domed face touches the
-            plane x = 0 in the origin. Surfaces, whose numbers become boundary ids: 1 face, 2 cone, 3 mantle, 4 back.
+hammer.inp  Abaqus: a round bar that lies along the x axis, with a conical nose whose slightly
+            domed face touches the plane x = 0 in the origin. Surfaces, whose numbers become
+            boundary ids: 1 face, 2 cone, 3 mantle, 4 back.
 """
 
 import itertools
@@ -15,7 +16,8 @@ import math
 import pathlib
 import sys
 
-# Corners of a hexahedron in the order of both formats, as steps in the directions u, v, w (right-handed).
+# Corners of a hexahedron in the order of both formats, as steps in the directions u, v, w
+# (right-handed).
 CORNERS = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
 
 
@@ -38,7 +40,7 @@ class Mesh:
         return len(self.cells)
 
 
-# --- anvil -----------------------------------------------------------------------------------------------------------
+# --- anvil ---------------------------------------------------------------------------------------
 
 ANVIL_CELLS = (6, 5, 5)
 ANVIL_HEIGHT, ANVIL_BOTTOM, ANVIL_TOP = 1.0, (1.2, 0.9), (0.8, 0.6)  # half widths in x and y
@@ -107,7 +109,7 @@ def gmsh(mesh, faces):
     return "\n".join(lines + ["$EndElements", ""])
 
 
-# --- hammer ----------------------------------------------------------------------------------------------------------
+# --- hammer --------------------------------------------------------------------------------------
 
 CORE_CELLS = 4  # in both directions of the square core; as many on each side of the ring
 LENGTHS, RADII = (0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5), (0.3, 0.45, 0.6, 0.6, 0.6, 0.6, 0.6)
@@ -122,7 +124,7 @@ def core_point(i, j):
 
 
 def rim(n):
-    """Indices (i, j) of vertex n of the outline of the core, counter-clockwise from the corner (0, 0)."""
+    """Indices (i, j) of vertex n of the outline of the core, counter-clockwise from (0, 0)."""
     side, step = divmod(n % (4 * CORE_CELLS), CORE_CELLS)
     end, back = CORE_CELLS, CORE_CELLS - step
     return ((step, 0), (end, step), (back, end), (0, back))[side]
@@ -136,7 +138,8 @@ def ring_point(n, outside):
 
 
 def along_the_bar(layer, section):
-    """A point of the cross-section of radius 1 in its place. The dome recedes from the plane x = 0."""
+    """A point of the cross-section of radius 1 in its place. The dome recedes from the plane
+    x = 0."""
     y, z = (RADII[layer] * c for c in section)
     recession = DOME_RADIUS - math.sqrt(DOME_RADIUS**2 - y * y - z * z) if layer == 0 else 0.0
     return LENGTHS[layer] + recession, y, z

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Pictures of one run: plot.py DIR reads the tables and fields in DIR and writes DIR/pictures/*.png."""
+"""Pictures of one run: plot.py DIR reads tables and fields in DIR, writes DIR/pictures/*.png."""
 
 import argparse
 import pathlib

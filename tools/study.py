@@ -4,25 +4,34 @@
 
 """Runs variations of a scene and compares them.
 
-A study is a file with a section [study] (scene, relative to the file; observe, the columns of the table, all if not given; processes) and at least
-one of these: [variations], keys of the scene and their values, separated by semicolons, of which all combinations are run; [together], keys that
-change together, value by value; sections [variant NAME], each with the keys of one line of the table, or `variants = FILE` in [study], a file with
-such sections. [scene] has keys for all runs, [coarse] those for --coarse. Results of each run go to FOLDER/<number or name>, the table to
-FOLDER/table.csv and FOLDER/table.md. With [together] the table shows, behind each error, the rate log2(error before / error).
+A study is a file with a section [study] (scene, relative to the file; observe, the columns of the
+table, all if not given; processes) and at least one of these: [variations], keys of the scene and
+their values, separated by semicolons, of which all combinations are run; [together], keys that
+change together, value by value; sections [variant NAME], each with the keys of one line of the
+table, or `variants = FILE` in [study], a file with such sections. [scene] has keys for all runs,
+[coarse] those for --coarse. Results of each run go to FOLDER/<number or name>, the table to
+FOLDER/table.csv and FOLDER/table.md. With [together] the table shows, behind each error, the rate
+log2(error before / error).
 
-`exact force = ...` in [study], an expression in t with sin, cos, sqrt, abs, max, min and pi, gives force_error. A section [reference] has the keys of a run
-to compare with, for example `Time/Scheme = reference`: all runs that differ only in scheme and step size share one, with the smallest of their step sizes
-if it does not give its own, of which theirs must be whole multiples. It gives force_distance, displacement_distance and velocity_distance, the latter
-two of all probes; a reference step size a few times smaller than the runs' keeps differences of its displacements out of them. All are relative, L2 in
-time, and each force is compared at the instant to which it belongs (signorini --print-schemes).
+`exact force = ...` in [study], an expression in t with sin, cos, sqrt, abs, max, min and pi, gives
+force_error. A section [reference] has the keys of a run to compare with, for example
+`Time/Scheme = reference`: all runs that differ only in scheme and step size share one, with the
+smallest of their step sizes if it does not give its own, of which theirs must be whole multiples.
+It gives force_distance, displacement_distance and velocity_distance, the latter two of all probes;
+a reference step size a few times smaller than the runs' keeps differences of its displacements out
+of them. All are relative, L2 in time, and each force is compared at the instant to which it belongs
+(signorini --print-schemes).
 
-A section [quantities] derives numbers from the columns of history.csv, by names that `observe` and later quantities can use: `name = expression` with first(COLUMN),
-last(COLUMN), largest(COLUMN) and integral(COLUMN), its sum over the steps times the step size. `curve = FILE` in [study], two columns separated by commas below
-a line with their names, gives the function curve(...). `figure = NAME over NAME` draws one observation over another to FOLDER/figure.png beside the curve, with one kind of
-points for each variant, or for all variants with the same `group = NAME`.
+A section [quantities] derives numbers from the columns of history.csv, by names that `observe` and
+later quantities can use: `name = expression` with first(COLUMN), last(COLUMN), largest(COLUMN) and
+integral(COLUMN), its sum over the steps times the step size. `curve = FILE` in [study], two columns
+separated by commas below a line with their names, gives the function curve(...).
+`figure = NAME over NAME` draws one observation over another to FOLDER/figure.png beside the curve,
+with one kind of points for each variant, or for all variants with the same `group = NAME`.
 
-Three studies have a name instead of a file: krause-walloth compares all schemes on the examples of Krause and Walloth (2012), with figures and a page;
-bar-table compares them on the bar with an independent computation; adaptive compares uniform and adaptive meshes and steps.
+Three studies have a name instead of a file: krause-walloth compares all schemes on the examples of
+Krause and Walloth (2012), with figures and a page; bar-table compares them on the bar with an
+independent computation; adaptive compares uniform and adaptive meshes and steps.
 """
 
 import argparse

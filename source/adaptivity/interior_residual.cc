@@ -14,8 +14,8 @@ namespace signorini
      * div sigma = (lambda + mu) grad div u + mu Laplace u at four points; bilinear functions have
      * mixed second derivatives. By x they are, with K = d xi/d x,
      *
-     *   d2 u_c/(dx_i dx_j) = sum_ab K_ai K_bj W_c,ab,   W_c,ab = d2 u_c/(dxi_a dxi_b) - sum_k
-     * du_c/dx_k d2 x_k/(dxi_a dxi_b).
+     *   d2 u_c/(dx_i dx_j) = sum_ab K_ai K_bj W_c,ab,
+     *   W_c,ab = d2 u_c/(dxi_a dxi_b) - sum_k du_c/dx_k d2 x_k/(dxi_a dxi_b).
      */
     template <int dim>
     FourVectors<dim> divergence_of_stress(const PointTable<dim>   &polynomials,

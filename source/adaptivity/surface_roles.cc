@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/surface_roles.h>
-#include <signorini/base/expressions.h>
 #include <signorini/contact/surface_face.h>
 
 #include <algorithm>
@@ -15,7 +14,7 @@ namespace signorini
   {
     template <int dim>
     std::map<types::boundary_id, SurfaceCondition<dim>>
-    conditions_of(const BodyDescription<dim> &body)
+    conditions_of(const Mesh<dim> &mesh, const BodyDescription<dim> &body)
     {
       std::map<types::boundary_id, SurfaceCondition<dim>> result;
       for (const auto &dirichlet : body.dirichlet)
@@ -23,7 +22,7 @@ namespace signorini
           if (!dirichlet.expressions[c].empty() && dirichlet.expressions[c] != "-")
             result[dirichlet.boundary_id].held[c] = true;
       for (const auto &traction : body.traction)
-        result[traction.boundary_id].traction = make_function<dim, dim>(traction.expressions);
+        result[traction.boundary_id].traction = &mesh.function(traction.expressions);
       return result;
     }
 
@@ -46,7 +45,7 @@ namespace signorini
                                   const ContactSurface<dim> &surface)
   {
     for (const auto &body : mesh.discretization.mesh().bodies())
-      conditions.push_back(conditions_of(body));
+      conditions.push_back(conditions_of(mesh.discretization.mesh(), body));
     for (const OuterFace<dim> &outer : mesh.outer_faces)
       {
         const LocalCell<dim> &local   = mesh.cells[outer.cell];

@@ -66,15 +66,15 @@ namespace signorini
           }
         else if (!argument.empty() && argument[0] == '-')
           parse_option(argument, result);
-        else if (!result.scene.empty())
-          throw UserError("two scenes, " + result.scene + " and " + argument
+        else if (!result.scene_file.empty())
+          throw UserError("two scenes, " + result.scene_file + " and " + argument
                           + ". Name one; each runs on its own.");
         else
-          result.scene = argument;
+          result.scene_file = argument;
       }
     const bool only_information =
       result.help || result.version || result.print_parameters || result.print_schemes;
-    if (result.scene.empty() && !arguments.empty() && !only_information)
+    if (result.scene_file.empty() && !arguments.empty() && !only_information)
       throw UserError(
         "no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");
     return result;

@@ -27,10 +27,10 @@ namespace signorini
 
 
   template <int dim>
-  ContactSurface<dim>::ContactSurface(const Discretization<dim>                   &discretization,
-                                      const DirichletConditions<dim>              &dirichlet,
-                                      const std::vector<ObstacleDescription<dim>> &obstacles,
-                                      const std::vector<PairDescription>          &pairs)
+  ContactSurface<dim>::ContactSurface(const Discretization<dim>             &discretization,
+                                      const DirichletConditions<dim>        &dirichlet,
+                                      const std::vector<NamedObstacle<dim>> &obstacles,
+                                      const std::vector<PairDescription>    &pairs)
     : discretization(discretization)
     , descriptions(pairs)
     , obstacle_contact(discretization, dirichlet, obstacles, pairs)
@@ -84,13 +84,10 @@ namespace signorini
       {
         std::ostringstream note;
         note << std::setprecision(3) << description.name
-             << ": Dirichlet conditions hold directions in which normals of contact have a part; "
-                "these normals "
-                "are turned by up to "
+             << ": normals of contact have a part in prescribed directions and are turned by up to "
              << mortar.largest_turn()
-             << " degrees. Right at a plane of symmetry, otherwise forces along the Dirichlet "
-                "condition are "
-                "missing";
+             << " degrees. Right at a plane of symmetry, otherwise forces along the prescribed "
+                "directions are missing";
         assumptions.push_back(note.str());
       }
     auto nodes = mortar.nodes();

@@ -23,8 +23,8 @@ namespace signorini
     // A sliver this small has no well-conditioned dual basis, and a node of which so little is
     // covered (on the faces that are covered at all) would extrapolate.
     constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
-    // Part of a normal in the directions that Dirichlet conditions leave free: below the first,
-    // about 18 degrees, Dirichlet conditions hold the normal; above the second they are tangential.
+    // Part of a normal in the free directions: below the first, about 18 degrees, the normal is
+    // prescribed; above the second the prescribed directions are tangential.
     constexpr double held_normal = 0.3, free_normal = 0.95;
 
     template <int dim>
@@ -46,11 +46,11 @@ namespace signorini
 
 
     /**
-     * Give a node with Dirichlet conditions a frame in which they hold tangential entries. The
-     * normal of a curved surface at a plane of symmetry is an average over one side only; its small
-     * part in the held direction means nothing and is dropped.
-     * @return the part of the normal in free directions: its square is 1 if the Dirichlet
-     * conditions are tangential, 0 if they hold the normal
+     * Give a prescribed node a frame in which single tangential entries are prescribed. The normal
+     * of a curved surface at a plane of symmetry is an average over one side only; its small part
+     * in the prescribed direction means nothing and is dropped.
+     * @return the part of the normal in free directions: its square is 1 if the prescribed
+     *         directions are tangential, 0 if the normal is prescribed
      */
     template <int dim>
     double fit_frame_to_dirichlet(const typename DirichletConditions<dim>::Components &components,
@@ -234,13 +234,13 @@ namespace signorini
     if (free_part < free_normal)
       {
         std::ostringstream message;
-        message << "Contact/Pairs = " << pair_name << ": at (" << contact_node.position
-                << ") a Dirichlet condition holds a direction that is neither normal nor "
-                   "tangential to the "
-                   "contact surface (normal "
-                << normal
-                << "). Hold all components there or none, or turn the scene so that the surface is "
-                   "parallel to an axis.";
+        message
+          << "Contact/Pairs = " << pair_name << ": at (" << contact_node.position
+          << ") a prescribed direction is neither normal nor tangential to the contact surface "
+             "(normal "
+          << normal
+          << "). Prescribe all components there or none, or turn the scene so that the surface is "
+             "parallel to an axis.";
         complaint = std::min(complaint.empty() ? message.str() : complaint, message.str());
       }
     if (free_part < 1. - 1e-12)

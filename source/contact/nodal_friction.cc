@@ -76,7 +76,7 @@ namespace signorini
     }
 
 
-    /** Dirichlet conditions prescribe displacements of the node itself. */
+    /** A prescribed displacement is that of the node itself, not a relative one. */
     template <int dim>
     std::array<bool, dim> relative_directions(const ContactNode<dim>         &node,
                                               const DirichletConditions<dim> &dirichlet)

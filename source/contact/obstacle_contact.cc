@@ -20,20 +20,14 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  ObstacleContact<dim>::ObstacleContact(
-    const Discretization<dim>                   &discretization,
-    const DirichletConditions<dim>              &dirichlet,
-    const std::vector<ObstacleDescription<dim>> &obstacle_descriptions,
-    const std::vector<PairDescription>          &pair_descriptions)
+  ObstacleContact<dim>::ObstacleContact(const Discretization<dim>             &discretization,
+                                        const DirichletConditions<dim>        &dirichlet,
+                                        const std::vector<NamedObstacle<dim>> &obstacles,
+                                        const std::vector<PairDescription>    &pair_descriptions)
     : discretization(discretization)
     , pairs(pair_descriptions)
+    , obstacles(obstacles)
   {
-    for (const auto &description : obstacle_descriptions)
-      {
-        obstacle_names.push_back(description.name);
-        obstacles.push_back(make_obstacle(description));
-      }
-
     std::map<unsigned int, ContactNode<dim>> closest;
     for (unsigned int p = 0; p < pairs.size(); ++p)
       if (!pairs[p].of_two_bodies())
@@ -72,7 +66,7 @@ namespace signorini
         if (!(weight > 0.))
           continue;
         const Point<dim> &position   = discretization.node_positions()[node];
-        const auto        projection = obstacles[description.obstacle]->project(position);
+        const auto        projection = obstacles[description.obstacle].shape->project(position);
         double            facing     = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           facing += outward.local_element(dim * node + c) * projection.normal[c];
@@ -141,7 +135,7 @@ namespace signorini
           position[c] += displacement.local_element(dim * contact_node.node + c);
         for (const PairDescription &pair : pairs)
           if (!pair.of_two_bodies() && pair.slave == pairs[contact_node.pair].slave)
-            deepest = std::max(deepest, -obstacles[pair.obstacle]->project(position).gap);
+            deepest = std::max(deepest, -obstacles[pair.obstacle].shape->project(position).gap);
       }
     return Utilities::MPI::max(deepest, discretization.communicator());
   }
@@ -158,7 +152,7 @@ namespace signorini
         double     deepest = 0.;
         Point<dim> place;
         const auto look = [&](const Point<dim> &point) {
-          const double gap = obstacles[pair.obstacle]->project(point).gap;
+          const double gap = obstacles[pair.obstacle].shape->project(point).gap;
           if (gap < deepest)
             {
               deepest = gap;
@@ -193,7 +187,7 @@ namespace signorini
             message
               << "Contact/Pairs = " << pair.name << ": the body '"
               << discretization.mesh().bodies()[pair.slave].name << "' penetrates the obstacle '"
-              << obstacle_names[pair.obstacle] << "' at the start, by " << -minimum << " at ("
+              << obstacles[pair.obstacle].name << "' at the start, by " << -minimum << " at ("
               << place
               << "). Move the body or the obstacle apart, or change the initial displacement.";
             throw UserError(message.str());

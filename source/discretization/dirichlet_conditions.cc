@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/expressions.h>
 #include <signorini/discretization/dirichlet_conditions.h>
 
 namespace signorini
@@ -16,7 +15,7 @@ namespace signorini
       for (const BoundaryCondition<dim> &condition : bodies[b].dirichlet)
         {
           const unsigned int index = functions.size();
-          functions.push_back(make_function<dim, dim>(condition.expressions));
+          functions.push_back(&discretization.mesh().function(condition.expressions));
           // Flags travel as numbers: a process may own a node without owning a cell at this part of
           // the boundary.
           Vector flags = discretization.make_vector();

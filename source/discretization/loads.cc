@@ -78,7 +78,8 @@ namespace signorini
     // Body forces by nodal interpolation and the consistent mass: exact for constants, second order
     // otherwise.
     Vector result = discretization.make_vector();
-    discretization.matrices().apply_mass(result, body_force.at(time));
+    if (body_force.any())
+      discretization.matrices().apply_mass(result, body_force.at(time));
     const auto &bodies = discretization.mesh().bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const auto &condition : bodies[b].traction)

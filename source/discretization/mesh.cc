@@ -12,6 +12,8 @@
 
 #include <deal.II/lac/affine_constraints.h>
 
+#include <limits>
+
 namespace signorini
 {
   using namespace dealii;
@@ -119,6 +121,16 @@ namespace signorini
         for (const unsigned int v : cell->vertex_indices())
           points.push_back(cell->vertex(v));
     return BoundingBox<dim>(points);
+  }
+
+
+  template <int dim>
+  double Mesh<dim>::lowest_frequency() const
+  {
+    double slowest = std::numeric_limits<double>::max();
+    for (const auto &body : bodies())
+      slowest = std::min(slowest, body.material.pressure_wave_speed());
+    return slowest / body_size();
   }
 
 

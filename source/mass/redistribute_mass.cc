@@ -18,8 +18,8 @@ namespace signorini
   {
     /**
      * Rows and columns of massless nodes become exactly empty; up to here they may hold round-off.
-     * Macro-elements take the mass of all nodes of the contact surface, also of those where a
-     * Dirichlet condition took the place of contact.
+     * Macro-elements take the mass of all nodes of the contact surface, also of those whose normal
+     * displacement is prescribed.
      */
     template <int dim>
     void clear_massless_rows(ElasticMatrices<dim> &matrices, const ContactStrip<dim> &strip)
@@ -103,10 +103,9 @@ namespace signorini
     if (surface.n_global_nodes() == 0)
       throw UserError(
         head
-        + "no node can come into contact (no pair, nothing faces an obstacle, or "
-          "Dirichlet conditions hold all of them), so that there is no mass to move. Set `Mass = "
-          "consistent`, and a scheme that does not need massless contact nodes (see "
-          "`signorini --print-schemes`).");
+        + "no node can come into contact (no pair, nothing faces an obstacle, or all nodes are "
+          "prescribed), so that there is no mass to move. Set `Mass = consistent`, and a scheme "
+          "that does not need massless contact nodes (see `signorini --print-schemes`).");
 
     const ContactStrip<dim> strip(discretization, surface);
     check_that_mass_is_left(discretization, strip, head);

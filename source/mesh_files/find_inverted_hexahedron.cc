@@ -20,8 +20,8 @@ namespace signorini
     {
       std::string label;
       Point<3>    centre;
-      double      orientation =
-        0.; ///< sum of the signed volumes spanned by the edges at the bottom vertices
+      /** Sum of the signed volumes spanned by the edges at the bottom vertices. */
+      double orientation = 0.;
     };
 
     double

@@ -74,7 +74,7 @@ namespace signorini
     {
       return {static_cast<double>(row.state.step),
               row.state.time,
-              row.step_size,
+              row.report.step_size,
               static_cast<double>(row.cells),
               static_cast<double>(row.dofs),
               row.standard_kinetic_energy,

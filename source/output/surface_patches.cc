@@ -3,7 +3,7 @@
 
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/friction_reading.h>
-#include <signorini/model/has_friction.h>
+#include <signorini/model/contact_description.h>
 #include <signorini/output/surface_patches.h>
 
 #include <algorithm>

@@ -108,6 +108,15 @@ namespace signorini
     return result;
   }
 
+  template <int dim>
+  dealii::Tensor<1, dim> SectionReader::direction(const std::string &key) const
+  {
+    const dealii::Tensor<1, dim> vector = point<dim>(key);
+    if (!(vector.norm() > 0.))
+      fail(key, "a zero vector has no direction. Make at least one component different from zero.");
+    return vector;
+  }
+
   void SectionReader::fail(const std::string &key, const std::string &message) const
   {
     const Statement  *statement = scene_text->find(names, key);
@@ -123,6 +132,8 @@ namespace signorini
     throw UserError(where + ": " + what + ": " + message);
   }
 
-  template dealii::Point<2> SectionReader::point<2>(const std::string &) const;
-  template dealii::Point<3> SectionReader::point<3>(const std::string &) const;
+  template dealii::Point<2>     SectionReader::point<2>(const std::string &) const;
+  template dealii::Point<3>     SectionReader::point<3>(const std::string &) const;
+  template dealii::Tensor<1, 2> SectionReader::direction<2>(const std::string &) const;
+  template dealii::Tensor<1, 3> SectionReader::direction<3>(const std::string &) const;
 } // namespace signorini

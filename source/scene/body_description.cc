@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/spelling.h>
 #include <signorini/model/body_shape.h>
 #include <signorini/prm/check_expressions.h>
 #include <signorini/scene/sections.h>

@@ -5,7 +5,6 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <cmath>
 
 namespace signorini
 {

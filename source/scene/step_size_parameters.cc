@@ -41,7 +41,7 @@ namespace signorini
       "0",
       Double(),
       "Steps of variable size are not longer. 0: a tenth of End time. Make it "
-      "short enough that no change of loads and Dirichlet conditions can be stepped over.");
+      "short enough that no change of loads and prescribed displacements can be stepped over.");
   }
 
 

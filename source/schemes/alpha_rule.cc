@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/alpha_rule.h>
-#include <signorini/schemes/first_acceleration.h>
 
 namespace signorini
 {
@@ -18,12 +17,6 @@ namespace signorini
   AlphaRule AlphaRule::with_spectral_radius(const double rho)
   {
     return AlphaRule((2. * rho - 1.) / (rho + 1.), rho / (rho + 1.));
-  }
-
-
-  Vector AlphaRule::acceleration(DynamicalSystem &system, const State &state) const
-  {
-    return state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
   }
 
 

@@ -31,16 +31,17 @@ namespace signorini
     Vector load_excess = system.make_vector(); // over the mean of both ends
     system.add_load(load_excess, 1., end_time);
     add_mean_load(system, load_excess, -1., state.time, end_time);
-    Vector products = system.make_vector();
-    system.apply_mass(products, velocity_change);
-    report.work_scheme = load_excess * d - 0.5 * (products * velocity_change);
-    system.apply_stiffness(products, d);
-    report.work_scheme -= 0.5 * (products * d);
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / (tau * tau), r);
     report.work_friction    = friction.work;
     State end               = trapezoidal_rule::end_of_step(
       system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+
+    Vector mass_times_change = end.momentum, stiffness_times_d = end.internal_force;
+    mass_times_change -= state.momentum;
+    stiffness_times_d -= state.internal_force;
+    report.work_scheme =
+      load_excess * d - 0.5 * (mass_times_change * velocity_change + stiffness_times_d * d);
     swap(state, end);
     return report;
   }

@@ -32,9 +32,9 @@ namespace signorini
     Vector velocity_change = d;
     velocity_change -= p;
 
-    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Dirichlet conditions that accelerate
-    // react to the projection, too; their part of the second term is work from outside, and only
-    // the rest has a sign.
+    // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Prescribed nodes that accelerate react
+    // to the projection, too; their part of the second term is work from outside, and only the rest
+    // has a sign.
     const double projection_work = -2. / (tau * tau) * (mass_c * velocity_change);
     const double dirichlet_work =
       -2. / (tau * tau) * (dirichlet_part(system, mass_c) * velocity_change);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/acceleration.h>
 #include <signorini/schemes/generalized_alpha.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
@@ -8,7 +9,7 @@ namespace signorini
 {
   StepReport GeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    const Vector      a      = rule.acceleration(system, state);
+    const Vector      a      = acceleration_of(system, state);
     const Vector      d_free = rule.free_increment(state, a, tau);
     const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
     const NormalGap   gap    = system.normal_gap(state.displacement);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/schemes/first_acceleration.h>
+#include <signorini/schemes/acceleration.h>
 #include <signorini/schemes/khenous_laborde_renard.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
@@ -10,8 +10,8 @@ namespace signorini
   namespace
   {
     /**
-     * The forces at the start of a step that acceleration and contact do not balance: reactions of
-     * Dirichlet conditions, and in a first step whatever loads massless nodes.
+     * The forces at the start of a step that acceleration and contact do not balance: reactions at
+     * prescribed nodes, and in a first step whatever loads massless nodes.
      */
     Vector
     unbalanced_forces(const State &state, const Vector &mass_acceleration, const Vector &load)
@@ -36,9 +36,8 @@ namespace signorini
     const std::vector<unsigned int> massless = massless_entries(system);
     Vector                          load     = system.make_vector();
     system.add_load(load, 1., state.time);
-    const Vector a =
-      state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state);
-    Vector mass_a = system.make_vector(), new_load = mass_a;
+    const Vector a      = acceleration_of(system, state);
+    Vector       mass_a = system.make_vector(), new_load = mass_a;
     system.apply_mass(mass_a, a);
     system.add_load(new_load, 1., state.time + tau);
 

@@ -73,8 +73,8 @@ namespace signorini
         double       alpha    = 0.;
         if (kappa > 0. && (omega > 0. || lost > 0.))
           alpha = (omega + std::sqrt(omega * omega + 2. * kappa * lost)) / kappa;
-        // Dirichlet conditions react to the impulses; with a velocity of their own that is work
-        // from outside.
+        // Prescribed nodes react to the impulses; with a velocity of their own that is work from
+        // outside.
         Vector reaction = response;
         system.apply_mass(reaction, response);
         report.work_dirichlet += alpha * (dirichlet_part(system, reaction) * velocity);

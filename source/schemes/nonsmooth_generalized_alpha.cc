@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/schemes/first_acceleration.h>
+#include <signorini/schemes/acceleration.h>
 #include <signorini/schemes/fixed_point.h>
 #include <signorini/schemes/nonsmooth_generalized_alpha.h>
 #include <signorini/schemes/trapezoidal_rule.h>
@@ -103,8 +103,7 @@ namespace signorini
   NonsmoothGeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
   {
     Assert(tau > 0., dealii::ExcMessage("A step has a positive size."));
-    const Vector a =
-      state.acceleration.size() > 0 ? state.acceleration : first_acceleration(system, state, false);
+    const Vector a      = acceleration_of(system, state, false);
     const Vector d_free = rule.free_increment(state, a, tau);
     const Vector b      = rule.right_hand_side(system, state, a, d_free, tau);
 
@@ -127,7 +126,7 @@ namespace signorini
     Vector velocity_change = rule.velocity_change(a, a_new, tau);
     velocity_change += jump;
 
-    // Dirichlet conditions react to the jump, too, by an impulse of their own.
+    // Prescribed nodes react to the jump, too, by an impulse of their own.
     Vector impulse = jump;
     system.apply_mass(impulse, jump);
     impulse                             = dirichlet_part(system, impulse);

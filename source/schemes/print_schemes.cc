@@ -9,19 +9,6 @@ namespace signorini
 {
   namespace
   {
-    std::string spelling_of(const EnergyLaw law)
-    {
-      return law == EnergyLaw::dissipates ? "dissipates"
-                                          : (law == EnergyLaw::conserves ? "conserves" : "none");
-    }
-
-    std::string spelling_of(const MasslessNodesAre massless)
-    {
-      return massless == MasslessNodesAre::refused
-               ? "refused"
-               : (massless == MasslessNodesAre::needed ? "needed" : "possible");
-    }
-
     std::string yes_or_no(const bool yes)
     {
       return yes ? "yes" : "no";
@@ -53,8 +40,8 @@ namespace signorini
            "force belongs to | changing mesh | variable step | in one sentence |\n"
            "|---|---|---|---|---|---|---|---|---|\n";
     for (const SchemeInfo &info : scheme_table())
-      out << "| `" << info.name << "` | " << spelling_of(info.energy) << " | "
-          << yes_or_no(info.friction) << " | " << spelling_of(info.massless) << " | "
+      out << "| `" << info.name << "` | " << name_of(info.energy) << " | "
+          << yes_or_no(info.friction) << " | " << name_of(info.massless) << " | "
           << yes_or_no(info.predictor) << " | " << instant(info) << " | "
           << yes_or_no(info.changing_mesh) << " | " << yes_or_no(info.variable_step()) << " | "
           << info.summary << " |\n";
@@ -69,9 +56,9 @@ namespace signorini
       {
         out << separator << "  {\"name\": " << quoted(info.name)
             << ", \"summary\": " << quoted(info.summary)
-            << ",\n   \"energy\": " << quoted(spelling_of(info.energy))
+            << ",\n   \"energy\": " << quoted(name_of(info.energy))
             << ", \"friction\": " << truth(info.friction)
-            << ", \"massless_nodes\": " << quoted(spelling_of(info.massless))
+            << ", \"massless_nodes\": " << quoted(name_of(info.massless))
             << ", \"predictor\": " << truth(info.predictor)
             << ",\n   \"force_before_end\": " << quoted(info.force_before_end)
             << ", \"parameter\": " << quoted(info.parameter)

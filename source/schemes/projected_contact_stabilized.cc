@@ -28,7 +28,7 @@ namespace signorini
       trapezoidal_rule::solve(system, state, tau, b, gap, &projection_reaction);
     const Vector &d = solution.increment;
 
-    // Dirichlet conditions react to the projection, too; what they do is work from outside.
+    // Prescribed nodes react to the projection, too; what they do is work from outside.
     const Vector dirichlet_force = dirichlet_part(system, mass_c);
     const double projection_work = (mass_c * p - 0.5 * (mass_c * c)) / (tau * tau);
     const double dirichlet_work  = dirichlet_force * p / (tau * tau);

@@ -163,10 +163,9 @@ namespace signorini
     const MovingDirichletConditions *dirichlet = system.capabilities().moving_dirichlet;
     if (dirichlet != nullptr && dirichlet->dirichlet_values_move(state.time, state.time + tau))
       throw UserError(
-        "Time/Scheme: this integration does not follow Dirichlet conditions that move, and a "
-        "Dirichlet "
-        "condition changes in time. Take another scheme for contact nodes without mass, with a "
-        "small step size.");
+        "Time/Scheme: this integration does not follow prescribed displacements, and one of them "
+        "changes in time. Take another scheme for contact nodes without mass, with a small step "
+        "size.");
     Equation     equation(system, state, tau);
     const auto   massless = massless_entries(system);
     const Vector start    = state.displacement;

@@ -38,8 +38,8 @@ namespace signorini
       mesh, meshed->discretization, meshed->surface, meshed->coordinates, state);
     build_on_changed_mesh(mesh, scene, mesh_life_time, meshed, timer);
     dealii::TimerOutput::Scope scope(timer, "mesh: transfer of the state");
-    state = State(); // vectors that are assigned to would keep their old ghosts if they own the
-                     // same entries
+    // Vectors that are assigned to would keep their old ghosts if they own the same entries.
+    state = State();
     state = transfer.finish(
       meshed->discretization, meshed->surface, meshed->coordinates, meshed->system, scene.solver);
   }

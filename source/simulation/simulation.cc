@@ -25,6 +25,7 @@ namespace signorini
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
+    , scheme(make_time_scheme(scene.time.scheme, scene.time.parameters))
     , mesh_control(mesh,
                    scene.adaptivity,
                    {scheme_info(scene.time.scheme).balance, scene.time.step_size},
@@ -50,8 +51,6 @@ namespace signorini
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
 
-    const auto scheme = make_time_scheme(scene.time.scheme, scene.time.parameters);
-    check_capabilities(*scheme, meshed->system);
     FieldOutput<dim> fields(scene.output_directory, mesh.communicator());
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
@@ -63,10 +62,10 @@ namespace signorini
       scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
     while (!stepping->finished(state))
       {
-        const AcceptedStep step = advance(*stepping, observation);
+        const StepReport report = advance(*stepping, observation);
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          observation.observe(state, step.report, step.step_size);
+          observation.observe(state, report);
           meshed->system.set_energy(observation.energy_of_motion());
           log.progress(state.step,
                        scene.step_sizes.is_variable() ? 0 : scene.time.n_steps(),
@@ -95,21 +94,21 @@ namespace signorini
 
 
   template <int dim>
-  AcceptedStep Simulation<dim>::advance(TimeStepping &stepping, Observation<dim> &observation)
+  StepReport Simulation<dim>::advance(TimeStepping &stepping, Observation<dim> &observation)
   {
     flags = MeshChange();
     if (!mesh_control.is_due(state.step + 1))
       return advance_on_this_mesh(stepping);
     for (unsigned int repetition = 0;; ++repetition)
       {
-        const State        start = state;
-        const AcceptedStep step  = advance_on_this_mesh(stepping);
+        const State      start  = state;
+        const StepReport report = advance_on_this_mesh(stepping);
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
-          flags = mesh_control.judge(*meshed, {start, state, step.step_size});
+          flags = mesh_control.judge(*meshed, {start, state, report.step_size});
         }
         if (!flags.refines() || repetition == mesh_control.repetitions())
-          return step;
+          return report;
         state = start;
         stepping.take_back();
         adapt_mesh(stepping, observation);
@@ -118,7 +117,7 @@ namespace signorini
 
 
   template <int dim>
-  AcceptedStep Simulation<dim>::advance_on_this_mesh(TimeStepping &stepping)
+  StepReport Simulation<dim>::advance_on_this_mesh(TimeStepping &stepping)
   {
     TimerOutput::Scope scope(
       timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
@@ -144,6 +143,7 @@ namespace signorini
   {
     mesh_control.check_first_mesh();
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
+    check_capabilities(*scheme, meshed->system);
     set_initial_state();
     if (mesh_control.any())
       adapt_initial_mesh();
@@ -214,12 +214,11 @@ namespace signorini
          << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none "
-              "faces its obstacle, or Dirichlet conditions hold them all\n";
+              "faces its obstacle, or all of them are prescribed\n";
     if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
       text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
-           << " nodes of the contact surface are held in the normal direction by a Dirichlet "
-              "condition and "
-              "take no part in contact\n";
+           << " nodes of the contact surface have a prescribed normal displacement, and take no "
+              "part in contact\n";
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
         && std::any_of(
           scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {

@@ -38,7 +38,7 @@ namespace signorini
   }
 
 
-  AcceptedStep AdaptiveSteps::advance(DynamicalSystem &system, State &state)
+  StepReport AdaptiveSteps::advance(DynamicalSystem &system, State &state)
   {
     if (waiting)
       {
@@ -50,7 +50,7 @@ namespace signorini
     record_changes(state, trial);
     estimate->accept(state, trial);
     TakenStep &last = trial.steps.back();
-    if (parameters.end_time - last.state.time <= round_off * last.step_size)
+    if (parameters.end_time - last.state.time <= round_off * last.report.step_size)
       last.state.time = parameters.end_time;
     if (trial.steps.size() > 1)
       waiting = std::move(last);
@@ -133,24 +133,25 @@ namespace signorini
     double       size  = std::ldexp(parameters.first, level);
     const double clear = clear_of_touch * std::min(size, parameters.first);
     const double left  = parameters.end_time - state.time;
-    // Round-off would decide whether a step that ends at the touch sees it. Not nearer, either: a
-    // tiny part of an impact, seen by a whole step, says little about the rest of it.
-    if (std::abs(touch - size) < clear)
-      size = touch + clear;
     // No tiny last step: forces are changes of momentum divided by it.
     if (left <= (1.25 + round_off) * size)
       return left;
-    return left < 2. * size ? left / 2. : size;
+    if (left < 2. * size)
+      size = left / 2.;
+    // Round-off would decide whether a step that ends at the touch sees it. Not nearer, either: a
+    // tiny part of an impact, seen by a whole step, says little about the rest of it.
+    return std::abs(touch - size) < clear ? touch + clear : size;
   }
 
 
-  AcceptedStep AdaptiveSteps::hand_out(State &state, TakenStep &&step)
+  StepReport AdaptiveSteps::hand_out(State &state, TakenStep &&step)
   {
-    smallest_size = n_accepted == 0 ? step.step_size : std::min(smallest_size, step.step_size);
-    largest_size  = std::max(largest_size, step.step_size);
+    const double size = step.report.step_size;
+    smallest_size     = n_accepted == 0 ? size : std::min(smallest_size, size);
+    largest_size      = std::max(largest_size, size);
     ++n_accepted;
     state = std::move(step.state);
-    return {step.report, step.step_size};
+    return step.report;
   }
 
 

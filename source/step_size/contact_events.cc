@@ -12,20 +12,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    /** Forces below this part of the largest one are what solvers leave. */
-    constexpr double negligible = 1e-7;
-    /**
-     * As small beside the energy of the motion over the size of the bodies: a force that would
-     * hardly be noticed. A step may end at the touch within round-off, a part of 1e-9 of the step
-     * or less. With that part of the force of an impact it counts as open, and what follows is
-     * decided as without any force.
-     */
-    constexpr double negligible_beside_energy = 1e-7;
-  } // namespace
-
-
   ActiveSet contact_statuses(const DynamicalSystem &system, const State &state)
   {
     const NormalGap force   = system.relative_normal(state.contact_force);
@@ -34,8 +20,8 @@ namespace signorini
       largest = std::max(largest, std::abs(value));
     largest = dealii::Utilities::MPI::max(largest, state.contact_force.get_mpi_communicator());
 
-    const double threshold = std::max(
-      negligible * largest, negligible_beside_energy * energy_of_motion(state) / system.length());
+    const double threshold =
+      unnoticed_force * std::max(largest, energy_of_motion(state) / system.length());
     ActiveSet result(force.size(), contact_status::open);
     for (std::size_t k = 0; k < force.size(); ++k)
       if (force[k] < -threshold)
@@ -48,10 +34,9 @@ namespace signorini
   }
 
 
-  bool any_contact(const DynamicalSystem &system, const State &state)
+  bool any_contact(const ActiveSet &statuses, const Vector &like)
   {
-    const ActiveSet statuses = contact_statuses(system, state);
-    return differ(statuses, ActiveSet(statuses.size(), contact_status::open), state.displacement);
+    return differ(statuses, ActiveSet(statuses.size(), contact_status::open), like);
   }
 
 
@@ -65,11 +50,11 @@ namespace signorini
 
   double time_to_touch(const DynamicalSystem &system, const State &state, const double horizon)
   {
-    if (any_contact(system, state))
+    if (any_contact(contact_statuses(system, state), state.displacement))
       return std::numeric_limits<double>::infinity();
     const NormalGap gap      = system.normal_gap(state.displacement),
                     approach = system.relative_normal(state.velocity);
-    const double touching    = 1e-9 * system.length();
+    const double touching    = touching_distance(system.length());
     double       first       = std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < gap.size(); ++k)
       if (approach[k] * horizon > gap[k] + touching)

@@ -15,15 +15,15 @@ namespace signorini
   {
     StepTrial trial;
     trial.n_solved = 1;
-    trial.steps.push_back({start, {}, span});
-    TakenStep &step = trial.steps.back();
-    step.report     = scheme.advance(system, step.state, span);
+    trial.steps.push_back(take_step(scheme, system, start, span));
+    const TakenStep &step = trial.steps.back();
 
-    const bool changed = differ(
-      contact_statuses(system, start), contact_statuses(system, step.state), start.displacement);
-    trial.exponent  = changed ? 2. : 0.5;
-    trial.is_flight = !changed && !any_contact(system, start);
-    trial.is_known  = start.last_step.any();
+    const ActiveSet start_statuses = contact_statuses(system, start);
+    trial.end_statuses             = contact_statuses(system, step.state);
+    const bool changed             = differ(start_statuses, trial.end_statuses, start.displacement);
+    trial.exponent                 = changed ? 2. : 0.5;
+    trial.is_flight                = !changed && !any_contact(start_statuses, start.displacement);
+    trial.is_known                 = start.last_step.any();
     if (!trial.is_known)
       return trial;
     Vector velocity = step.state.velocity, momentum = step.state.momentum;

@@ -12,9 +12,8 @@ namespace signorini
                                   const double     span,
                                   const double     tolerance)
   {
-    StepTrial       coarse       = single.attempt(system, start, span, tolerance);
-    const State    &end          = coarse.steps.back().state;
-    const ActiveSet coarse_nodes = contact_statuses(system, end);
+    StepTrial    coarse = single.attempt(system, start, span, tolerance);
+    const State &end    = coarse.steps.back().state;
     if (coarse.is_known && coarse.is_flight && coarse.error <= tolerance)
       return coarse;
 
@@ -22,17 +21,18 @@ namespace signorini
     trial.n_solved  = 3;
     trial.exponent  = 1. / 3.;
     trial.is_flight = coarse.is_flight;
-    State state     = start;
-    for (const double half : {span / 2., span / 2.})
+    trial.steps.push_back(take_step(scheme, system, start, span / 2.));
+    trial.steps.push_back(take_step(scheme, system, trial.steps.front().state, span / 2.));
+    for (const TakenStep &step : trial.steps)
       {
-        const StepReport report = scheme.advance(system, state, half);
-        trial.steps.push_back({state, report, half});
-        if (differ(contact_statuses(system, state), coarse_nodes, state.displacement))
+        trial.end_statuses = contact_statuses(system, step.state);
+        if (differ(trial.end_statuses, coarse.end_statuses, start.displacement))
           trial.exponent = 2.;
       }
-    const double error = energy_distance(state, end);
+    const State &fine_end = trial.steps.back().state;
+    const double error    = energy_distance(fine_end, end);
     if (error > 0.)
-      trial.error = error / single.unit(start, state);
+      trial.error = error / single.unit(start, fine_end);
     return trial;
   }
 } // namespace signorini

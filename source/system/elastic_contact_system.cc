@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/linear_algebra/vector_kernels.h>
-#include <signorini/system/bound_tolerance.h>
 #include <signorini/system/elastic_contact_system.h>
-#include <signorini/system/response_size.h>
+#include <signorini/system/scales.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
@@ -39,6 +37,11 @@ namespace signorini
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
+    , has_massless_nodes(parameters.mass.has_massless_contact_nodes())
+    , has_dirichlet(dealii::Utilities::MPI::max(
+                      static_cast<unsigned int>(coordinates.dirichlet_entries().size()),
+                      discretization.communicator())
+                    > 0)
     , loads(loads)
     , parameters(parameters)
     , timer(timer)

@@ -5,24 +5,14 @@
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/energy_projection.h>
-#include <signorini/system/response_size.h>
 #include <signorini/system/rigid_modes.h>
+#include <signorini/system/scales.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
 namespace signorini
 {
   namespace
   {
-    /** Squared frequency far below the lowest one of any body that keeps its shape. */
-    template <int dim>
-    double negligible_frequency_square(const Discretization<dim> &discretization)
-    {
-      double slowest = std::numeric_limits<double>::max();
-      for (const auto &body : discretization.mesh().bodies())
-        slowest = std::min(slowest, body.material.pressure_wave_speed());
-      return 1e-8 * std::pow(slowest / discretization.mesh().body_size(), 2);
-    }
-
     /** Entries that Dirichlet conditions or closed nodes hold, or nodes that are closed here. */
     template <int dim>
     std::vector<unsigned int> held_entries(const ContactCoordinates<dim> &coordinates,
@@ -48,7 +38,8 @@ namespace signorini
                     const SolverParameters        &limits,
                     ActiveSet                     &active)
     {
-      const double            mass_factor = negligible_frequency_square(discretization);
+      // Far below the lowest frequency of any body that keeps its shape.
+      const double mass_factor = std::pow(1e-4 * discretization.mesh().lowest_frequency(), 2);
       const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
       const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
         PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);

@@ -3,8 +3,8 @@
 
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/mass/mass_solver.h>
-#include <signorini/system/bound_tolerance.h>
 #include <signorini/system/mass_problems.h>
+#include <signorini/system/scales.h>
 
 #include <cmath>
 
@@ -93,8 +93,7 @@ namespace signorini
     keep_only(held, mass_correction);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
-    return {
-      report.active_set_iterations, report.linear_iterations, report.n_active, report.fallback};
+    return report;
   }
 
 

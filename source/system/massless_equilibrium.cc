@@ -2,6 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/system/massless_equilibrium.h>
+#include <signorini/system/scales.h>
+
+#include <cmath>
 
 namespace signorini
 {
@@ -49,6 +52,11 @@ namespace signorini
     coordinates.force_to_contact(right_hand_side);
     const std::vector<double> gap = surface.normal_gap(displacement),
                               zeros(fixed_entries.size(), 0.);
+    // A body at rest that begins to be loaded has no energy yet.
+    const double scale =
+      energy_scale > 0.
+        ? std::sqrt(energy_scale)
+        : response_size(stiffness, *preconditioner, right_hand_side, fixed_entries, zeros);
     const SolveReport report = solver.solve({stiffness,
                                              *preconditioner,
                                              right_hand_side,
@@ -56,7 +64,7 @@ namespace signorini
                                              gap,
                                              fixed_entries,
                                              zeros,
-                                             1e-12 * std::sqrt(energy_scale),
+                                             1e-12 * scale,
                                              1e-13 * discretization.mesh().body_size()},
                                             active,
                                             increment,

@@ -4,7 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/preconditioners/preconditioners.h>
-#include <signorini/system/response_size.h>
+#include <signorini/system/scales.h>
 #include <signorini/system/static_equilibrium.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 
@@ -17,16 +17,6 @@ namespace signorini
   namespace
   {
     constexpr unsigned int maximum_steps = 200;
-
-    /** Small compared with the square of the lowest frequency of compact bodies. */
-    template <int dim>
-    double proximal_factor(const Discretization<dim> &discretization)
-    {
-      double speed = std::numeric_limits<double>::infinity();
-      for (const auto &body : discretization.mesh().bodies())
-        speed = std::min(speed, body.material.pressure_wave_speed());
-      return std::pow(0.1 * speed / discretization.mesh().body_size(), 2);
-    }
 
     /** The definite problem of every proximal step, (A + sigma M) u = b with contact. */
     template <int dim>
@@ -53,8 +43,8 @@ namespace signorini
       }
 
       /**
-       * @param force b, Cartesian @param solution, residual in contact coordinates, the former
-       * also a guess
+       * @param force              b, Cartesian
+       * @param solution, residual in contact coordinates, the former also a guess
        */
       void solve(Vector           force,
                  const NormalGap &gap,
@@ -141,7 +131,8 @@ namespace signorini
   template <int dim>
   unsigned int StaticEquilibrium<dim>::find(State &state, const Vector *load)
   {
-    const double          sigma = proximal_factor(discretization);
+    // Small compared with the lowest frequency of compact bodies.
+    const double          sigma = std::pow(0.1 * discretization.mesh().lowest_frequency(), 2);
     ProximalProblem<dim>  problem(discretization, coordinates, parameters, sigma);
     const RigidModes<dim> rigid(discretization, coordinates);
 

@@ -9,11 +9,11 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int n_kept =
-      4; ///< matrices: sizes of steps and half steps, and their neighbours
-    constexpr unsigned int forget_age =
-      4; ///< in solutions: older increments belong to another phase of the motion
-  }      // namespace
+    /** Matrices: sizes of steps and half steps, and their neighbours. */
+    constexpr unsigned int n_kept = 4;
+    /** In solutions: older increments belong to another phase of the motion. */
+    constexpr unsigned int forget_age = 4;
+  } // namespace
 
 
   template <int dim>
@@ -76,9 +76,9 @@ namespace signorini
     if (kind == matrix.kind)
       return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-    matrix.kind           = kind;
     matrix.preconditioner = make_preconditioner(
       kind, discretization.matrices(), coordinates, 1., matrix.stiffness_factor);
+    matrix.kind = kind;
     ++built;
   }
 

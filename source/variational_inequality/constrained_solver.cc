@@ -23,7 +23,7 @@ namespace signorini
            ExcDimensionMismatch(problem.friction.size(), n_bounded));
     AssertDimension(solution.size(), problem.right_hand_side.size());
     AssertDimension(residual.size(), problem.right_hand_side.size());
-    Assert(problem.tolerance > 0., ExcMessage("The accepted error must be positive."));
+    Assert(problem.tolerance >= 0., ExcMessage("The accepted error must not be negative."));
     Assert(problem.bound_tolerance >= 0., ExcMessage("The tolerance of bounds is a length."));
     for ([[maybe_unused]] const double bound : problem.upper_bounds)
       Assert(!std::isnan(bound), ExcMessage("A bound is not a number."));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/user_error.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 #include <signorini/variational_inequality/status_record.h>
 

@@ -91,7 +91,7 @@ namespace signorini
 
       /**
        * @return iterations of the linear solver; zero if x is the minimum among the points with
-       * these statuses
+       *         these statuses
        */
       unsigned int newton_step(const ActiveSet &status)
       {

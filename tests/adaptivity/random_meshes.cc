@@ -2,14 +2,15 @@
 // Copyright (C) 2026 by the signorini authors
 
 // A new mesh is no force. The mesh is refined and coarsened at random in every one of 200 steps:
-//  - in free flight of a body that vibrates, momentum stays the same to round-off, since velocities
-//  are projected in the mass matrix
-//    and constants are in every space; no contact force appears; the transfer takes energy and
-//    never brings any (projections in the norms of energy), and what it takes is booked, so that
-//    the ledger closes;
-//  - a body, or a stack of two with friction, that is pressed on a plane has a displacement that
-//  every mesh represents; it stays, with
-//    the same contact force, and nothing starts to move. The solver finds contact where it was.
+//
+// - In free flight of a body that vibrates, momentum stays the same to round-off, since velocities
+//   are projected in the mass matrix and constants are in every space; no contact force appears;
+//   the transfer takes energy and never brings any (projections in the norms of energy), and what
+//   it takes is booked, so that the ledger closes.
+// - A body, or a stack of two with friction, that is pressed on a plane has a displacement that
+//   every mesh represents; it stays, with the same contact force, and nothing starts to move. The
+//   solver finds contact where it was.
+//
 // Of a body that flies without deformation the velocity is the first guess. It leaves the round-off
 // of stiffness times displacement: nothing to solve, or where that is near to what is accepted, an
 // iteration.

@@ -7,25 +7,22 @@
 #include "../discretization/bodies.h"
 
 #include <signorini/contact/contact_surface.h>
+#include <signorini/obstacles/plane.h>
+#include <signorini/obstacles/round_obstacle.h>
 
 namespace signorini::tests
 {
   template <int dim>
-  ObstacleDescription<dim> plane(const std::string            &name,
-                                 const dealii::Point<dim>     &point,
-                                 const dealii::Tensor<1, dim> &normal)
+  NamedObstacle<dim> plane(const std::string            &name,
+                           const dealii::Point<dim>     &point,
+                           const dealii::Tensor<1, dim> &normal)
   {
-    ObstacleDescription<dim> obstacle;
-    obstacle.name   = name;
-    obstacle.shape  = ObstacleShape::plane;
-    obstacle.point  = point;
-    obstacle.normal = normal;
-    return obstacle;
+    return {name, std::make_shared<Plane<dim>>(point, normal)};
   }
 
   /** Upper side at a height of the last coordinate. */
   template <int dim>
-  ObstacleDescription<dim> floor_at(const double height)
+  NamedObstacle<dim> floor_at(const double height)
   {
     dealii::Point<dim>     point;
     dealii::Tensor<1, dim> up;
@@ -35,22 +32,17 @@ namespace signorini::tests
   }
 
   template <int dim>
-  ObstacleDescription<dim>
+  NamedObstacle<dim>
   sphere(const dealii::Point<dim> &centre, const double radius, const bool bodies_inside = false)
   {
-    ObstacleDescription<dim> obstacle;
-    obstacle.name          = "sphere";
-    obstacle.shape         = ObstacleShape::sphere;
-    obstacle.centre        = centre;
-    obstacle.radius        = radius;
-    obstacle.bodies_inside = bodies_inside;
-    return obstacle;
+    const dealii::Tensor<1, dim> no_axis;
+    return {"sphere", std::make_shared<RoundObstacle<dim>>(centre, no_axis, radius, bodies_inside)};
   }
 
   /** The first body against each obstacle, with the given boundary ids (none: all). */
   template <int dim>
   Scene<dim> contact_scene(const BodyDescription<dim>                    &body,
-                           const std::vector<ObstacleDescription<dim>>   &obstacles,
+                           const std::vector<NamedObstacle<dim>>         &obstacles,
                            const std::vector<dealii::types::boundary_id> &ids = {})
   {
     Scene<dim> scene = scene_of<dim>({body});

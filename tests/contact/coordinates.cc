@@ -23,8 +23,7 @@ namespace
     return contact_scene<3>(ball<3>(1), {sphere<3>({0., 0., 1.1}, 1.2, true)});
   }
 
-  /** A box on the floor with a moving Dirichlet condition at x = 0 in x, and at y = 1 in y and z.
-   */
+  /** A box on the floor, with prescribed motions at x = 0 in x, and at y = 1 in y and z. */
   Scene<3> held_box()
   {
     BodyDescription<3> body = box<3>();
@@ -123,8 +122,8 @@ TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
     {
       found.push_back(node.node);
       EXPECT_TRUE(node.held[0] && !node.held[1] && !node.held[2]);
-      const auto normal = make_obstacle(problem.scene.obstacles[0])
-                            ->project(problem.discretization.node_positions()[node.node])
+      const auto normal = problem.scene.obstacles[0]
+                            .shape->project(problem.discretization.node_positions()[node.node])
                             .normal;
       EXPECT_LT((Tensor<1, 3>({node.frame[0], node.frame[1], node.frame[2]}) - normal).norm(),
                 1e-14);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// Where a Dirichlet condition prescribes the displacement along the normal, contact has nothing to
-// decide and the node leaves the contact surface; a Dirichlet condition in a tangential direction
-// leaves the node in.
+// Where the displacement along the normal is prescribed, contact has nothing to decide and the node
+// leaves the contact surface; a prescribed tangential displacement leaves the node in.
 
 #include "contact_scene.h"
 
@@ -43,8 +42,8 @@ TEST(DirichletOnSurface, TangentialDirichletLeavesTheNode)
 
 TEST(DirichletOnSurface, ObliqueObstacle)
 {
-  // The normal has components in x and z: a Dirichlet condition in x or z takes the node, one in y
-  // does not.
+  // The normal has components in x and z: prescribing x or z takes the node, prescribing y does
+  // not.
   Scene<3> scene  = held_box({{"-", "0", "-"}});
   scene.obstacles = {
     plane<3>("slope", dealii::Point<3>(0., 0., -1.), dealii::Tensor<1, 3>({0.1, 0., 1.}))};

@@ -3,7 +3,7 @@
 
 // Which pairs of bodies are accepted: bodies that are apart never count as overlapping, however
 // coarse their curved surfaces are; real overlaps are found at any depth; nodes that two pairs
-// share, oblique Dirichlet conditions and masters that no slave node can see are refused with a
+// share, oblique prescribed directions and masters that no slave node can see are refused with a
 // message that says so. All processes say the same.
 
 #include "two_bodies.h"

@@ -8,6 +8,7 @@
 
 #include "two_bodies.h"
 
+#include <signorini/obstacles/plane.h>
 #include <signorini/preconditioners/step_operator.h>
 
 #include <gtest/gtest.h>
@@ -33,13 +34,9 @@ namespace
     slave.local_refinements = master.local_refinements = 1;
     slave.refine_where = master.refine_where = "x - 0.4 + y";
     slave.dirichlet                          = {{2, {{"-", "-", "0"}}}, {1, {{"-", "0", "-"}}}};
-    Scene<3>               scene             = stacked<3>(slave, master);
-    ObstacleDescription<3> floor;
-    floor.name   = "floor";
-    floor.shape  = ObstacleShape::plane;
-    floor.point  = Point<3>(0., 0., -1.1);
-    floor.normal = Tensor<1, 3>({0., 0., 1.});
-    scene.obstacles.push_back(floor);
+    Scene<3> scene                           = stacked<3>(slave, master);
+    scene.obstacles.push_back(
+      {"floor", std::make_shared<Plane<3>>(Point<3>(0., 0., -1.1), Tensor<1, 3>({0., 0., 1.}))});
     PairDescription pair;
     pair.name               = "master : floor";
     pair.slave              = 1;
@@ -258,7 +255,7 @@ TEST(RelativeCoordinates, In2d)
     expect_all(scene_2d(), angle);
 }
 
-// Here Dirichlet conditions hold the normal of some slave nodes, and one of the tangents of others.
+// The normal of some slave nodes is prescribed, and one of the tangents of others.
 TEST(RelativeCoordinates, In3d)
 {
   expect_all(scene_3d(), 0.);
@@ -282,7 +279,7 @@ TEST(RelativeCoordinates, SomeTangentsAreHeldIn3d)
   EXPECT_EQ(count(0), bodies.sum([](const ContactNode<3> &node) { return node.pair == 1; }));
 }
 
-// Without Dirichlet conditions the same in a general position.
+// The same in a general position, without prescribed nodes.
 TEST(RelativeCoordinates, In3dTurned)
 {
   Scene<3> scene            = scene_3d();

@@ -3,7 +3,7 @@
 
 // Two ways to the matrix T'(a M + b A)T of two bodies in contact: products, and entries for
 // preconditioners. They agree, whichever directions are relative: with friction, without, with
-// friction on a part of the surface, and where a Dirichlet condition holds a tangent.
+// friction on a part of the surface, and where a tangent is prescribed.
 
 #include "two_bodies.h"
 

@@ -59,8 +59,8 @@ namespace
   };
 
   /**
-   * A Dirichlet condition holds an edge of the slave, so that some nodes have no multiplier and
-   * others take their share.
+   * An edge of the slave is prescribed, so that some nodes have no multiplier and others take their
+   * share.
    */
   Scene<3> blocks_with_shares()
   {

@@ -5,6 +5,7 @@
 #define signorini_tests_output_box_above_floor_h
 
 #include <signorini/contact/contact_surface.h>
+#include <signorini/obstacles/plane.h>
 #include <signorini/scene/scene.h>
 
 /**
@@ -28,11 +29,11 @@ signorini::Scene<dim> box_above_floor()
   box.material.poissons_ratio = 0.2;
   scene.bodies.push_back(box);
 
-  signorini::ObstacleDescription<dim> floor;
-  floor.name            = "floor";
-  floor.point[dim - 1]  = -0.1;
-  floor.normal[dim - 1] = 1.;
-  scene.obstacles.push_back(floor);
+  dealii::Point<dim>     point;
+  dealii::Tensor<1, dim> up;
+  point[dim - 1] = -0.1;
+  up[dim - 1]    = 1.;
+  scene.obstacles.push_back({"floor", std::make_shared<signorini::Plane<dim>>(point, up)});
   signorini::PairDescription pair;
   pair.name               = "box[bottom] : floor";
   pair.slave              = 0;

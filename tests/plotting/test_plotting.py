@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""What the pictures show: phases of contact, skins of meshes, and no traceback on the output of unfinished runs."""
+"""What the pictures show: phases of contact, skins of meshes; unfinished runs give no traceback."""
 
 import pathlib
 import subprocess

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The executable as a user meets it: exit status, one message per mistake, no hang on two processes.
+"""The executable as a user meets it: exit status, one message per mistake, no hang on two
+processes.
 
 Usage: test_command_line.py EXECUTABLE
 """
@@ -86,7 +87,7 @@ class CommandLine(unittest.TestCase):
             self.assertIn(word, result.stdout)
 
     def test_table_of_schemes(self):
-        """As a table it is the one in doc/schemes.md, for programs it is JSON, and a scene can name each scheme."""
+        """As a table it is that of doc/schemes.md; as JSON, each scheme can be named in a scene."""
         page = (pathlib.Path(QUICK_START).parents[1] / "doc" / "schemes.md").read_text(
             encoding="utf-8"
         )

@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Checks of the form of all tracked sources: check_sources.py length|functions|columns|guard|licence [ROOT]."""
+"""Checks of the form of all tracked files.
+
+check_sources.py length|functions|columns|folders|guard|licence|schemes [ROOT]
+"""
 
 import ast
+import collections
 import pathlib
 import re
 import subprocess
@@ -13,6 +17,8 @@ import sys
 MAXIMUM_LINES = 400
 MAXIMUM_FUNCTION_LINES = 60
 MAXIMUM_COLUMNS = 100
+MAXIMUM_FILES = 25
+WITH_COLUMNS = {".h", ".cc", ".py", ".md", ".bib", ".cmake", ".sh", ".prm", ".ini"}
 # Included by the compiler's command line and never by a source.
 WITHOUT_GUARD = {"include/signorini/base/precompiled.h"}
 LICENCE = "SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later"
@@ -62,14 +68,15 @@ NO_CODE = re.compile(
 
 
 def functions_of_cpp(text):
-    """(name, first line, number of lines) of each function, from its return type to its last brace."""
+    """(name, first line, number of lines) of each function, return type and braces included."""
     code = NO_CODE.sub(blank, text)
     head_start, depth_of_function, depth, head = 0, None, 0, ""
     for brace in re.finditer(r"[{};]|(?<=[^:])(?:public|private|protected):", code):
         if brace.group() == "{":
             before = code[head_start : brace.start()]
             scope = re.match(
-                r"\s*(template\s*<.*>\s*)?(inline\s+)?(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
+                r"\s*(template\s*<.*>\s*)?(inline\s+)?"
+                r"(namespace|class|struct|enum|union|extern)\b(?!.*\)\s*$)",
                 before,
                 re.DOTALL,
             )
@@ -115,15 +122,21 @@ def functions(root):
 def columns(root):
     """Lines have at most MAXIMUM_COLUMNS columns, but for tables and addresses in documents."""
     for name in sources(root):
-        if name.suffix not in (".h", ".cc", ".py", ".md", ".cmake") and name.name not in (
-            "dev",
-            "CMakeLists.txt",
-        ):
+        if name.suffix not in WITH_COLUMNS and name.name not in ("dev", "CMakeLists.txt", "run"):
             continue
         for number, line in enumerate(read(root, name).splitlines(), 1):
-            excepted = name.suffix == ".md" and (line.lstrip().startswith("|") or "://" in line)
+            table = name.suffix == ".md" and line.lstrip().startswith("| ")
+            excepted = table or name.suffix in (".md", ".bib") and "://" in line
             if len(line) > MAXIMUM_COLUMNS and not excepted:
                 yield f"{name}:{number}: {len(line)} columns; at most {MAXIMUM_COLUMNS}"
+
+
+def folders(root):
+    """Folders have at most MAXIMUM_FILES files of their own, but for the top level."""
+    files = collections.Counter(name.parent for name in sources(root) if len(name.parts) > 1)
+    for folder, count in sorted(files.items()):
+        if count > MAXIMUM_FILES:
+            yield f"{folder} has {count} files; at most {MAXIMUM_FILES}: make folders in it"
 
 
 def guard(root):
@@ -156,7 +169,7 @@ def licence(root):
 
 
 def schemes(root):
-    """Names of schemes stand in the table of schemes and in tests only: nothing compares with them."""
+    """Names of schemes stand in the table of schemes and in tests only: no code compares names."""
     table = root / "source" / "schemes" / "scheme_table.cc"
     names = (
         re.findall(r'"([a-z]+(?:-[a-z]+)+)"', table.read_text(encoding="utf-8"))
@@ -176,12 +189,13 @@ def schemes(root):
 
 
 CHECKS = {
-    "schemes": schemes,
     "length": length,
     "functions": functions,
     "columns": columns,
+    "folders": folders,
     "guard": guard,
     "licence": licence,
+    "schemes": schemes,
 }
 
 

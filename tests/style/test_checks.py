@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The style checks find what they are there for: each gets a small tree with one mistake, and one without."""
+"""The style checks find what they are for: each gets a small tree with a mistake, and without."""
 
 import pathlib
 import sys
@@ -45,7 +45,7 @@ class StyleChecks(unittest.TestCase):
         self.assertEqual(self.findings(check_sources.length), 1)
 
     def expect_limit(self, code, name="source/time/state.cc"):
-        """Whether a function is found with one line too many, and not without; `%s`: its statements."""
+        """A function is found with one line too many, and not without; `%s`: its statements."""
         others = len((code % "x").splitlines()) - 1
         for too_many in (0, 1):
             n_statements = check_sources.MAXIMUM_FUNCTION_LINES - others + too_many
@@ -70,11 +70,23 @@ class StyleChecks(unittest.TestCase):
         self.assertEqual(self.findings(check_sources.functions), 0)
 
     def test_columns(self):
-        self.write("x" * (check_sources.MAXIMUM_COLUMNS + 1), name="doc/page.md")
-        self.assertEqual(self.findings(check_sources.columns), 1)
+        names = ("doc/page.md", "dev", "tools/check.sh", ".ci/run", "a.prm", "a.ini", "a.bib")
+        for number, name in enumerate(names, 1):
+            self.write("x" * (check_sources.MAXIMUM_COLUMNS + 1), name=name)
+            self.assertEqual(self.findings(check_sources.columns), number, name)
+
+    def test_columns_of_tables_and_addresses(self):
         for exception in ("| a table |", "https://example.org/"):
             self.write(exception + "x" * check_sources.MAXIMUM_COLUMNS, name="doc/page.md")
             self.assertEqual(self.findings(check_sources.columns), 0)
+
+    def test_folders(self):
+        for number in range(check_sources.MAXIMUM_FILES + 1):
+            self.assertEqual(self.findings(check_sources.folders), 0)
+            self.write("x\n", name=f"doc/{number}.md")
+            self.write("x\n", name=f"{number}.md")  # the top level may have more
+            self.write("x\n", name=f"doc/pictures/{number % 2}.md")
+        self.assertEqual(self.findings(check_sources.folders), 1)
 
     def test_guard_of_another_file(self):
         self.write(HEADER % "", name="include/signorini/time/newmark.h")
@@ -87,6 +99,22 @@ class StyleChecks(unittest.TestCase):
     def test_licence(self):
         self.write("int x;\n", name="source/time/state.cc")
         self.assertEqual(self.findings(check_sources.licence), 1)
+
+    def test_names_of_schemes(self):
+        self.write('info.name = "contact-implicit";\n', name="source/schemes/scheme_table.cc")
+        self.write('// "contact-implicit" in a comment\nint x;\n', name="source/time/state.cc")
+        self.assertEqual(self.findings(check_sources.schemes), 0)
+        self.write('if (scheme == "contact-implicit")\n', name="source/time/state.cc")
+        self.assertEqual(self.findings(check_sources.schemes), 1)
+
+    def test_outdated_documents(self):
+        marks = "<!-- modules: by a program -->\n%s\n<!-- end of modules -->\n"
+        self.write(marks % ("\n" + check_dependencies.table() + "\n"), name="CONTRIBUTING.md")
+        self.assertEqual(list(check_dependencies.outdated(self.root, write=False)), [])
+        self.write(marks % "an older table", name="CONTRIBUTING.md")
+        self.assertEqual(len(list(check_dependencies.outdated(self.root, write=False))), 1)
+        list(check_dependencies.outdated(self.root, write=True))
+        self.assertEqual(list(check_dependencies.outdated(self.root, write=False)), [])
 
     def test_module_above(self):
         self.write(HEADER % "#include <signorini/contact/obstacle.h>")

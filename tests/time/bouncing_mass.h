@@ -102,9 +102,17 @@ namespace signorini
       correction = mass_correction = make_vector();
       correction(0)                = held[0] ? -velocity(0) : 0.;
       mass_correction(0)           = mass * correction(0);
-      return {};
+      SolveReport effort;
+      effort.n_active = held[0] != contact_status::open;
+      return effort;
     }
   };
+
+  /** All but the reference integration, which makes steps of its own and needs massless nodes. */
+  inline std::vector<std::string> schemes_with_steps()
+  {
+    return schemes_where([](const SchemeInfo &info) { return info.own_tolerance.empty(); });
+  }
 
   /** The complete state of given displacement and velocity. */
   inline State

@@ -27,7 +27,7 @@ namespace conservation_tests
       DynamicalSystem                                   &system = *scene.first;
       State                                             &state  = scene.second;
 
-      /** Change of energy in a step without the work of loads and Dirichlet conditions. */
+      /** Change of energy in a step without the work of loads and of prescribed nodes. */
       double advance(TimeScheme &scheme, StepReport &report)
       {
         const State before = state;

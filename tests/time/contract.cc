@@ -16,9 +16,7 @@ using namespace signorini;
 
 namespace
 {
-  /** All that need no massless nodes. */
-  const std::vector<std::string> schemes =
-    schemes_where([](const SchemeInfo &info) { return info.own_tolerance.empty(); });
+  const std::vector<std::string> schemes = schemes_with_steps();
 
   /** Fails in the call of a given number, whatever is called; its contact has friction. */
   class Failing : public BouncingMass

@@ -170,7 +170,7 @@ namespace signorini
                         Vector &mass_correction) override
     {
       correction = mass_correction = make_vector();
-      const double    fixed        = 0.; // Dirichlet conditions are not corrected
+      const double    fixed        = 0.; // prescribed nodes are not corrected
       const NormalGap left = {bounds[0] + free_increment(0), bounds[1] - free_increment(last())};
       view(correction) =
         minimise(mass, Eigen::VectorXd::Zero(mass.rows()), left, motion ? &fixed : nullptr);
@@ -201,7 +201,9 @@ namespace signorini
         prescribe(mass.rows() / 2, 0.);
       view(correction) = matrix.partialPivLu().solve(right);
       apply_mass(mass_correction, correction);
-      return {};
+      SolveReport effort;
+      effort.n_active = (held[0] != contact_status::open) + (held[1] != contact_status::open);
+      return effort;
     }
 
     Vector dirichlet_part(const Vector &forces) const override

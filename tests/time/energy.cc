@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 // The energy identity of each scheme holds to round-off in every step, with impacts, springs, loads
-// and moving Dirichlet conditions; contact dissipates where theory says so; nothing penetrates,
+// and moving boundaries; contact dissipates where theory says so; nothing penetrates,
 // nothing sticks, and a force needs contact.
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ namespace energy_tests
 
       /**
        * 2/tau^2 (tau v - p)'M(d - p) with the projected predictor p, without the reaction of
-       * Dirichlet conditions, which is no loss.
+       * prescribed nodes, which is no loss.
        */
       double work_of_predictor(const State &before, const Vector &increment) const
       {

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 // What every scheme has to do, on one bouncing mass and on a coarse bar between two walls: stop at
-// the wall up to the distance of one step, press and never pull, balance momentum, explain every
-// change of energy, and send the body back.
+// the wall, or within the distance of one step behind it, press and never pull, balance momentum,
+// explain every change of energy, and send the body back.
 
 #include <gtest/gtest.h>
 
@@ -19,13 +19,20 @@ namespace every_scheme_tests
   {
     constexpr double tau = 0.02, round_off = 1e-10;
 
-    class EveryScheme : public testing::TestWithParam<const char *>
+    /** Conditions on the velocity let a node go through the wall before they stop it. */
+    bool may_penetrate(const std::string &scheme)
+    {
+      return scheme == "laursen-chawla" || scheme == "hager-hueeber-wohlmuth"
+             || scheme == "moreau-jean" || scheme == "nonsmooth-generalized-alpha";
+    }
+
+    class EveryScheme : public testing::TestWithParam<std::string>
     {
     protected:
       const std::unique_ptr<TimeScheme> scheme = make_time_scheme(GetParam());
 
-      unsigned int n_touching =
-        0; ///< steps with contact; the projection of contact-stabilized is no contact force
+      /** Steps with contact; the projection of contact-stabilized is no contact force. */
+      unsigned int n_touching = 0;
 
       /** A step, and what has to hold afterwards. */
       void advance(DynamicalSystem &system, State &state, const double speed)
@@ -42,7 +49,7 @@ namespace every_scheme_tests
         n_touching += report.corrector.n_active + report.predictor.n_active > 0
                       || state.contact_force.linfty_norm() > 0.;
         for (const double gap : system.normal_gap(state.displacement))
-          ASSERT_GE(gap, -tau * speed);
+          ASSERT_GE(gap, may_penetrate(GetParam()) ? -tau * speed : -round_off);
         for (const double force : system.relative_normal(state.contact_force))
           ASSERT_LE(force, round_off);
       }
@@ -68,10 +75,8 @@ namespace every_scheme_tests
 
   TEST_P(EveryScheme, ThrowsABarToAndFro)
   {
-    const bool massless = std::string(GetParam()) == "khenous-laborde-renard"
-                          || std::string(GetParam()) == "hager-hueeber-wohlmuth";
     ElasticBar system(9);
-    if (massless)
+    if (scheme_info(GetParam()).massless == MasslessNodesAre::needed)
       system.remove_mass_of_ends();
     Vector v     = system.make_vector();
     v            = 1.;
@@ -90,19 +95,7 @@ namespace every_scheme_tests
 
   INSTANTIATE_TEST_SUITE_P(All,
                            EveryScheme,
-                           testing::Values("newmark",
-                                           "laursen-chawla",
-                                           "laursen-love",
-                                           "khenous-laborde-renard",
-                                           "hager-hueeber-wohlmuth",
-                                           "contact-implicit",
-                                           "contact-stabilized",
-                                           "contact-stabilized-projected",
-                                           "hht-alpha",
-                                           "generalized-alpha",
-                                           "nonsmooth-generalized-alpha",
-                                           "backward-euler",
-                                           "moreau-jean"),
+                           testing::ValuesIn(schemes_with_steps()),
                            [](const auto &info) {
                              std::string name = info.param;
                              std::replace(name.begin(), name.end(), '-', '_');

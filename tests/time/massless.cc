@@ -3,7 +3,7 @@
 
 // Schemes for contact nodes without mass, on a bar whose ends have lost theirs: the energy identity
 // of Khenous, Laborde and Renard's Newmark schemes holds in every step, with loads and moving
-// Dirichlet conditions, in equilibrium at the end of each step; Hager, Hueeber and Wohlmuth's
+// boundaries, in equilibrium at the end of each step; Hager, Hueeber and Wohlmuth's
 // conserves the energy of its own mass; contact forces are continuous in time, as those of massive
 // nodes are not.
 

@@ -280,8 +280,7 @@ TEST(StepEstimates, Orders)
   const auto error  = [&](StepEstimate &estimate, const double tau) {
     State     before = start;
     StepTrial first;
-    first.steps.push_back({before, {}, tau});
-    first.steps.back().report = scheme->advance(system, first.steps.back().state, tau);
+    first.steps.push_back(take_step(*scheme, system, before, tau));
     record_changes(before, first);
     estimate.accept(before, first);
     return estimate.attempt(system, first.steps.back().state, tau, 0.).error;

@@ -120,19 +120,18 @@ TEST_P(Distributed, SolutionIsThatOfTheWholeProblem)
       const unsigned int owned = partitioner.locally_owned_size();
       DenseInverse       preconditioner(2.1 * Eigen::MatrixXd::Identity(owned, owned));
       ActiveSet          active(problem.bounded_entries.size(), 0);
-      const SolveReport  report = make_solver(GetParam())
-                                   ->solve({matrix,
-                                            preconditioner,
-                                            b,
-                                            problem.bounded_entries,
-                                            problem.upper_bounds,
-                                            problem.fixed_entries,
-                                            problem.fixed_values,
-                                            1e-11,
-                                            1e-12},
-                                           active,
-                                           x,
-                                           s);
+      const SolveReport  report = GetParam().make_solver()->solve({matrix,
+                                                                   preconditioner,
+                                                                   b,
+                                                                   problem.bounded_entries,
+                                                                   problem.upper_bounds,
+                                                                   problem.fixed_entries,
+                                                                   problem.fixed_values,
+                                                                   1e-11,
+                                                                   1e-12},
+                                                                 active,
+                                                                 x,
+                                                                 s);
       EXPECT_EQ(report.n_active, n_active);
       for (const auto i : partitioner.locally_owned_range())
         {

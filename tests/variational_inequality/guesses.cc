@@ -46,7 +46,7 @@ TEST_P(AnyStart, EveryFirstGuessLeadsToTheSameAnswer)
       ActiveSet guess(7);
       for (unsigned int k = 0; k < 7; ++k)
         guess[k] = (set >> k) & 1;
-      const auto   solver = make_solver(GetParam());
+      const auto   solver = GetParam().make_solver();
       const Answer answer = solve(*solver, GetParam(), problem, guess);
       EXPECT_LT((answer.solution - solution).norm(), 1e-10) << "guess " << set;
       EXPECT_EQ(answer.active, active) << "guess " << set;
@@ -58,7 +58,7 @@ TEST_P(AnyStart, TheRightGuessCostsNoFurtherSet)
   DenseProblem problem = chain(7);
   problem.upper_bounds = {infinity, 0.5, 0.6, 0.7, -0.2, 0.1, 0.1};
   const Answer first   = solve(GetParam(), problem);
-  const auto   solver  = make_solver(GetParam());
+  const auto   solver  = GetParam().make_solver();
   const Answer again   = solve(*solver, GetParam(), problem, first.active);
   EXPECT_LE(again.report.active_set_iterations, first.report.active_set_iterations);
   if (std::string(GetParam().solver) == "active_set")
@@ -76,7 +76,7 @@ TEST_P(AnyStart, BoundsThatAreJustReached)
     problem.upper_bounds[k] = free[k];
   for (const char guess : {0, 1})
     {
-      const auto   solver = make_solver(GetParam());
+      const auto   solver = GetParam().make_solver();
       const Answer answer = solve(*solver, GetParam(), problem, ActiveSet(5, guess));
       EXPECT_LT((answer.solution - free).norm(), 1e-10);
       EXPECT_LT(answer.residual.norm(), 1e-10);

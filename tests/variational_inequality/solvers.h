@@ -16,26 +16,30 @@
 
 namespace signorini
 {
+  inline std::unique_ptr<ConstrainedSolver> make_active_set()
+  {
+    return std::make_unique<PrimalDualActiveSet>(ActiveSetLimits());
+  }
+
+  inline std::unique_ptr<ConstrainedSolver> make_mprgp()
+  {
+    return std::make_unique<Mprgp>();
+  }
+
   struct SolverCase
   {
     const char *solver;
+    std::unique_ptr<ConstrainedSolver> (*make_solver)();
     const char *preconditioner; ///< exact | diagonal
   };
 
-  constexpr SolverCase solver_cases[] = {{"active_set", "exact"},
-                                         {"active_set", "diagonal"},
-                                         {"mprgp", "diagonal"}};
+  const SolverCase solver_cases[] = {{"active_set", make_active_set, "exact"},
+                                     {"active_set", make_active_set, "diagonal"},
+                                     {"mprgp", make_mprgp, "diagonal"}};
 
   inline std::ostream &operator<<(std::ostream &out, const SolverCase &solver_case)
   {
     return out << solver_case.solver << "_" << solver_case.preconditioner;
-  }
-
-  inline std::unique_ptr<ConstrainedSolver> make_solver(const SolverCase &solver_case)
-  {
-    if (std::string(solver_case.solver) == "active_set")
-      return std::make_unique<PrimalDualActiveSet>(ActiveSetLimits());
-    return std::make_unique<Mprgp>();
   }
 
   struct Answer
@@ -78,7 +82,7 @@ namespace signorini
   inline Answer solve(const SolverCase &solver_case, const DenseProblem &data)
   {
     return solve(
-      *make_solver(solver_case), solver_case, data, ActiveSet(data.bounded_entries.size(), 0));
+      *solver_case.make_solver(), solver_case, data, ActiveSet(data.bounded_entries.size(), 0));
   }
 } // namespace signorini
 

@@ -81,16 +81,35 @@ namespace signorini::tests
     return scene;
   }
 
+  /** Another obstacle, turned about the origin. */
+  template <int dim>
+  class TurnedObstacle : public RigidObstacle<dim>
+  {
+  public:
+    TurnedObstacle(const std::shared_ptr<const RigidObstacle<dim>> &shape, const double angle)
+      : shape(shape)
+      , matrix(rotation<dim>(angle))
+    {
+    }
+
+    ObstacleProjection<dim> project(const dealii::Point<dim> &point) const override
+    {
+      const auto turned_back =
+        shape->project(dealii::Point<dim>(transpose(matrix) * dealii::Tensor<1, dim>(point)));
+      return {turned_back.gap, matrix * turned_back.normal};
+    }
+
+  private:
+    const std::shared_ptr<const RigidObstacle<dim>> shape;
+    const dealii::Tensor<2, dim>                    matrix;
+  };
+
   /** Turn a scene as turn<dim>(angle) turns its mesh. */
   template <int dim>
   Scene<dim> turned(Scene<dim> scene, const double angle)
   {
-    const auto matrix = rotation<dim>(angle);
     for (auto &obstacle : scene.obstacles)
-      {
-        obstacle.point  = dealii::Point<dim>(matrix * dealii::Tensor<1, dim>(obstacle.point));
-        obstacle.normal = matrix * obstacle.normal;
-      }
+      obstacle.shape = std::make_shared<TurnedObstacle<dim>>(obstacle.shape, angle);
     return scene;
   }
 } // namespace signorini::tests

@@ -42,7 +42,7 @@ def draw_pressure(panels, moments, walls):
 
 
 def draw_hill(panel, moment, pressure, height, scale, pieces=6):
-    """Each edge with pressure carries a strip that reaches into the body: outside is the obstacle."""
+    """Each edge with pressure carries a strip into the body: outside is the obstacle."""
     pressed = pressure[moment.surface.cells].max(axis=1) > 1e-3 * scale.norm.vmax
     edges = moment.surface.cells[pressed]
     feet = moment.surface_positions[edges][:, :, :2]

@@ -34,7 +34,7 @@ def draw_stress(panels, moments, walls):
 
 
 def far_half(fields):
-    """Cells behind the vertical plane through the middle of their body; bodies one cell thick are kept whole."""
+    """Cells behind the vertical plane through the middle of a body; all if it is one cell thick."""
     centres = fields.points[fields.cells].mean(axis=1)[:, 1]
     body = fields.at_cells("body")
     body = numpy.zeros(len(centres)) if body is None else numpy.round(body)

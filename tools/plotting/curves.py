@@ -36,7 +36,8 @@ def shade_contact(axes, table):
 
 
 def energy_scale(total, *parts):
-    """What energies are divided by: the initial total energy, or the largest energy of a run that starts at rest."""
+    """What energies are divided by: the initial total energy, or the largest energy of a run that
+    starts at rest."""
     largest = max(abs(part).max() for part in (total, *parts))
     if abs(total[0]) > 1e-12 * largest:
         return abs(total[0]), "initial total energy"

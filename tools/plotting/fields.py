@@ -15,7 +15,7 @@ from .problem import Problem
 
 @dataclasses.dataclass
 class Fields:
-    """One moment of a series: the pieces of all processes put together. Points are repeated for each cell."""
+    """One moment of a series, all processes put together. Points are repeated for each cell."""
 
     points: numpy.ndarray  # (points, 3), reference configuration
     cells: numpy.ndarray  # (cells, vertices of a cell)
@@ -71,7 +71,7 @@ def read_fields(path):
 
 
 def read_piece(path):
-    """One .vtu. On broken files meshio.read() ends the program, and the reader below it raises whatever comes."""
+    """One .vtu. On broken files meshio.read() ends the program; what is below raises anything."""
     try:
         return meshio.vtu.read(path)
     except OSError:

@@ -11,7 +11,8 @@ from matplotlib import cm, colors
 from . import fields as vtu
 from .problem import Problem
 
-# Both maps start at the grey of a body without load and darken steadily, so that they also work in grey print.
+# Both maps start at the grey of a body without load and darken steadily, so that they also work in
+# grey print.
 BODY = "#E6E8EB"
 STRESS_MAP = colors.LinearSegmentedColormap.from_list(
     "stress", [BODY, "#B5DCC9", "#5BBBC2", "#2C7FB8", "#253494", "#0B1A4F"]

@@ -25,7 +25,7 @@ class Faces:
 
 
 def boundary_faces(fields, positions, keep=None):
-    """Faces that belong to one of the kept cells only; cells of different bodies never share a face."""
+    """Faces that belong to one of the kept cells only; different bodies never share a face."""
     kept = numpy.arange(len(fields.cells)) if keep is None else numpy.flatnonzero(keep)
     cells = fields.cells[kept]
     # Points are repeated per cell: give equal points of a body the same number.
@@ -59,7 +59,7 @@ def together(*parts):
 
 
 def subdivide(corners, normals, values, pieces=4):
-    """Small faces with one value each that show the bilinear field with these values at the corners."""
+    """Small faces with one value each: the bilinear field with these values at the corners."""
     s = numpy.linspace(0.0, 1.0, pieces + 1)
     low_s, low_t = numpy.repeat(s[:-1], pieces), numpy.tile(s[:-1], pieces)
     step = 1.0 / pieces
@@ -92,7 +92,7 @@ def outward(corners, centres):
 
 
 class Camera:
-    """Parallel projection along a direction; the vertical of the picture is as close to `up` as possible."""
+    """Parallel projection along a direction; `up` is as vertical in the picture as possible."""
 
     def __init__(self, towards_viewer, up=(0.0, 0.0, 1.0)):
         self.depth = numpy.asarray(towards_viewer, dtype=float)
@@ -108,7 +108,8 @@ class Camera:
         return points @ numpy.stack([self.right, self.up], axis=1)
 
     def draw(self, axes, faces, colours, edges=0.3):
-        """Paint the faces that look at the viewer, the farthest first, with light from the upper left.
+        """Paint the faces that look at the viewer, the farthest first, with light from the upper
+        left.
 
         `edges` darkens the outlines, one number for all or one for each face.
         """

@@ -11,7 +11,7 @@ from .problem import Problem
 
 
 def read_table(path):
-    """Columns of a table as a dict from name to array. Rows that a killed run left incomplete are skipped."""
+    """Columns of a table, arrays by name. Rows that a killed run left incomplete are skipped."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             rows = list(csv.reader(file))

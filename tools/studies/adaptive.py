@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The study adaptive: errors against degrees of freedom and run time, for uniform and for adaptive meshes and steps."""
+"""The study adaptive: errors against degrees of freedom and run time, for uniform and for adaptive
+meshes and steps."""
 
 import json
 import math
@@ -16,12 +17,14 @@ from .observe import Result
 #: Study files. The variants of the group "uniform" are what the others are compared with.
 CASES = ("adaptive_bar", "adaptive_geometry_a", "adaptive_geometry_b", "adaptive_sliding_block")
 UNIFORM = "uniform"
-#: Beside the results of a reference run: from what it was computed. Beside all others: their processor time.
+#: Beside the results of a reference run: from what it was computed. Beside all others: their
+#: processor time.
 ORIGIN, TIME = "origin.json", "processor_time.txt"
 
 
 class Case:
-    """A study file with its runs. The reference run, if there is one, takes the keys of [scene], [coarse] and [reference], the former win."""
+    """A study file with its runs. The reference run, if there is one, takes the keys of [scene],
+    [coarse] and [reference], the former win."""
 
     def __init__(self, path, coarse, folder):
         self.study = Study(path, coarse)
@@ -76,7 +79,8 @@ def reference(executable, task, draw_only):
 
 
 def timed(executable, task):
-    """A run, with its processor time beside its results: other programs on the machine disturb it less than the wall time."""
+    """A run, with its processor time beside its results: other programs on the machine disturb it
+    less than the wall time."""
     (task.folder / TIME).unlink(missing_ok=True)
     start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
     result = runs.run(executable, task)
@@ -98,7 +102,7 @@ def text(value):
 
 
 def finished(task):
-    """The result of a run that was done before; one that was interrupted left tables, but no time."""
+    """The result of a run that was done before; an interrupted one left tables, but no time."""
     result = runs.read(task)
     return (
         result

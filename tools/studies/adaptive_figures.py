@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Figures of the study adaptive: each error over degrees of freedom (above) and over run time (below)."""
+"""Figures of the study adaptive: each error over dofs (above) and over run time (below)."""
 
 import math
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""What the study of adaptive runs measures: errors of curves over time, whatever the steps, sizes, and what a uniform mesh would need for the same error."""
+"""What the study of adaptive runs measures: errors of curves over time, whatever the steps, sizes,
+and what a uniform mesh would need for the same error."""
 
 import math
 import re
@@ -11,7 +12,8 @@ import numpy
 from . import instants
 from .observe import during_contact, roughness
 
-#: Curves are compared at so many equidistant times: many more than any run here has steps in contact.
+#: Curves are compared at so many equidistant times: many more than any run here has steps in
+#: contact.
 SAMPLES = 20001
 #: Sections of the timer table in log.txt, and what they are called here.
 SECTIONS = {
@@ -51,7 +53,8 @@ def distance(values, exact):
 
 
 def energy_norm(result, reference, times):
-    """Of the velocity from the known motion where the scene has one, else of the elastic energy from that of the reference."""
+    """Of the velocity from the known motion where the scene has one, else of the elastic energy
+    from that of the reference."""
     if "relative_displacement_error" in result.history:
         return 100 * result["relative_velocity_error"][-1]
     curve = energy_curve("elastic_energy")
@@ -77,13 +80,13 @@ def pressure_error(result, reference, times):
 
 
 def seconds(folder, result):
-    """Processor time of a run, as the study wrote it beside the results; without it the wall time."""
+    """Processor time of a run, as the study wrote it beside the results; else the wall time."""
     path = folder / "processor_time.txt"
     return float(path.read_text(encoding="utf-8")) if path.exists() else result["wall_time"][-1]
 
 
 def measure(result, reference):
-    """All numbers of a run by name; nan for a failed one. reference: None if the solution is known."""
+    """All numbers of a run by name; nan if it failed. reference: None if the solution is known."""
     if not result:
         return {name: math.nan for name in HEADINGS}
     times = numpy.linspace(0.0, result["time"][-1], SAMPLES)
@@ -126,8 +129,8 @@ def changes(result):
 
 
 def needed(error, uniform, cost, name):
-    """The cost (dofs or seconds) for which uniform meshes have this error: from the curve through them, linear in logarithms; nan beyond its ends, where
-    nothing is known."""
+    """The cost (dofs or seconds) for which uniform meshes have this error: from the curve through
+    them, linear in logarithms; nan beyond its ends, where nothing is known."""
     points = sorted((numbers[name], numbers[cost]) for numbers in uniform if numbers[name] > 0)
     if len(points) < 2 or not points[0][0] <= error <= points[-1][0]:
         return math.nan
@@ -141,7 +144,8 @@ def gain(numbers, uniform, cost, name):
 
 
 def where_the_time_went(result):
-    """Parts of the run time, in per cent, from the timer table of log.txt: steps, indicator, changes of the mesh, diagnostics, the rest."""
+    """Parts of the run time, in per cent, from the timer table of log.txt: steps, indicator,
+    changes of the mesh, diagnostics, the rest."""
     text = (result.folder / "log.txt").read_text(encoding="utf-8")
     total = re.search(r"Total wallclock time elapsed\s*\|\s*([\d.e+-]+)s", text)
     parts = dict.fromkeys((*SECTIONS.values(), "rest"), 0.0)

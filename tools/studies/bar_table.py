@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The study bar-table: the bar that hits a wall, beside the numbers of an independent one-dimensional computation."""
+"""The study bar-table: the bar that hits a wall, beside an independent computation in 1d."""
 
 import math
 import pathlib
@@ -12,14 +12,16 @@ from . import runs, tables
 from .definition import Mistake, Study
 from .observe import OBSERVATIONS, Observation
 
-#: Of parameters/bar_2d.prm, whose solution is known: the contact force rho c v times the width, and when it acts.
+#: Of parameters/bar_2d.prm, whose solution is known: the contact force rho c v times the width, and
+#: when it acts.
 FORCE, START, END = 300.0 * 0.1, 0.5, 7.0 / 6.0
 #: Entries that differ by less than this part, besides the rounding of the reference, agree.
 CLOSE = 0.03
 
 
 def force_deviation(result):
-    """Standard deviation of the force over the exact one, in the middle four fifths of the exact time of contact."""
+    """Standard deviation of the force over the exact one, in the middle four fifths of the exact
+    time of contact."""
     margin = 0.1 * (END - START)
     middle = [
         force / FORCE
@@ -60,7 +62,8 @@ def deviation(reference, here):
 
 
 def put_beside(reference_rows, results):
-    """(variant, quantity, reference, here, deviation, agrees) for each entry of the reference. results: by name of the variant."""
+    """(variant, quantity, reference, here, deviation, agrees) for each entry of the reference.
+    results: by name of the variant."""
     entries = []
     for row in reference_rows:
         for quantity, reference in row.items():

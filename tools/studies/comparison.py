@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The study krause-walloth: all schemes on several scenes, side by side in tables, figures and a page."""
+"""The study krause-walloth: all schemes on several scenes, in tables, figures and a page."""
 
 import dataclasses
 import io
@@ -134,7 +134,7 @@ def check_paper(path, rows, variants):
 
 
 def against_paper(rows, scenes):
-    """Tables that put numbers of the paper beside those of the scenes of the same geometry, by geometry."""
+    """By geometry, tables that put numbers of the paper beside those of its scenes."""
     found = {}
     for geometry in dict.fromkeys(row["geometry"] for row in rows):
         here = [scene for scene in scenes if scene.study.geometry == geometry]
@@ -159,7 +159,7 @@ def against_paper(rows, scenes):
 
 
 def compare(executable, files, paper, folder, coarse=False, jobs=2, draw_only=False, command=""):
-    """Run the studies in `files`, write tables, figures and page.md. Returns whether no run failed."""
+    """Run the studies in `files`, write tables, figures and page.md; whether no run failed."""
     studies, paper_rows = [Study(file, coarse) for file in files], tables.read_rows(paper)
     check_paper(paper, paper_rows, [variant for study in studies for variant in study.variants])
     planned = [runs.tasks(study, folder / study.name) for study in studies]

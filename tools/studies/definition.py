@@ -140,7 +140,8 @@ class Study:
             )
 
     def read_quantities(self, parser):
-        """What the file derives from histories, a curve to compare it with, and which quantities a figure shows: (abscissa, ordinate)."""
+        """What the file derives from histories, a curve to compare it with, and which quantities a
+        figure shows: (abscissa, ordinate)."""
         text = parser.get("study", "curve", fallback=None)
         self.curve_names, self.curve = (
             read_curve(self.path.parent / text, f"{self.path}: curve") if text else ((), None)

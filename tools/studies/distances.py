@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Errors against a known contact force, and distances from a reference run: relative, L2 in time, in per cent."""
+"""Errors against a known contact force, and distances from a reference run: relative, L2 in time,
+in per cent."""
 
 import bisect
 import math
@@ -10,7 +11,7 @@ from . import instants
 
 
 def relative(pairs):
-    """sqrt(sum (value - expected)^2 / sum expected^2) in per cent; steps of one size need no weight."""
+    """sqrt(sum (value - expected)^2 / sum expected^2) in per cent; equal steps need no weight."""
     pairs = list(pairs)
     size = sum(expected**2 for _, expected in pairs)
     return (
@@ -78,8 +79,9 @@ def displacement_distance(result):
 
 
 def velocity_distance(result):
-    """Of the normal velocities of all probes, from those of the reference: differences of its displacements, over the same step for a scheme that reports
-    means over the step, else over the neighbouring instants of the reference."""
+    """Of the normal velocities of all probes, from those of the reference: differences of its
+    displacements, over the same step for a scheme that reports means over the step, else over the
+    neighbouring instants of the reference."""
     if not result.reference:
         return math.nan
     pairs, fine = [], result.reference["step_size"][-1]

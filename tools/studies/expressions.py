@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Arithmetic expressions in some variables, such as `0.025*max(-sin(2*pi*t), 0)**3`; nothing but arithmetic is evaluated."""
+"""Arithmetic expressions in some variables, such as `0.025*max(-sin(2*pi*t), 0)**3`; nothing but
+arithmetic is evaluated."""
 
 import ast
 import math

@@ -22,13 +22,14 @@ COLOURS = (
     style.SKY,
     style.BLACK,
 )
-#: Forces with more zigzag than this are drawn thin; velocities beyond so many speeds of approach are cut off.
+#: Forces with more zigzag than this are drawn thin; velocities beyond so many speeds of approach
+#: are cut off.
 WILD, FAST = 0.3, 6.0
 GROUPS = {"a": "standard mass", "b": "redistributed mass", "c": "beyond the paper"}
 
 
 def groups_of(pairs):
-    """The (variant, result) that did not fail, by group, each with a colour that is its own in the group."""
+    """The (variant, result) that did not fail, by group, each with its own colour in the group."""
     members = {}
     for variant, result in pairs:
         members.setdefault(variant.group, []).append((variant, result))
@@ -94,7 +95,7 @@ def force(groups):
 
 
 def energy(groups):
-    """The change of the energy, as in figure 3; where the mass is not the standard one, with that mass, too."""
+    """The change of the energy, as in figure 3; where the scheme has its own mass, of both."""
     panels = []
     for name, lines in groups.items():
         panels.append((title(name), "total_energy", lines))
@@ -131,7 +132,7 @@ def differs(result):
 
 
 def displacement(groups):
-    """The relative normal displacement of the probe, as in figure 4, and below how far it is beyond the gap."""
+    """The normal displacement of the probe, as in figure 4; below, its way beyond the gap."""
     figure, axes = columns(len(groups), rows=2, height=7.6, sharey="row")
     for (upper, lower), (name, lines) in zip(axes.T, groups.items()):
         for variant, result, colour in lines:
@@ -165,7 +166,8 @@ def displacement(groups):
 
 
 def velocity(groups):
-    """The relative normal velocity of the probe, as in figure 5, a panel for each scheme; positive when it moves away."""
+    """The relative normal velocity of the probe, as in figure 5, a panel for each scheme; positive
+    when it moves away."""
     rows = max(map(len, groups.values()))
     # Without the layout engine, which would make rows with an axis of time higher than the others.
     figure, axes = columns(
@@ -255,7 +257,8 @@ def small_multiples(pairs, across, **options):
 
 
 def pressure_over_radius(pairs):
-    """The contact pressure over the distance from the middle, a dot for each node, as a section through figure 6."""
+    """The contact pressure over the distance from the middle, a dot for each node, as a section
+    through figure 6."""
     figure, axes, shown = small_multiples(pairs, 5)
     for panel, (_, pressure) in zip(axes.flat if shown else (), shown):
         pressed = pressure.values > 0

@@ -3,10 +3,11 @@
 
 """To which instant of a step the contact force and the velocity that a scheme reports belong.
 
-The contact force of a step acts against all others, and it belongs to the instant at which those are taken. For elastic
-forces with equal weights at both ends, that is the middle of the step; for equilibrium at the end, the end. Measured on
-parameters/manufactured_bar.prm, where the force is known: at its own instant the error of the force has order 1.3 to 1.8
-(the kinks at closing and opening limit it), elsewhere order 1. What holds for which scheme is in the program's own table,
+The contact force of a step acts against all others, and it belongs to the instant at which those
+are taken. For elastic forces with equal weights at both ends, that is the middle of the step; for
+equilibrium at the end, the end. Measured on parameters/verification/manufactured_bar.prm, where the
+force is known: at its own instant the error of the force has order 1.3 to 1.8 (the kinks at closing
+and opening limit it), elsewhere order 1. What holds for which scheme is in the program's own table,
 `signorini --print-schemes=json`.
 """
 
@@ -52,7 +53,8 @@ def scheme_of(keys):
 
 
 def before_end(keys):
-    """How far before the end of the step the contact force belongs, as a part of the step. keys: of the section Time."""
+    """How far before the end of the step the contact force belongs, as a part of the step. keys: of
+    the section Time."""
     scheme = scheme_of(keys)
     value = float(keys[scheme["parameter"]]) if scheme["parameter"] else 0.0
     return Expression(scheme["force_before_end"], f"{scheme['name']}: force_before_end", ("p",))(

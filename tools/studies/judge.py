@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Words about a run, each decided by one number, and the comparison with numbers and words from elsewhere."""
+"""Words about a run, each decided by one number, and the comparison with those from elsewhere."""
 
 import dataclasses
 import math
@@ -9,8 +9,8 @@ import typing
 
 from .observe import OBSERVATIONS
 
-#: A curve with less zigzag is called smooth, a pressure with less scatter, too (meshes alone scatter by almost 0.01); a change of energy below the
-#: last one, in per cent, is called none.
+#: A curve with less zigzag is called smooth, a pressure with less scatter, too (meshes alone
+#: scatter by almost 0.01); a change of energy below the last one, in per cent, is called none.
 SMOOTH, SMOOTH_PRESSURE, NONE = 0.01, 0.02, 1e-6
 #: Numbers that differ less from those of the paper, relatively, agree.
 CLOSE = 0.25

@@ -83,7 +83,8 @@ def roughness(values):
 
 
 def zigzag(values):
-    """The part of all changes that the next step takes back: 0 for humps that many steps resolve, 1 for a zigzag."""
+    """The part of all changes that the next step takes back: 0 for humps that many steps resolve, 1
+    for a zigzag."""
     changes = [b - a for a, b in zip(values, values[1:])]
     back = sum(min(abs(a), abs(b)) for a, b in zip(changes, changes[1:]) if a * b < 0)
     everything = sum(map(abs, changes))
@@ -91,7 +92,7 @@ def zigzag(values):
 
 
 def energy_change(result, choose, column="total_energy"):
-    """In per cent of the initial energy; for a run that starts at rest, of the largest energy of the motion."""
+    """In per cent of the initial energy, or of the largest one for a run that starts at rest."""
     energy = result[column]
     motion = max(map(sum, zip(result["kinetic_energy_modified"], result["elastic_energy"])))
     scale = abs(energy[0]) if abs(energy[0]) > 1e-3 * motion else motion
@@ -120,7 +121,7 @@ def passes(result, change):
 
 
 def loss_before_peak(result):
-    """Part of the change of energy at the end that happened before the largest force, in per cent."""
+    """How much of the final change of energy happened before the largest force, in per cent."""
     energy, force = result["total_energy"], result["contact_force"]
     whole = energy[-1] - energy[0]
     if abs(whole) <= ROUND_OFF * abs(energy[0]):
@@ -134,8 +135,8 @@ def touching(result):
 
 
 def velocities(result, when):
-    """Relative normal velocities of the probe, positive when it moves away: in "contact" after the step that closed it, "after" contact, or "both"; [] without
-    contact."""
+    """Relative normal velocities of the probe, positive when it moves away: in "contact" after the
+    step that closed it, "after" contact, or "both"; [] without contact."""
     rows = touching(result)
     if not rows:
         return []

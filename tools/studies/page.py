@@ -4,6 +4,8 @@
 """The page of a comparison. What it says about schemes is computed from their numbers."""
 
 import math
+import re
+import textwrap
 
 from . import judge, statements, tables
 
@@ -46,17 +48,47 @@ CAPTIONS = {
     "pressure_from_above": ("", "The same from above, as in figure 6."),
 }
 
-MEASURES = f"""* **Roughness of the force:** mean absolute second difference during contact over the mean. **Zigzag of the force:** the part of all its changes that
-  the very next step takes back, 0 for humps that many steps resolve and 1 for a pure zigzag; below {judge.SMOOTH:g} the force is called smooth.
-* **Energy drift:** the largest deviation from the initial energy. Without a further word, energy is that with the standard mass; *own* energy is that with
-  the mass of the scheme. Gains up to {judge.NONE:g} % are round-off.
+MEASURES = f"""\
+* **Roughness of the force:** mean absolute second difference during contact over the mean.
+  **Zigzag of the force:** the part of all its changes that the very next step takes back, 0 for
+  humps that many steps resolve and 1 for a pure zigzag; below {judge.SMOOTH:g} the force is called
+  smooth.
+* **Energy drift:** the largest deviation from the initial energy. Without a further word, energy is
+  that with the standard mass; *own* energy is that with the mass of the scheme. Gains up to
+  {judge.NONE:g} % are round-off.
 * **Penetration, steps:** in units of what the observed node moves in one step on approach.
-* **Velocities** are those of the observed node relative to the other side, along the normal, positive when it moves away; the zigzag of the velocity is
-  its mean amplitude in contact, over the speed of approach.
-* **Scatter of the pressure:** r.m.s. deviation from the best a + b r^2 + c r^4, without the rim of the contact zone, over the mean pressure; below
-  {judge.SMOOTH_PRESSURE:g} the pressure is called smooth.
-* **agrees:** the same word, or a number within {100 * judge.CLOSE:g} % (of a range, its ends within that part of its width). Otherwise the ratio of the
-  number here, or of the width of the range, to that of the paper."""
+* **Velocities** are those of the observed node relative to the other side, along the normal,
+  positive when it moves away; the zigzag of the velocity is its mean amplitude in contact, over the
+  speed of approach.
+* **Scatter of the pressure:** r.m.s. deviation from the best a + b r^2 + c r^4, without the rim of
+  the contact zone, over the mean pressure; below {judge.SMOOTH_PRESSURE:g} the pressure is called
+  smooth.
+* **agrees:** the same word, or a number within {100 * judge.CLOSE:g} % (of a range, its ends within
+  that part of its width). Otherwise the ratio of the number here, or of the width of the range, to
+  that of the paper."""
+
+#: Columns of the page, but for tables.
+WIDTH = 100
+
+
+def wrapped(text):
+    """Paragraphs and items in lines of at most WIDTH columns; tables, headings, pictures stay."""
+    joined = re.sub(r"(?<=\S)\n(?!\n|\* |[|#!]) *", " ", text.rstrip("\n"))
+    return "".join(
+        (
+            line
+            if line.startswith(("|", "#", "!"))
+            else textwrap.fill(
+                line,
+                WIDTH,
+                subsequent_indent="  " if line.startswith("* ") else "",
+                break_long_words=False,
+                break_on_hyphens=False,
+            )
+        )
+        + "\n"
+        for line in joined.split("\n")
+    )
 
 
 def failed(scenes):
@@ -173,4 +205,4 @@ def page(scenes, pictures, beside, command):
         text += f"### {scene.study.title}: ranks\n\n{tables.markdown(ranking(scene))}\n\n"
     for scene in scenes:
         text += f"## All observations: {scene.study.title}\n\n{tables.markdown(scene.table())}\n\n"
-    return text + "## How it was measured\n\n" + MEASURES + "\n"
+    return wrapped(text + "## How it was measured\n\n" + MEASURES)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Numbers that a study file derives from the columns of a history, such as `last(momentum_x)/first(momentum_x)`, and the curve they lie on in theory."""
+"""Numbers that a study file derives from the columns of a history, such as
+`last(momentum_x)/first(momentum_x)`, and the curve they lie on in theory."""
 
 import csv
 import math
@@ -10,7 +11,8 @@ from .distances import Curve
 from .expressions import Expression
 from .mistake import Mistake
 
-#: What becomes of a column of history.csv: one number. An integral takes the value of each step for constant in it, as contact forces are.
+#: What becomes of a column of history.csv: one number. An integral takes the value of each step for
+#: constant in it, as contact forces are.
 OF_COLUMNS = {
     "first": lambda column, steps: column[0],
     "last": lambda column, steps: column[-1],
@@ -22,7 +24,8 @@ OF_CURVE = "curve"
 
 
 class Quantity(Expression):
-    """A number of a run: an expression in functions of columns, in quantities before it, and in curve(...), if there is one."""
+    """A number of a run: an expression in functions of columns, in quantities before it, and in
+    curve(...), if there is one."""
 
     def __init__(self, name, text, where, before, curve=None):
         self.heading, self.before, self.curve, self.result = name, before, curve, None
@@ -78,7 +81,8 @@ def read_quantities(texts, path, curve):
 
 
 def read_curve(path, where):
-    """The curve through the points of a file of two columns, linear between them, and constant beyond; and their names."""
+    """The curve through the points of a file of two columns, linear between them, and constant
+    beyond; and their names."""
     try:
         with open(path, newline="", encoding="utf-8") as file:
             names, *rows = csv.reader(file)

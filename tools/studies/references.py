@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The reference runs of a study: one for all runs that differ only in the scheme and in the step size."""
+"""The reference runs of a study: one for all runs that differ only in scheme and step size."""
 
 import re
 
@@ -9,7 +9,8 @@ from .mistake import Mistake
 from .runs import Task
 
 STEP = "Time/Step size"
-#: Keys of the section Time that belong to the problem, and not to the scheme. (Those of [scene] hold for the reference, too.)
+#: Keys of the section Time that belong to the problem, and not to the scheme. (Those of [scene]
+#: hold for the reference, too.)
 PROBLEM = ("Time/End time", "Time/Mass", "Time/Mass redistribution")
 
 
@@ -65,7 +66,7 @@ def check_steps(study, fine, text, steps):
 
 
 def plan(study, tasks, folder):
-    """(the reference runs, and for each task the number of its reference run); ([], []) without a section [reference]."""
+    """(reference runs, for each task the number of its own); ([], []) without [reference]."""
     if not study.reference:
         return [], []
     groups = {}

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""The figure of a study: one quantity over another, a point for each run, beside a curve from a file."""
+"""The figure of a study: one quantity over another, a point for each run, beside a curve."""
 
 from plotting import style  # first, it chooses the backend
 
@@ -12,7 +12,8 @@ MARKERS = "os^vDP"
 
 
 def series(study, results):
-    """The results by the group of their variant, by its name if it has none, or by the title of a study without variants."""
+    """The results by the group of their variant, by its name if it has none, or by the title of a
+    study without variants."""
     found = {}
     for (variant, _), result in zip(study.runs(), results):
         if result:

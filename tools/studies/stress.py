@@ -11,7 +11,8 @@ import numpy
 from plotting import fields
 from plotting.problem import Problem
 
-#: Radii of nodes closer than this to that of the outermost one are the rim, where the pressure is that of partly loaded faces.
+#: Radii of nodes closer than this to that of the outermost one are the rim, where the pressure is
+#: that of partly loaded faces.
 RIM = 0.9
 
 
@@ -31,7 +32,8 @@ class Pressure:
         )
 
     def scatter(self):
-        """Deviation of the pressure from the best p = a + b r^2 + c r^4 within the rim (r.m.s.), over the mean pressure."""
+        """Deviation of the pressure from the best p = a + b r^2 + c r^4 within the rim (r.m.s.),
+        over the mean pressure."""
         radius, pressed = self.radii(), self.values > 0
         if not pressed.any():
             return math.nan

@@ -15,7 +15,8 @@ def number(value):
 
 
 def markdown(rows):
-    """Rows of texts, the first one with the headings, as a table of Markdown; a dash stands for what could not be observed."""
+    """Rows of texts, the first one with the headings, as a table of Markdown; a dash stands for
+    what could not be observed."""
     return "\n".join(
         "| " + " | ".join("-" if text == "nan" else text for text in row) + " |"
         for row in [rows[0], ["---"] * len(rows[0]), *rows[1:]]

@@ -12,10 +12,9 @@ namespace signorini
    * How close cells of contact surfaces are to the other side, at the end of the step or soon after
    * it, at constant velocity:
    *
-   *   eta_T = Distance / (smallest gap of the nodes of T), at most 4; zero for cells without
-   * contact nodes or their partners.
+   *   eta_T = Distance / (smallest gap of the nodes of T), at most 4,
    *
-   * No estimate of any error.
+   * and zero for cells without contact nodes or their partners. No estimate of any error.
    */
   template <int dim>
   class DistanceIndicator : public ErrorIndicator<dim>

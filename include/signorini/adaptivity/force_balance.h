@@ -12,8 +12,9 @@ namespace signorini
   /**
    * Forces that balance in the finite element space, and what is known of them pointwise:
    *
-   *   div sigma(u) + rho q = 0 in the bodies,   sigma(u) n = traction on their surfaces,   r =
-   * nodal forces of contact.
+   * - div sigma(u) + rho q = 0 in the bodies,
+   * - sigma(u) n = traction on their surfaces,
+   * - r = nodal forces of contact.
    */
   struct ForceBalance
   {
@@ -21,8 +22,8 @@ namespace signorini
     Vector              specific_force; ///< q: force per mass, minus the acceleration
     Vector              contact_force;  ///< r
     std::vector<double> gap;            ///< per contact node, where the condition of contact counts
-    double              start_time = 0.,
-           end_time = 0.; ///< the tractions of the scene are the mean of those at both times
+    /** The tractions of the scene are the mean of those at both times. */
+    double start_time = 0., end_time = 0.;
   };
 
   /**

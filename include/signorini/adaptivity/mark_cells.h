@@ -35,7 +35,7 @@ namespace signorini
    * @param indicator       eta_T by active_cell_index
    * @param not_to_coarsen  protected cells by active_cell_index; empty: none
    * @param to_refine       cells that are refined whatever their indicator is, within the limits;
-   * empty: none
+   *                        empty: none
    */
   template <int dim>
   MeshChange mark_cells(Mesh<dim>                    &mesh,

@@ -13,11 +13,12 @@ namespace signorini
    * cell by cell and face by face instead of node by node, which is the same up to constants of the
    * shape of cells:
    *
-   *   interior:  w_T |div sigma + rho q|^2,
-   *   between cells:  w_F |[sigma n]|^2, half of it for each cell,
-   *   where no contact is possible:  w_F |sigma n - traction|^2 in the components that no Dirichlet
-   * condition holds, at slave surfaces:  w_F (|sigma_t - t_t|^2 + sigma_nu^2 but for the parts of
-   * full-contact nodes) + s gap, at master surfaces:  w_F |sigma n - t|^2.
+   * - interior: w_T |div sigma + rho q|^2,
+   * - between cells: w_F |[sigma n]|^2, half of it for each cell,
+   * - where no contact is possible: w_F |sigma n - traction|^2 without prescribed components,
+   * - at slave surfaces: w_F (|sigma_t - t_t|^2 + sigma_nu^2) + s gap, sigma_nu^2 but for the parts
+   *   of full-contact nodes,
+   * - at master surfaces: w_F |sigma n - t|^2.
    *
    * A full-contact node is closed with all its neighbours on the slave surface, and there is no
    * tension around it. t are nodal contact forces divided by the areas of their nodes, t_t those of

@@ -15,8 +15,8 @@ namespace signorini
   template <int dim>
   struct SurfaceCondition
   {
-    std::array<bool, dim>                        held{};
-    std::unique_ptr<dealii::FunctionParser<dim>> traction; ///< null for none
+    std::array<bool, dim>        held{};
+    dealii::FunctionParser<dim> *traction = nullptr; ///< null for none
   };
 
   template <int dim>
@@ -26,7 +26,7 @@ namespace signorini
     const SurfaceCondition<dim> *condition; ///< null for none
   };
 
-  /** What each outer face of a mesh is to contact, Dirichlet conditions and loads. */
+  /** The role of each outer face: contact, Dirichlet conditions, loads. */
   template <int dim>
   class SurfaceRoles
   {

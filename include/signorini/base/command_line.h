@@ -13,8 +13,8 @@ namespace signorini
   /** What the user asked for. */
   struct CommandLine
   {
-    std::string                                      scene;     ///< file name of the scene
-    std::vector<std::pair<std::string, std::string>> overrides; ///< --set: path of the key, value
+    std::string                                      scene_file; ///< file name of the scene
+    std::vector<std::pair<std::string, std::string>> overrides;  ///< --set: path of the key, value
     bool                                             validate         = false;
     bool                                             print_parameters = false;
     bool                                             print_schemes    = false;
@@ -25,8 +25,8 @@ namespace signorini
   };
 
   /**
-   * @param arguments without the name of the program. @throws UserError for what cannot be
-   * understood.
+   * @param arguments without the name of the program
+   * @throws UserError for what cannot be understood
    */
   CommandLine parse_command_line(const std::vector<std::string> &arguments);
 

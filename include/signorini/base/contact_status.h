@@ -14,8 +14,8 @@ namespace signorini
     constexpr char open  = 0; ///< no force
     constexpr char slip  = 1; ///< held in the normal direction; friction, if any, is at its bound
     constexpr char stick = 2; ///< held in all directions relative to the other side
-    constexpr char hang =
-      3; ///< held in the tangential directions only: possible with Tresca's friction
+    /** Held in the tangential directions only: possible with Tresca's friction. */
+    constexpr char hang = 3;
 
     inline bool is_closed(const char status)
     {
@@ -74,6 +74,14 @@ namespace signorini
    * from another mesh.
    */
   constexpr double negligible_force = 1e-9;
+
+  /**
+   * Forces below this part of the largest one, or of the energy of the motion over the size of the
+   * bodies, do not count as contact for the size of the steps: they would hardly be noticed. A step
+   * may end at the touch within round-off, a part of 1e-9 of the step or less. With that part of
+   * the force of an impact it counts as open, and what follows is decided as without any force.
+   */
+  constexpr double unnoticed_force = 1e-7;
 } // namespace signorini
 
 #endif

@@ -67,14 +67,14 @@ namespace signorini
 
     /**
      * The tangential entries of each contact node on which friction acts, in the order of the
-     * surface: none without friction, and none that a Dirichlet condition holds.
+     * surface: none without friction, and none that is prescribed.
      */
     const std::vector<std::vector<unsigned int>> &tangential_entries() const { return tangential; }
 
     /** The owned contact nodes. */
     std::vector<unsigned int> contact_nodes() const;
 
-    /** Entries (in contact coordinates) that Dirichlet conditions prescribe. */
+    /** Prescribed entries, in contact coordinates. */
     const std::vector<unsigned int> &dirichlet_entries() const { return prescribed; }
 
     /** The owned nodes of the contact surface, with what is known about them. */

@@ -14,7 +14,7 @@ namespace signorini
   struct ContactNode
   {
     unsigned int       node;     ///< owned node
-    unsigned int       pair;     ///< index into Scene::pairs
+    unsigned int       pair;     ///< index of the pair
     dealii::Point<dim> position; ///< in the reference configuration
     double gap; ///< g: bound on the normal entry of the relative displacement, see `transmission`
     double weight;                       ///< D: area (length in 2d) that belongs to the node
@@ -34,8 +34,7 @@ namespace signorini
     FrictionLaw friction = {};
     /**
      * Which directions of the frame are measured relative to the other side: the normal if there
-     * are partners, and with friction the tangents, too, except those that a Dirichlet condition
-     * holds.
+     * are partners, and with friction the tangents, too, except prescribed ones.
      */
     std::array<bool, dim> relative{};
     /**

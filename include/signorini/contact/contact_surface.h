@@ -23,10 +23,10 @@ namespace signorini
      * @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs
      * share a node
      */
-    ContactSurface(const Discretization<dim>                   &discretization,
-                   const DirichletConditions<dim>              &dirichlet,
-                   const std::vector<ObstacleDescription<dim>> &obstacles,
-                   const std::vector<PairDescription>          &pairs);
+    ContactSurface(const Discretization<dim>             &discretization,
+                   const DirichletConditions<dim>        &dirichlet,
+                   const std::vector<NamedObstacle<dim>> &obstacles,
+                   const std::vector<PairDescription>    &pairs);
 
     /** What was asked to be in contact; ContactNode::pair is an index into this. */
     const std::vector<PairDescription> &pairs() const { return descriptions; }
@@ -40,7 +40,7 @@ namespace signorini
     /** Number of contact nodes on all processes. */
     unsigned int n_global_nodes() const { return n_global; }
 
-    /** Number of nodes (all processes) where a Dirichlet condition took the place of contact. */
+    /** Number of nodes (all processes) whose normal displacement is prescribed: no contact. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
     /** What was assumed about the pairs, for the user: one sentence each. */

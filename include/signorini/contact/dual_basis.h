@@ -14,8 +14,11 @@ namespace signorini
    * Coefficients C of the dual basis psi_i = sum_k C_ik N_k on the covered part of one slave face
    * (Wohlmuth 2000):
    *
-   *   int psi_i N_j = delta_ij int N_j   for all nodes i, j that carry a multiplier,      sum_i
-   * psi_i = 1.
+   * @f[
+   *   \int \psi_i N_j = \delta_{ij} \int N_j
+   *   \quad \text{for all nodes } i, j \text{ that carry a multiplier}, \qquad
+   *   \sum_i \psi_i = 1.
+   * @f]
    *
    * With M over the covered part only, this is the consistent modification for partly covered faces
    * (Cichosz and Bischoff 2011). The shape functions of nodes that carry no multiplier are shared

@@ -37,7 +37,7 @@ namespace signorini
    * Laursen 2004). The integrand is smooth on a segment: a polynomial on flat parallelograms, which
    * is integrated exactly, and close to one on other quadrilaterals.
    * @return a segment without points if the faces do not look at each other (angle of the normals)
-   * or do not overlap
+   *         or do not overlap
    */
   template <int dim>
   Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master);

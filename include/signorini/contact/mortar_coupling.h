@@ -18,20 +18,23 @@ namespace signorini
    * Contact of two bodies with dual Lagrange multipliers (Wohlmuth 2000; Krause and Walloth 2012,
    * section 2). For each node i of the slave surface that carries a multiplier
    *
-   *   D_i = int psi_i N_i,    P_il = 1/D_i int psi_i N_l(chi) over the nodes l of the master, sum_l
-   * P_il = 1,
+   * @f[
+   *   D_i = \int \psi_i N_i, \qquad
+   *   P_{il} = \frac1{D_i} \int \psi_i N_l(\chi) \text{ over the nodes } l \text{ of the master},
+   *   \qquad \sum_l P_{il} = 1,
+   * @f]
    *
-   * with chi the projection along the normals of the slave faces. The relative displacement [u]_i =
-   * u_i - sum_l P_il u_l is a matter of single nodes, because the multipliers are biorthogonal to
-   * the traces. The same combination of positions gives the gap g_i = -nu_i.[X]_i. nu_i is a mean
-   * over the covered faces around i, weighted with N_i, of the normals of the slave and the
-   * opposite ones of the master; the normals of the body that is bent less count more
+   * with chi the projection along the normals of the slave faces. The relative displacement
+   * [u]_i = u_i - sum_l P_il u_l is a matter of single nodes, because the multipliers are
+   * biorthogonal to the traces. The same combination of positions gives the gap g_i = -nu_i.[X]_i.
+   * nu_i is a mean over the covered faces around i, weighted with N_i, of the normals of the slave
+   * and the opposite ones of the master; the normals of the body that is bent less count more
    * (weights_of_normals). Only the covered part of a slave face counts.
    *
-   * Slave nodes that carry no multiplier because a Dirichlet condition holds them in the normal
-   * direction, or because only a sliver of their surroundings is covered, appear among the l, so
-   * that constants and linear functions are still reproduced. Hanging nodes on either side are
-   * replaced by their parents before anything else.
+   * Slave nodes that carry no multiplier, because their normal displacement is prescribed or only a
+   * sliver of their surroundings is covered, appear among the l, so that constants and linear
+   * functions are still reproduced. Hanging nodes on either side are replaced by their parents
+   * before anything else.
    */
   template <int dim>
   class MortarCoupling
@@ -39,8 +42,8 @@ namespace signorini
   public:
     /**
      * Collective. @param pair index of a pair of two bodies
-     * @throws UserError if a Dirichlet condition holds a direction that is neither normal nor
-     * tangential to the contact surface
+     * @throws UserError if a prescribed direction is neither normal nor tangential to the contact
+     * surface
      */
     MortarCoupling(const Discretization<dim>          &discretization,
                    const DirichletConditions<dim>     &dirichlet,
@@ -60,10 +63,10 @@ namespace signorini
     /** Number of nodes with multiplier on all processes. */
     unsigned int n_nodes() const { return n_global; }
 
-    /** Largest angle in degrees by which Dirichlet conditions turned a normal. */
+    /** Largest angle in degrees by which a prescribed direction turned a normal. */
     double largest_turn() const { return turn; }
 
-    /** Number of nodes on all processes that lost their multiplier to a Dirichlet condition. */
+    /** Number of nodes on all processes without multiplier, their normal being prescribed. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
   private:
@@ -117,7 +120,7 @@ namespace signorini
     };
     NodeIntegrals collect(const std::vector<CoveredFace> &faces) const;
     /**
-     * Fit the frame of a node to its Dirichlet condition.
+     * Fit the frame of a node to its prescribed directions.
      * @param complaint becomes a message if that is impossible
      * @return whether the node may carry a multiplier
      */

@@ -5,8 +5,8 @@
 #define signorini_contact_obstacle_contact_h
 
 #include <signorini/contact/contact_node.h>
-#include <signorini/contact/rigid_obstacle.h>
 #include <signorini/discretization/dirichlet_conditions.h>
+#include <signorini/obstacles/rigid_obstacle.h>
 
 #include <map>
 
@@ -15,22 +15,22 @@ namespace signorini
   /**
    * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
    * body, and only if its surface faces that obstacle. A node whose normal displacement is
-   * prescribed by a Dirichlet condition is left out.
+   * prescribed is left out.
    */
   template <int dim>
   class ObstacleContact
   {
   public:
     /** The pairs of two bodies among @p pairs are left out. */
-    ObstacleContact(const Discretization<dim>                   &discretization,
-                    const DirichletConditions<dim>              &dirichlet,
-                    const std::vector<ObstacleDescription<dim>> &obstacles,
-                    const std::vector<PairDescription>          &pairs);
+    ObstacleContact(const Discretization<dim>             &discretization,
+                    const DirichletConditions<dim>        &dirichlet,
+                    const std::vector<NamedObstacle<dim>> &obstacles,
+                    const std::vector<PairDescription>    &pairs);
 
     /** The owned nodes that may touch an obstacle, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
 
-    /** Number of nodes (all processes) where a Dirichlet condition took the place of contact. */
+    /** Number of nodes (all processes) whose normal displacement is prescribed: no contact. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
     /**
@@ -46,12 +46,11 @@ namespace signorini
     void check_initial_gap(const Vector &initial_displacement) const;
 
   private:
-    const Discretization<dim>                       &discretization;
-    const std::vector<PairDescription>               pairs;
-    std::vector<std::string>                         obstacle_names;
-    std::vector<std::unique_ptr<RigidObstacle<dim>>> obstacles;
-    std::vector<ContactNode<dim>>                    contact_nodes;
-    unsigned int                                     n_left_to_dirichlet = 0;
+    const Discretization<dim>            &discretization;
+    const std::vector<PairDescription>    pairs;
+    const std::vector<NamedObstacle<dim>> obstacles;
+    std::vector<ContactNode<dim>>         contact_nodes;
+    unsigned int                          n_left_to_dirichlet = 0;
 
     /** Enter the nodes of a pair that have no closer obstacle yet. */
     void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest) const;

@@ -27,7 +27,7 @@ namespace signorini
     double predictor = 0.;
     double friction  = 0.;
     double scheme    = 0.; ///< by the rule of integration itself: numerical dissipation
-    double external  = 0.; ///< work of Dirichlet conditions, and change of the loads in time:
+    double external  = 0.; ///< work of prescribed nodes, and change of the loads in time:
                            ///< -(f_new - f)'(u + u_new)/2
     double transfer = 0.;  ///< change by a new mesh
     double residual = 0.;

@@ -18,8 +18,8 @@ namespace signorini
    * no other sparse matrix is made. With several processes two rounds of messages follow, see
    * complete_rows(). The counts of products go on. Collective.
    * @param change if not empty on any process: what is added to the mass of the time
-   * discretisation, which is then kept beside the consistent one. It may couple nodes that no cell
-   * couples. Entries of owned rows only, both triangles.
+   *               discretisation, which is then kept beside the consistent one. It may couple nodes
+   *               that no cell couples. Entries of owned rows only, both triangles.
    */
   template <int dim>
   void assemble_matrices(const Discretization<dim> &discretization,

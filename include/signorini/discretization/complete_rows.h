@@ -15,9 +15,9 @@ namespace signorini
    * @param contributions  upper triangle over `nodes` from the cells of this process
    * @param nodes          owned nodes, and those of others that its cells write to
    * @param change         of the mass, in owned rows, both triangles; `mass_changes` tells whether
-   * any process has one
+   *                       any process has one
    * @param result         pattern with all ghosts, and values; the consistent mass is kept beside a
-   * changed one
+   *                       changed one
    */
   template <int dim>
   void complete_rows(const ElasticMatrices<dim> &contributions,

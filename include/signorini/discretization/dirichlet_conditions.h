@@ -9,14 +9,10 @@
 #include <deal.II/base/function_parser.h>
 
 #include <map>
-#include <memory>
 
 namespace signorini
 {
-  /**
-   * Dirichlet conditions: which components of which owned nodes are prescribed, and their values
-   * in time.
-   */
+  /** Which components of which owned nodes are prescribed, and their values in time. */
   template <int dim>
   class DirichletConditions
   {
@@ -37,8 +33,9 @@ namespace signorini
                  double                    time) const;
 
   private:
-    std::map<unsigned int, Components>                        prescribed;
-    std::vector<std::unique_ptr<dealii::FunctionParser<dim>>> functions;
+    std::map<unsigned int, Components> prescribed;
+    std::vector<dealii::FunctionParser<dim> *>
+      functions; ///< of each condition; the mesh keeps them
   };
 } // namespace signorini
 

@@ -26,7 +26,7 @@ namespace signorini
     /**
      * Collective.
      * @param changes whether the cells are going to change; then the bodies keep the geometry of
-     * their uniform refinements, see MeshGeometry
+     *                their uniform refinements, see MeshGeometry
      */
     Mesh(std::vector<BodyDescription<dim>> bodies,
          MPI_Comm                          communicator,
@@ -65,6 +65,9 @@ namespace signorini
 
     /** Largest extent of a body: the unit of length for tolerances. */
     double body_size() const { return largest_extent; }
+
+    /** About the lowest one: the speed of the slowest pressure wave over body_size(). */
+    double lowest_frequency() const;
 
     /** Courant number c_p tau / h of the smallest cell. Collective. */
     double courant_number(double step_size) const;

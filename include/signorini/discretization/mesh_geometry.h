@@ -30,7 +30,7 @@ namespace signorini
   public:
     /**
      * @param base_levels per body the refinement level of the base mesh; empty: every cell has a
-     * map of its own
+     *                    map of its own
      */
     MeshGeometry(unsigned int degree, std::vector<unsigned int> base_levels);
 

@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * The tangential components of a node: two in 3d; in 2d, or where a Dirichlet condition holds
-   * one, the second is zero.
+   * The tangential components of a node: two in 3d; in 2d, or where one is prescribed, the second
+   * is zero.
    */
   using TangentVector = Eigen::Vector2d;
   using TangentMatrix = Eigen::Matrix2d;

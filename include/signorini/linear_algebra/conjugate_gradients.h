@@ -29,13 +29,14 @@ namespace signorini
      * @param solution  on entry a guess, on exit the solution; held entries are not changed
      * @param residual  b - K x of all entries, on entry and on exit
      * @param tolerance bound for (residual' P^-1 residual)^(1/2) over the free entries, P the
-     * preconditioner: an estimate of the error in the norm of K
-     * @param reduction stop earlier if this norm has fallen by this factor since the start (0:
-     * never)
+     *                  preconditioner: an estimate of the error in the norm of K
+     * @param reduction stop earlier if this norm has fallen by this factor since the start
+     *                  (0: never)
      * @param is_guess  the solution on entry continues earlier solutions. What is wrong with it is
-     * alike from step to step and adds up, unlike what is left by iterations; so one that is within
-     * the tolerance is still improved, tenfold or to a hundredth of the tolerance, whatever
-     * `reduction` says. One that is not is solved like any other
+     *                  alike from step to step and adds up, unlike what is left by iterations; so
+     *                  one that is within the tolerance is still improved, tenfold or to a
+     *                  hundredth of the tolerance, whatever `reduction` says. One that is not is
+     *                  solved like any other
      */
     Report solve(const LinearOperator       &matrix,
                  const MaskedPreconditioner &preconditioner,

@@ -72,9 +72,9 @@ namespace signorini
     }
 
   private:
-    mutable ProductCount        count;
-    mutable std::vector<double> padded_source,
-      padded_destination; ///< four numbers per node, see Lanes
+    mutable ProductCount count;
+    /** Four numbers per node, see Lanes. */
+    mutable std::vector<double> padded_source, padded_destination;
 
     void apply_with(const std::vector<double> &mass_values,
                     Vector                    &destination,

@@ -62,8 +62,8 @@ namespace signorini
 
     const NodePattern        &pattern;
     std::vector<unsigned int> order; ///< position in the elimination -> local node
-    std::vector<unsigned int> row_start,
-      columns; ///< strictly lower triangle by rows; positions instead of nodes
+    /** Strictly lower triangle by rows; positions instead of nodes. */
+    std::vector<unsigned int> row_start, columns;
     std::vector<Entry>        lower;          ///< L, with a spare entry at the end, see Lanes
     std::vector<Entry>        pivots;         ///< D_p
     std::vector<Diagonal>     inverse_pivots; ///< pseudo-inverse on the free directions

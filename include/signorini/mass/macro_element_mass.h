@@ -18,7 +18,7 @@ namespace signorini
    *
    * Contact nodes have no mass; total mass, centre of gravity and tensor of inertia are kept; the
    * couplings are those of M. Some weights are negative, and nothing ensures that the result is
-   * positive definite: look at smallest_mass_ratio().
+   * positive definite: look at MassSolver::smallest_ratio().
    *
    * Collective.
    * @return changes of the rows that this process owns

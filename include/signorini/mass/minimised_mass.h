@@ -14,13 +14,15 @@ namespace signorini
    * at contact nodes the one that is closest to M and keeps total mass, centre of gravity and
    * tensor of inertia of each body. Changes are measured relative to the size of the entry,
    *
-   *   minimise sum_ij (M~_ij - M_ij)^2 / M_ij,   hence   M~_ij = M_ij (1 + q(x_i, x_j)) between
-   * nodes with mass,
+   * @f[
+   *   \text{minimise} \quad \sum_{ij} (\tilde M_{ij} - M_{ij})^2 / M_{ij}, \quad \text{hence} \quad
+   *   \tilde M_{ij} = M_{ij} (1 + q(x_i, x_j)) \text{ between nodes with mass,}
+   * @f]
    *
    * with a symmetric polynomial q, linear in each point, whose few coefficients follow from the
    * constraints. (Without the weights the matrix of a ball is indefinite.) It is positive definite
    * if the matrix of the coefficients of 1 + q is, by Schur's product theorem; else look at
-   * smallest_mass_ratio().
+   * MassSolver::smallest_ratio().
    *
    * Collective. Replaces matrices.mass and keeps the consistent one in matrices.standard_mass.
    * @throws UserError if all nodes of a body are contact nodes

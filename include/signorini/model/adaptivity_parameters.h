@@ -52,19 +52,19 @@ namespace signorini
 
     double refine_fraction  = 0.5;  ///< of the squared estimate, fixed fraction
     double coarsen_fraction = 0.02; ///< of the squared estimate, fixed fraction
-    double coarsen_ratio =
-      0.;                  ///< of thresholds for squared indicators; 0: what smooth solutions allow
-    double tolerance = 0.; ///< root of an energy; below, nothing is refined. 0: none
-    double hysteresis =
-      0.1; ///< part of the squared estimate or of the cells that is worth a change
+    /** Of thresholds for squared indicators; 0: what smooth solutions allow. */
+    double coarsen_ratio = 0.;
+    double tolerance     = 0.; ///< root of an energy; below, nothing is refined. 0: none
+    /** Part of the squared estimate or of the cells that is worth a change. */
+    double       hysteresis    = 0.1;
     unsigned int maximum_level = 0; ///< cells of this level are not refined
-    unsigned int minimum_level =
-      0; ///< cells of this level are not coarsened, nor those of the initial mesh
+    /** Cells of this level are not coarsened, nor those of the initial mesh. */
+    unsigned int minimum_level = 0;
     unsigned int maximum_cells = 0; ///< about; 0: no limit
     unsigned int steps_between = 1; ///< the mesh may change after every so many steps
     unsigned int repetitions   = 0; ///< of a step on a refined mesh, before it is accepted
-    double       distance =
-      0.; ///< of distance; 0: three times the size of each cell. Of others: see refines_contact()
+    /** Of the indicator; 0: three times the size of each cell. Of others: see refines_contact(). */
+    double distance = 0.;
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != IndicatorKind::none; }

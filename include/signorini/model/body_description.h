@@ -76,7 +76,8 @@ namespace signorini
                                                     {BodyShape::file, "file"}};
   };
 
-  /** Section `Bodies/<name>`: shape, mesh, material, initial state, loads and Dirichlet conditions
+  /**
+   * Section `Bodies/<name>`: shape, mesh, material, initial state, loads and Dirichlet conditions
    * of one body.
    */
   template <int dim>

@@ -9,6 +9,7 @@
 #include <deal.II/base/point.h>
 #include <deal.II/base/types.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -54,17 +55,24 @@ namespace signorini
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
     std::string  name;  ///< as written in the scene
-    unsigned int slave; ///< index into Scene::bodies
+    unsigned int slave; ///< index of a body
     std::vector<dealii::types::boundary_id>
                  slave_boundary_ids; ///< empty: the whole boundary of the body
-    unsigned int obstacle = none;    ///< index into Scene::obstacles, or
-    unsigned int master   = none;    ///< index into Scene::bodies
+    unsigned int obstacle = none;    ///< index of an obstacle, or
+    unsigned int master   = none;    ///< index of a body
     std::vector<dealii::types::boundary_id>
                         master_boundary_ids; ///< empty: the whole boundary of the body
     FrictionDescription friction;
 
     bool of_two_bodies() const { return master != none; }
   };
+
+  /** Whether contact nodes of any pair may bear tangential forces. */
+  inline bool has_friction(const std::vector<PairDescription> &pairs)
+  {
+    return std::any_of(
+      pairs.begin(), pairs.end(), [](const PairDescription &pair) { return pair.friction.any; });
+  }
 
   /** Section `Probes/<name>`: history of the contact node that is closest to a point. */
   template <int dim>

@@ -44,8 +44,8 @@ namespace signorini
   /** Section `Output`. */
   struct OutputParameters
   {
-    unsigned int vtu_every =
-      0; ///< write fields every so many steps; 0: only the first and the last
+    /** Write fields every so many steps; 0: only the first and the last. */
+    unsigned int vtu_every     = 0;
     bool         vtu           = true;
     unsigned int history_every = 1;
   };

@@ -27,7 +27,7 @@ namespace signorini
    * The mean stress of each locally owned cell, in the order of the active cells of this process
    * (zero for others).
    * @param displacement with ghosts and hanging nodes, see
-   * Discretization::interpolate_hanging_nodes()
+   *                     Discretization::interpolate_hanging_nodes()
    */
   template <int dim>
   std::vector<Stress> cell_stress(const Discretization<dim> &discretization,

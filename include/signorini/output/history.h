@@ -20,7 +20,6 @@ namespace signorini
   struct HistoryRow
   {
     const State  &state;
-    double        step_size = 0.;
     unsigned long cells = 0, dofs = 0;
     Energy        energy;                       ///< with the mass of the scheme
     double        standard_kinetic_energy = 0.; ///< with the consistent mass

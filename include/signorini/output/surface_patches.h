@@ -14,22 +14,20 @@ namespace signorini
   /**
    * The faces of the slave surfaces with what happens on them, as a series of their own. Per vertex
    *
-   *   displacement, velocity
-   *   CPRESS   contact pressure -(r.nu)/D >= 0, the nodal force over the area of the node
-   *   COPEN    gap g - u.nu along the normal of the obstacle, 0 in contact
-   *   CSTATUS  1 where the pressure is positive, else 0; with friction 2 where the node sticks
-   * besides
+   * - displacement, velocity
+   * - CPRESS: contact pressure -(r.nu)/D >= 0, the nodal force over the area of the node
+   * - COPEN: gap g - u.nu along the normal of the obstacle, 0 in contact
+   * - CSTATUS: 1 where the pressure is positive, else 0; with friction 2 where the node sticks, too
    *
    * and, if the scene has friction,
    *
-   *   CSHEAR          tangential stress on the slave, the tangential nodal force over the area of
-   * the node (a vector) CSLIP           slip relative to the other side since the start (a vector)
-   *   CSLIP_INCREMENT its part in the last step
+   * - CSHEAR: tangential stress on the slave, the tangential nodal force over the area (a vector)
+   * - CSLIP: slip relative to the other side since the start (a vector)
+   * - CSLIP_INCREMENT: its part in the last step
    *
    * most of them under the names that Abaqus uses. Vertices of a slave surface that can never touch
-   * (on the far side of a ball, or held by a Dirichlet condition) have no gap; they show the
-   * largest COPEN of the contact nodes, so that they look open without spoiling the scale of
-   * colours.
+   * (on the far side of a ball, or prescribed) have no gap; they show the largest COPEN of the
+   * contact nodes, so that they look open without spoiling the scale of colours.
    */
   template <int dim>
   class SurfacePatches : public dealii::DataOutInterface<dim - 1, dim>

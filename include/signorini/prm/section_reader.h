@@ -62,6 +62,9 @@ namespace signorini
     /** Coordinates, separated by commas. */
     template <int dim>
     dealii::Point<dim> point(const std::string &key) const;
+    /** Components of a vector of any length but zero. */
+    template <int dim>
+    dealii::Tensor<1, dim> direction(const std::string &key) const;
 
     /**
      * @throws UserError about a key and its value, or (empty key) about the section. @p message

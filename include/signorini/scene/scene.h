@@ -9,8 +9,8 @@
 #include <signorini/model/cell_geometry.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/model/exact_solution.h>
-#include <signorini/model/obstacle_description.h>
 #include <signorini/model/run_parameters.h>
+#include <signorini/obstacles/rigid_obstacle.h>
 #include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
 
@@ -26,21 +26,21 @@ namespace signorini
   template <int dim>
   struct Scene
   {
-    std::string                           file_name;
-    std::string                           output_directory;
-    CellGeometry                          mapping = CellGeometry::linear;
-    TimeParameters                        time;
-    AdaptivityParameters                  adaptivity;
-    std::vector<BodyDescription<dim>>     bodies;
-    std::vector<ObstacleDescription<dim>> obstacles;
-    std::vector<PairDescription>          pairs;
-    std::vector<ProbeDescription<dim>>    probes;
-    ExactSolutionDescription<dim>         exact_solution;
-    SolverParameters                      solver;
-    OutputParameters                      output;
-    std::string                           original_text; ///< the scene file as it was read
-    std::string        all_parameters; ///< every key with the value used, as a .prm
-    StepSizeParameters step_sizes;
+    std::string                        file_name;
+    std::string                        output_directory;
+    CellGeometry                       mapping = CellGeometry::linear;
+    TimeParameters                     time;
+    AdaptivityParameters               adaptivity;
+    std::vector<BodyDescription<dim>>  bodies;
+    std::vector<NamedObstacle<dim>>    obstacles;
+    std::vector<PairDescription>       pairs;
+    std::vector<ProbeDescription<dim>> probes;
+    ExactSolutionDescription<dim>      exact_solution;
+    SolverParameters                   solver;
+    OutputParameters                   output;
+    std::string                        original_text;  ///< the scene file as it was read
+    std::string                        all_parameters; ///< every key with the value used, as a .prm
+    StepSizeParameters                 step_sizes;
   };
 } // namespace signorini
 

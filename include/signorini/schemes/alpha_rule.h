@@ -30,9 +30,6 @@ namespace signorini
 
     const double alpha_m, alpha_f, beta, gamma;
 
-    /** a, or at the start that of loads and elastic forces. */
-    Vector acceleration(DynamicalSystem &system, const State &state) const;
-
     /** tau v + tau^2 (1/2 - beta) a: the increment without a_new. */
     Vector free_increment(const State &state, const Vector &acceleration, double step_size) const;
 
@@ -55,8 +52,9 @@ namespace signorini
     double reaction_weight(double step_size) const;
 
     /**
-     * What the rule itself does to the energy in a step with known works of contact and Dirichlet
-     * conditions: the mean velocity is not d/tau, and the forces are not the means of both ends.
+     * What the rule itself does to the energy in a step with known works of contact and of
+     * prescribed nodes: the mean velocity is not d/tau, and the forces are not the means of both
+     * ends.
      */
     static double work(DynamicalSystem  &system,
                        const State      &before,

@@ -48,7 +48,12 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
-    Needs needs() const override { return {true, false, false}; }
+    Needs needs() const override
+    {
+      Needs needs;
+      needs.projections = true;
+      return needs;
+    }
 
   private:
     const bool stop_sticking_nodes;

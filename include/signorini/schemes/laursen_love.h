@@ -42,7 +42,12 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
-    Needs needs() const override { return {false, separate_nodes, false}; }
+    Needs needs() const override
+    {
+      Needs needs;
+      needs.impulses = separate_nodes;
+      return needs;
+    }
 
   private:
     const bool separate_nodes;

@@ -21,7 +21,7 @@ namespace signorini
    * integrates it with explicit Runge-Kutta formulas of order 5 and error control, as many steps of
    * its own as it takes within each step of the run. Against it, the error of a scheme in time can
    * be measured on the same mesh. What the tolerance leaves is seen as unexplained energy. Slow:
-   * every stage solves a contact problem. Dirichlet conditions have to stand still.
+   * every stage solves a contact problem. Prescribed displacements have to be constant.
    */
   class ReferenceIntegration : public TimeScheme
   {
@@ -31,7 +31,12 @@ namespace signorini
 
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
-    Needs needs() const override { return {false, false, true}; }
+    Needs needs() const override
+    {
+      Needs needs;
+      needs.massless_nodes = true;
+      return needs;
+    }
 
   private:
     const double tolerance;

@@ -4,6 +4,7 @@
 #ifndef signorini_schemes_scheme_table_h
 #define signorini_schemes_scheme_table_h
 
+#include <signorini/base/enum_names.h>
 #include <signorini/time/time_scheme.h>
 
 #include <algorithm>
@@ -18,14 +19,14 @@ namespace signorini
   struct SchemeParameters
   {
     double hht_alpha = -0.1; ///< hht-alpha: in [-1/3, 0]
-    double spectral_radius =
-      0.8; ///< generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]
+    /** generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]. */
+    double spectral_radius     = 0.8;
     double newmark_beta        = 0.5;  ///< khenous-laborde-renard: at least 1/4
     double newmark_gamma       = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
     double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
     bool impulses_per_node = false; ///< laursen-love: each contact node gets back what it has lost
-    bool stop_sticking_nodes =
-      true; ///< schemes with a predictor: sticking nodes have no tangential velocity
+    /** Schemes with a predictor: sticking nodes have no tangential velocity. */
+    bool stop_sticking_nodes = true;
   };
 
   /** What contact does to the energy of a scheme, whatever the mesh and the step size. */
@@ -36,12 +37,28 @@ namespace signorini
     none        ///< may add some
   };
 
+  template <>
+  struct EnumNames<EnergyLaw>
+  {
+    static constexpr EnumName<EnergyLaw> table[] = {{EnergyLaw::dissipates, "dissipates"},
+                                                    {EnergyLaw::conserves, "conserves"},
+                                                    {EnergyLaw::none, "none"}};
+  };
+
   /** Contact nodes without mass: what a scheme makes of them. */
   enum class MasslessNodesAre
   {
     refused,
     possible,
     needed
+  };
+
+  template <>
+  struct EnumNames<MasslessNodesAre>
+  {
+    static constexpr EnumName<MasslessNodesAre> table[] = {{MasslessNodesAre::refused, "refused"},
+                                                           {MasslessNodesAre::possible, "possible"},
+                                                           {MasslessNodesAre::needed, "needed"}};
   };
 
   /** All that is known about a scheme without running it. */
@@ -62,8 +79,8 @@ namespace signorini
      * How far before the end of a step the contact force belongs, as a part of the step: an
      * expression in p, the value of the key `parameter` of section Time. The force of a step acts
      * against the elastic forces of an instant, and it is that instant's: at its own instant its
-     * error has order 1.3 to 1.8 on parameters/manufactured_bar.prm (the kinks where contact begins
-     * and ends limit it), at others order 1.
+     * error has order 1.3 to 1.8 on parameters/verification/manufactured_bar.prm (the kinks where
+     * contact begins and ends limit it), at others order 1.
      */
     std::string              force_before_end;
     std::string              parameter;

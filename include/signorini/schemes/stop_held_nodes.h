@@ -21,12 +21,11 @@ namespace signorini
 
   /**
    * End a step with the velocity that is closest in M and without relative motion at some nodes,
-   * see DynamicalSystem::stop_relative_motion(). It can only take kinetic energy.
+   * see MassProjections::stop_relative_motion(). It can only take kinetic energy.
    * @param velocity        at the start of the step
    * @param velocity_change of the step, corrected
    * @param contact_force   gets the impulses over the step size
-   * @param report          gets the effort (with the predictor) and the work of Dirichlet
-   * conditions
+   * @param report          gets the effort (with the predictor), and the work at prescribed nodes
    * @return the change of energy, <= 0
    */
   double stop_held_nodes(DynamicalSystem &system,

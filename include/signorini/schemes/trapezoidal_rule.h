@@ -43,7 +43,7 @@ namespace signorini
                             const NormalGap &gap,
                             const Vector    *further_reaction = nullptr);
 
-    /** 2/tau^2 times the reaction of Dirichlet conditions on the increment. */
+    /** 2/tau^2 times the reaction at prescribed components times the increment. */
     double dirichlet_work(const IncrementSolution &solution, double step_size);
 
     /** A step without predictor: v_new = v + 2/tau (d - tau v), force 2/tau^2 times the reaction.

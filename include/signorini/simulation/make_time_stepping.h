@@ -16,7 +16,7 @@ namespace signorini
   /**
    * The steps that a scene asks for. The scheme must outlive the result.
    * @param shortest_wave_time through the smallest cell of the present mesh: much shorter steps
-   * gain nothing
+   *                           gain nothing
    */
   std::unique_ptr<TimeStepping>
   make_time_stepping(const TimeParameters          &time,

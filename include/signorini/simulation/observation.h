@@ -6,6 +6,7 @@
 
 #include <signorini/diagnostics/oscillation.h>
 #include <signorini/output/history.h>
+#include <signorini/output/run_summary.h>
 #include <signorini/simulation/meshed_scene.h>
 
 #include <deal.II/base/timer.h>
@@ -13,8 +14,7 @@
 namespace signorini
 {
   /**
-   * Watches the motion: evaluates all diagnostics after each step, writes the tables, and sums up
-   * at the end.
+   * Watches the motion: evaluates all diagnostics after each step and writes the tables.
    */
   template <int dim>
   class Observation
@@ -28,24 +28,21 @@ namespace signorini
     /** Go on with what was built on a changed mesh, and with the state on it. */
     void change_mesh(MeshedScene<dim> &meshed, const State &state);
 
-    void observe(const State &state, const StepReport &report, double step_size);
+    void observe(const State &state, const StepReport &report);
 
     const ContactSummary &contact() const { return contact_now; }
 
     /** Kinetic and elastic energy. */
     double energy_of_motion() const { return ledger.current().kinetic + ledger.current().elastic; }
 
-    /**
-     * Change of the total energy since the start, relative to the initial one (to that of the
-     * motion if that is tiny).
-     */
-    double relative_energy_change() const;
+    /** See RunSummary. */
+    double relative_energy_change() const { return run_summary.relative_energy_change(); }
 
     /** Writing of fields does not count as time of the run. */
     void pause_clock() { clock.stop(); }
     void resume_clock() { clock.start(); }
 
-    /** Energy balance, contact and oscillation in words. */
+    /** The run in words, when it has ended. */
     std::string summary() const;
 
   private:
@@ -57,32 +54,17 @@ namespace signorini
     ErrorEvaluation<dim>    errors;
     ContactSummary          contact_now;
     Momentum                initial_momentum;
-    TotalVariation          force_variation;
+    RunSummary              run_summary;
     std::vector<Zigzag>     velocity_zigzags;
     dealii::Timer           clock;
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count
 
-    double largest_energy = 0., largest_change = 0., largest_residual = 0.,
-           largest_penetration = 0., deepest = 0., farthest_sliding = 0., impulse = 0.;
-    double        work_friction = 0., transferred = 0.;
-    unsigned int  n_mesh_changes = 0;
-    unsigned long fewest_cells = 0, most_cells = 0;
-    unsigned int  most_sticking = 0, most_slipping = 0;
-    double        standard_change  = 0.; ///< change of the total energy with the consistent mass
-    unsigned int  n_impulse_solves = 0, n_impulse_iterations = 0,
-                 n_common_impulses = 0; ///< of laursen-love, per node
-    double     first_contact = -1., last_contact = -1.;
     ErrorNorms latest_errors;
 
-    void write(const State         &state,
-               const StepReport    &report,
-               const EnergyBooking &booking,
-               double               step_size);
-    /** What makes the results doubtful, in words; empty if nothing does. */
-    std::string warnings() const;
-    /** The energy that changes are compared with. */
-    double relative_scale() const;
+    HistoryRow write(const State &state, const StepReport &report, const EnergyBooking &booking);
+    /** With the consistent mass, whatever the mass of the scheme. */
+    double standard_kinetic_energy(const State &state) const;
     /** Products since the last observation. */
     ProductCount                   products_of_step() const;
     static std::vector<Probe<dim>> make_probes(const Scene<dim>       &scene,

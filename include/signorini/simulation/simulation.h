@@ -47,7 +47,9 @@ namespace signorini
     dealii::TimerOutput timer;
     Mesh<dim>           mesh;
     State               state;
-    unsigned int        n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
+
+    const std::unique_ptr<TimeScheme> scheme;
+    unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;
@@ -63,8 +65,8 @@ namespace signorini
      * The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a
      * refined one.
      */
-    AcceptedStep advance(TimeStepping &stepping, Observation<dim> &observation);
-    AcceptedStep advance_on_this_mesh(TimeStepping &stepping);
+    StepReport advance(TimeStepping &stepping, Observation<dim> &observation);
+    StepReport advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */
     void        adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
     bool        writes_fields(unsigned int step, bool is_last) const;

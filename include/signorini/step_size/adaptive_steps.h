@@ -31,9 +31,9 @@ namespace signorini
    *   not shorter than the smallest size: the approach ends after some steps, and contact begins
    *   with a small one. Where flight is free, a step may come close to the touch, and contact
    *   begins with the first size, if that is not rejected.
-   * - No step ends at the touch, where round-off would decide whether there is contact. One that
-   *   would end within an eighth of its size before or after it ends an eighth after it; longer
-   *   ones in free flight end an eighth of the first size before it, or earlier.
+   * - No step but the last one ends at the touch, where round-off would decide whether there is
+   * contact. One that would end within an eighth of its size before or after it ends an eighth
+   * after it; longer ones in free flight end an eighth of the first size before it, or earlier.
    * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
    */
   class AdaptiveSteps : public TimeStepping
@@ -50,8 +50,8 @@ namespace signorini
       double minimum;
       double maximum;
       double end_time;
-      double wave_part =
-        0.5; ///< of the time of a wave through the smallest cell, the default of the minimum
+      /** Of the time of a wave through the smallest cell, the default of the minimum. */
+      double wave_part = 0.5;
       /**
        * The time that a wave takes through the smallest cell of the present mesh. Empty: there are
        * no cells.
@@ -61,11 +61,11 @@ namespace signorini
 
     AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
 
-    AcceptedStep advance(DynamicalSystem &system, State &state) override;
-    double       fraction_done(const State &state) const override;
-    void         forget() override;
-    void         take_back() override { --n_accepted; }
-    std::string  summary() const override;
+    StepReport  advance(DynamicalSystem &system, State &state) override;
+    double      fraction_done(const State &state) const override;
+    void        forget() override;
+    void        take_back() override { --n_accepted; }
+    std::string summary() const override;
 
     unsigned int rejected() const { return n_rejected; }
     unsigned int solved() const { return n_solved; }
@@ -84,12 +84,12 @@ namespace signorini
     unsigned int n_accepted = 0, n_rejected = 0, n_solved = 0;
     double       smallest_size = 0., largest_size = 0.; ///< accepted so far
 
-    double       minimum() const;
-    void         approach(double touch);
-    void         try_longer(const StepTrial &trial, double factor);
-    StepTrial    find_trial(DynamicalSystem &system, const State &state);
-    double       span(const State &state, double touch) const;
-    AcceptedStep hand_out(State &state, TakenStep &&step);
+    double     minimum() const;
+    void       approach(double touch);
+    void       try_longer(const StepTrial &trial, double factor);
+    StepTrial  find_trial(DynamicalSystem &system, const State &state);
+    double     span(const State &state, double touch) const;
+    StepReport hand_out(State &state, TakenStep &&step);
   };
 } // namespace signorini
 

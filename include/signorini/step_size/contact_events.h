@@ -15,8 +15,8 @@ namespace signorini
    */
   ActiveSet contact_statuses(const DynamicalSystem &system, const State &state);
 
-  /** Whether a contact node is pressed, on any process. Collective. */
-  bool any_contact(const DynamicalSystem &system, const State &state);
+  /** Whether a contact node is pressed, on any process. @param like tells them. Collective. */
+  bool any_contact(const ActiveSet &statuses, const Vector &like);
 
   /** Whether statuses differ, on any process. @param like tells the processes. Collective. */
   bool differ(const ActiveSet &a, const ActiveSet &b, const Vector &like);

@@ -8,13 +8,16 @@
 
 namespace signorini
 {
-  /** A step that a scheme has made: where it ended, what happened, and its length. */
+  /** A step that a scheme has made: where it ended, and what happened. */
   struct TakenStep
   {
     State      state;
     StepReport report;
-    double     step_size;
   };
+
+  /** Make a step from a state, which is not touched. */
+  TakenStep
+  take_step(TimeScheme &scheme, DynamicalSystem &system, const State &start, double step_size);
 
   /**
    * One or several steps that are to be accepted or rejected together, and the estimate of their
@@ -23,9 +26,10 @@ namespace signorini
   struct StepTrial
   {
     std::vector<TakenStep> steps;
+    ActiveSet              end_statuses; ///< of the contact nodes of this process
     double error = 0.; ///< estimate, relative to what the motion or its forces have been so far
-    double exponent =
-      1.; ///< the step size goes with this power of the error: 1/p for an error O(tau^p)
+    /** The step size goes with this power of the error: 1/p for an error O(tau^p). */
+    double       exponent  = 1.;
     bool         is_known  = true;  ///< false: nothing to compare with, no error is known
     bool         is_flight = false; ///< no contact at start and end
     unsigned int n_solved  = 0;     ///< steps that were computed, those thrown away included
@@ -41,8 +45,8 @@ namespace signorini
     double       content_in_flight = 0.5; ///< the same for steps without contact
     unsigned int rest              = 8;   ///< steps after a rejection that are not lengthened
     double smallest_part = 0.; ///< of the first size: the default of the smallest size is not below
-    bool   flight_is_free =
-      false; ///< no contact, no error: flight takes the longest steps that do not miss the touch
+    /** No contact, no error: flight takes the longest steps that do not miss the touch. */
+    bool flight_is_free = false;
   };
 
   /**

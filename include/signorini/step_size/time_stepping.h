@@ -10,13 +10,6 @@
 
 namespace signorini
 {
-  /** What is known about an accepted step besides the state. */
-  struct AcceptedStep
-  {
-    StepReport report;
-    double     step_size;
-  };
-
   /** Leads a scheme through a run, from one accepted step to the next. */
   class TimeStepping
   {
@@ -27,7 +20,7 @@ namespace signorini
      * The state one accepted step later. If an exception leaves, the state is as it was.
      * Collective.
      */
-    virtual AcceptedStep advance(DynamicalSystem &system, State &state) = 0;
+    virtual StepReport advance(DynamicalSystem &system, State &state) = 0;
 
     /** The part of the run that is done: 1 at its end. */
     virtual double fraction_done(const State &state) const = 0;
@@ -58,9 +51,11 @@ namespace signorini
     {
     }
 
-    AcceptedStep advance(DynamicalSystem &system, State &state) override
+    StepReport advance(DynamicalSystem &system, State &state) override
     {
-      return {scheme.advance(system, state, step_size), step_size};
+      StepReport report = scheme.advance(system, state, step_size);
+      report.step_size  = step_size;
+      return report;
     }
 
     double fraction_done(const State &state) const override

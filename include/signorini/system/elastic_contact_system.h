@@ -57,7 +57,10 @@ namespace signorini
     double       length() const override { return discretization.mesh().body_size(); }
     void         solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     Vector       solve_mass(const Vector &force) override { return mass_problems.solve(force); }
-    Capabilities capabilities() override { return {this, this, this, this}; }
+    Capabilities capabilities() override
+    {
+      return {this, this, has_massless_nodes ? this : nullptr, has_dirichlet ? this : nullptr};
+    }
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
@@ -72,6 +75,7 @@ namespace signorini
     const Discretization<dim>     &discretization;
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
+    const bool                     has_massless_nodes, has_dirichlet; ///< on any process
     Loads<dim>                    &loads;
     const SystemParameters         parameters;
     dealii::TimerOutput

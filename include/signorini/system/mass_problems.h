@@ -16,7 +16,8 @@ namespace signorini
   /**
    * Everything that is solved with the mass matrix alone: projections of increments and velocities,
    * and accelerations. Operator and preconditioner are made when they are first needed, and live as
-   * long as the mesh. The functions are those of DynamicalSystem.
+   * long as the mesh. The functions are those of MassProjections, and
+   * DynamicalSystem::solve_mass().
    */
   template <int dim>
   class MassProblems

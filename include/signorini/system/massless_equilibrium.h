@@ -25,12 +25,12 @@ namespace signorini
                         const SolverParameters        &parameters);
 
     /**
+     * Collective.
      * @param displacement  u: that of nodes with mass is given, that of the others a first guess
-     * and then the solution
+     *                      and then the solution
      * @param load          f
      * @param energy_scale  accepted errors are 1e-24 of this in energy
      * @param contact_force nodal forces on the bodies, r
-     * Collective.
      */
     SolveReport
     solve(Vector &displacement, const Vector &load, double energy_scale, Vector &contact_force);

@@ -30,9 +30,8 @@ namespace signorini
 
     /**
      * An orthonormal basis of the motions that leave some entries at rest: of the rigid motions
-     * that nothing holds.
+     * that nothing holds. Collective.
      * @param entries of contact coordinates, on this process
-     * Collective.
      */
     std::vector<Motion> free_of(const std::vector<unsigned int> &entries) const;
 

@@ -17,7 +17,7 @@ namespace signorini
    *
    *   A u + M a = f + r,   u.nu <= g, r and friction as ever,
    *
-   * where a is the acceleration of the rigid motions that nothing holds (Dirichlet conditions,
+   * where a is the acceleration of the rigid motions that nothing holds (prescribed nodes,
    * closed nodes, sticking nodes), and u has no part in them. A block that slides on a plane thus
    * starts with the shear that decelerates it, and a body in free fall without deformation. The
    * slip of friction is the relative tangential displacement from the undeformed bodies or, where
@@ -53,7 +53,7 @@ namespace signorini
 
     /** The law of each contact node; its past slip points along the initial velocity. */
     Friction friction_of_nodes(const NormalGap &gap, const Vector &velocity) const;
-    /** The entries that Dirichlet conditions and contact hold. */
+    /** The entries that are prescribed or held by contact. */
     std::vector<unsigned int> held_entries(const ActiveSet &status) const;
     void                      set_forces(State           &state,
                                          const Friction  &laws,

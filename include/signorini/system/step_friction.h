@@ -42,9 +42,9 @@ namespace signorini
      * @param status    of the solver
      * @param increment, residual in contact coordinates
      * @param pressed_from_elsewhere whether the laws contain a further reaction; an open node that
-     * it entitles to friction is reported as closed
+     *                               it entitles to friction is reported as closed
      * @param solution  gets friction_reaction (in contact coordinates), friction_work, slip
-     * (Cartesian), slip_length, and status (open, slip or stick)
+     *                  (Cartesian), slip_length, and status (open, slip or stick)
      */
     void extract(const Friction    &friction,
                  const ActiveSet   &status,

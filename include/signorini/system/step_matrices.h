@@ -34,8 +34,8 @@ namespace signorini
   struct PreconditionerChoice
   {
     PreconditionerKind kind = PreconditionerKind::automatic;
-    unsigned int       mesh_life_time =
-      1; ///< steps that will probably be made on the mesh: what it pays to build
+    /** Steps that will probably be made on the mesh: what it pays to build. */
+    unsigned int mesh_life_time = 1;
   };
 
   /**

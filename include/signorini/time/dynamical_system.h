@@ -25,7 +25,7 @@ namespace signorini
    *   \text{minimise} \quad \tfrac12 d^T (M + s A) d - b^T d
    * @f]
    * over increments @f$d@f$ with @f$d \cdot \nu \le@f$ `bounds` at the contact nodes and the
-   * prescribed increments at Dirichlet conditions. The step [start.time, start.time + step_size]
+   * given values in prescribed entries. The step [start.time, start.time + step_size]
    * determines the prescribed values and the scale of errors.
    */
   struct IncrementProblem
@@ -33,11 +33,10 @@ namespace signorini
     double           stiffness_factor; ///< s, tau^2/4 for the trapezoidal rule
     const Vector    &right_hand_side;  ///< b
     const NormalGap &bounds;
-    const State     &start; ///< the motion before the step: what Dirichlet conditions are measured
-                            ///< from, and a first guess
-    double step_size;
-    double force_factor; ///< > 0: nodal forces times this are reactions, tau^2/2 for the
-                         ///< trapezoidal rule
+    const State     &start; ///< of the step: where prescribed increments begin, and a first guess
+    double           step_size;
+    double           force_factor; ///< > 0: nodal forces times this are reactions, tau^2/2 for the
+                                   ///< trapezoidal rule
     /**
      * Reactions of contact besides those of this problem in the step, to which friction is
      * entitled, too; or null.
@@ -54,7 +53,7 @@ namespace signorini
     Vector increment;          ///< d
     Vector contact_reaction;   ///< (K d - b) in the contact entries: compression has a negative
                                ///< normal component
-    Vector dirichlet_reaction; ///< (K d - b) in the entries of Dirichlet conditions
+    Vector dirichlet_reaction; ///< (K d - b) in the prescribed entries
     /**
      * The contact reaction as one number per contact node that this process owns, compression < 0;
      * zero where open.
@@ -65,8 +64,8 @@ namespace signorini
     Vector friction_reaction;   ///< like the contact reaction, in tangential directions; empty
                                 ///< without friction
     Vector slip; ///< relative tangential increments of closed contact nodes; empty without friction
-    double friction_work =
-      0.; ///< friction_reaction times increment, exactly zero where nodes stick
+    /** friction_reaction times increment, exactly zero where nodes stick. */
+    double      friction_work = 0.;
     SolveReport effort;
   };
 
@@ -92,10 +91,10 @@ namespace signorini
     /**
      * @f$L^2@f$ projection of a velocity onto those without relative velocity at some contact
      * nodes: the correction @f$c@f$ with minimal @f$\tfrac12 c^T M c@f$ and [velocity + @f$c@f$] =
-     * 0 there, zero at Dirichlet conditions.
+     * 0 there, zero in prescribed entries.
      * @param held            per contact node of this process: closed ones lose their normal
      *                        velocity, sticking ones the tangential one
-     * @param mass_correction @f$M c@f$, the impulses of these nodes and of Dirichlet conditions
+     * @param mass_correction @f$M c@f$, the impulses of these nodes and of prescribed ones
      * @return effort; no active node means that no process holds any, and @f$c = 0@f$
      */
     virtual SolveReport stop_relative_motion(const Vector    &velocity,
@@ -141,7 +140,7 @@ namespace signorini
   };
 
 
-  /** Dirichlet conditions whose prescribed displacements may change in time. */
+  /** Prescribed displacements that may change in time. */
   class MovingDirichletConditions
   {
   public:
@@ -150,11 +149,10 @@ namespace signorini
     /** Whether prescribed displacements change in a span of time. Collective. */
     virtual bool dirichlet_values_move(double start_time, double end_time) const = 0;
 
-    /** Zero in the directions of Dirichlet conditions: the velocity beside Dirichlet conditions
-     * that stand still. */
+    /** Make a velocity zero in the prescribed directions, as where they stand still. */
     virtual void stop_at_dirichlet(Vector &velocity) const = 0;
 
-    /** The part of nodal forces that acts in the directions of Dirichlet conditions. */
+    /** The part of nodal forces in the prescribed directions. */
     virtual Vector dirichlet_part(const Vector &forces) const = 0;
   };
 
@@ -191,7 +189,7 @@ namespace signorini
     /** Add factor times the loads at a time. */
     virtual void add_load(Vector &destination, double factor, double time) = 0;
 
-    /** M^-1 force, zero in the directions of Dirichlet conditions and in entries without mass. */
+    /** M^-1 force, zero in prescribed directions and in entries without mass. */
     virtual Vector solve_mass(const Vector &force) = 0;
 
     virtual NormalGap normal_gap(const Vector &displacement) const = 0;
@@ -231,7 +229,7 @@ namespace signorini
     return nodes != nullptr ? nodes->massless_entries() : std::vector<unsigned int>();
   }
 
-  /** The part of nodal forces that Dirichlet conditions bear; zero in a system that has none. */
+  /** The part of nodal forces in prescribed directions; zero in a system that has none. */
   inline Vector dirichlet_part(DynamicalSystem &system, const Vector &forces)
   {
     const MovingDirichletConditions *dirichlet = system.capabilities().moving_dirichlet;

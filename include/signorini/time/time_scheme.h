@@ -11,10 +11,11 @@ namespace signorini
 {
   /**
    * What happened in a step: effort, and the exact work of each constraint by the energy identity
-   * of the scheme.
+   * of the scheme. Who chose the length of the step writes it in here.
    */
   struct StepReport
   {
+    double      step_size = 0.;
     SolveReport corrector;
     SolveReport predictor;
     double      work_contact   = 0.; ///< change of energy by contact forces

@@ -15,15 +15,22 @@ namespace signorini
   /**
    * The strictly convex problem of every step,
    *
-   *   minimise 1/2 x'K x - b'x   subject to   x_i <= g_i (bounded entries),   x_j = d_j (fixed
-   * entries).
+   * @f[
+   *   \text{minimise} \quad \tfrac12 x^T K x - b^T x \quad \text{subject to} \quad
+   *   x_i \le g_i \text{ (bounded entries)}, \quad x_j = d_j \text{ (fixed entries)}.
+   * @f]
    *
-   * Its conditions of optimality with the residual s = b - K x: s_i = 0 in free entries; in bounded
-   * entries s_i >= 0, x_i <= g_i, s_i (g_i - x_i) = 0 (s_i is the multiplier); in fixed entries s_j
-   * is minus the reaction. With friction there is no function to minimise: the force t = s_t of a
-   * closed node, with the normal force n = s_i, has |t| <= b(n), and |t| = b(n) along the slip
-   * where the slip is not zero (Coulomb's law; a quasi-variational inequality). All indices are
-   * local; a process lists the entries that it owns.
+   * Its conditions of optimality with the residual s = b - K x:
+   *
+   * - in free entries s_i = 0,
+   * - in bounded entries s_i >= 0, x_i <= g_i, s_i (g_i - x_i) = 0 (s_i is the multiplier),
+   * - in fixed entries s_j is minus the reaction.
+   *
+   * With friction there is no function to minimise: the force t = s_t of a closed node, with the
+   * normal force n = s_i, has |t| <= b(n), and |t| = b(n) along the slip where the slip is not zero
+   * (Coulomb's law; a quasi-variational inequality).
+   *
+   * All indices are local; a process lists the entries that it owns.
    */
   struct ConstrainedProblem
   {

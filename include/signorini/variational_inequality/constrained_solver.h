@@ -31,7 +31,7 @@ namespace signorini
 
     /**
      * @param active   on entry a guess (one per bounded entry), on exit the entries held at their
-     * bound
+     *                 bound
      * @param solution on entry a guess, on exit the solution
      * @param residual on exit b - K x in all entries: the multipliers in the active ones
      * @throws RunError if the method fails

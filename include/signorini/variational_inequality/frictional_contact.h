@@ -20,8 +20,8 @@ namespace signorini
   {
     std::vector<unsigned int> entries; ///< at most two
     FrictionLaw               law; ///< of multipliers, that is of forces in the scale of the matrix
-    TangentVector             past =
-      TangentVector::Zero(); ///< slip that happened before: the slip is past + x_t
+    /** Slip that happened before: the slip is past + x_t. */
+    TangentVector past = TangentVector::Zero();
   };
 
   /** One per bounded entry; empty if there is no friction at all. */

@@ -21,7 +21,7 @@ namespace signorini
   public:
     /**
      * @param like a vector of the problem: its communicator, and numbers of entries that tell
-     * processes apart
+     *             processes apart
      */
     explicit StatusRecord(const Vector &like)
       : like(like)

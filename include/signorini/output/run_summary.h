@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_output_run_summary_h
+#define signorini_output_run_summary_h
+
+#include <signorini/diagnostics/oscillation.h>
+#include <signorini/output/history.h>
+
+#include <string>
+
+namespace signorini
+{
+  /** What a run was about: it decides which lines its summary has. */
+  struct RunSubject
+  {
+    bool        friction               = false;
+    bool        massless_contact_nodes = false;
+    std::string own_tolerance =
+      {}; ///< the key with which the scheme controls its own error, if any
+    double body_size = 1.;
+  };
+
+  /**
+   * What a run amounts to, in words: extremes and sums over all steps, whether they are written
+   * into the history or not, and what makes the results doubtful.
+   */
+  class RunSummary
+  {
+  public:
+    explicit RunSummary(const RunSubject &subject)
+      : subject(subject)
+    {
+    }
+
+    /** The initial state. */
+    void start(const HistoryRow &row);
+
+    /** A step. */
+    void add(const HistoryRow &row);
+
+    /** The mesh was changed. @param cells on all processes */
+    void change_mesh(unsigned long cells);
+
+    /**
+     * Change of the total energy since the start, relative to the initial one (to that of the
+     * motion if that is tiny).
+     */
+    double relative_energy_change() const { return relative(change); }
+
+    /** Energy balance, contact and oscillation. */
+    std::string text() const;
+
+    /** What makes the results doubtful; empty if nothing does. */
+    std::string warnings() const;
+
+  private:
+    const RunSubject subject;
+    TotalVariation   force_variation;
+
+    double initial_energy = 0., largest_energy = 0., change = 0., largest_change = 0.,
+           largest_residual = 0., largest_penetration = 0., deepest = 0., farthest_sliding = 0.,
+           impulse = 0., work_friction = 0., transferred = 0., largest_slip = 0.;
+    double        standard_change = 0.; ///< change of the total energy with the consistent mass
+    unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
+    unsigned long fewest_cells = 0, most_cells = 0;
+    /** Of laursen-love, per node. */
+    unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
+    double       first_contact = -1., last_contact = -1.;
+
+    /** The energy that changes are compared with. */
+    double scale() const;
+    double relative(double energy) const;
+    void   add_contact(const HistoryRow &row);
+  };
+} // namespace signorini
+
+#endif

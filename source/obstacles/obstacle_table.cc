@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/obstacles/level_set.h>
+#include <signorini/obstacles/obstacle_table.h>
+#include <signorini/obstacles/plane.h>
+#include <signorini/obstacles/round_obstacle.h>
+
+namespace signorini
+{
+  template <int dim>
+  const std::vector<ObstacleShape<dim>> &obstacle_shapes()
+  {
+    static const std::vector<ObstacleShape<dim>> shapes{
+      {"plane", "plane", declare_plane<dim>, parse_plane<dim>},
+      {"sphere", "sphere (in 2d: a circle)", declare_sphere<dim>, parse_sphere<dim>},
+      {"cylinder", "cylinder (3d, of infinite length)", declare_cylinder<dim>, parse_cylinder<dim>},
+      {"function",
+       "function (the zero set of an expression)",
+       declare_level_set,
+       parse_level_set<dim>}};
+    return shapes;
+  }
+
+  template const std::vector<ObstacleShape<2>> &obstacle_shapes();
+  template const std::vector<ObstacleShape<3>> &obstacle_shapes();
+} // namespace signorini

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/system/scales.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  double response_size(const LinearOperator            &matrix,
+                       MaskedPreconditioner            &preconditioner,
+                       const Vector                    &right_hand_side,
+                       const std::vector<unsigned int> &prescribed_entries,
+                       const std::vector<double>       &prescribed_values)
+  {
+    Vector response(right_hand_side), force(right_hand_side);
+    response = 0.;
+    Mask mask(response.locally_owned_size(), 0);
+    for (std::size_t j = 0; j < prescribed_entries.size(); ++j)
+      {
+        response.local_element(prescribed_entries[j]) = prescribed_values[j];
+        mask[prescribed_entries[j]]                   = 1;
+      }
+    matrix.vmult(force, response);
+    force.sadd(-1., 1., right_hand_side);
+    preconditioner.set_mask(mask);
+    preconditioner.vmult(response, force);
+    return std::sqrt(std::max(0., dot(response, force)));
+  }
+} // namespace signorini

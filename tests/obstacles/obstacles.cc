@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The gap is the distance to the obstacle, negative inside of it, and the normal is the unit vector
+// towards the obstacle, against the gradient of the distance.
+
+#include <signorini/base/user_error.h>
+#include <signorini/obstacles/level_set.h>
+#include <signorini/obstacles/plane.h>
+#include <signorini/obstacles/round_obstacle.h>
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  /** Gap and normal at a point; `tolerance` for obstacles that differentiate numerically. */
+  template <int dim>
+  void expect_projection(const RigidObstacle<dim> &obstacle,
+                         const Point<dim>         &point,
+                         const double              gap,
+                         const Tensor<1, dim>     &normal,
+                         const double              tolerance = 1e-14)
+  {
+    const auto projection = obstacle.project(point);
+    EXPECT_NEAR(projection.gap, gap, tolerance) << point;
+    EXPECT_LT((projection.normal - normal).norm(), tolerance)
+      << projection.normal << " at " << point;
+    EXPECT_NEAR(projection.normal.norm(), 1., 1e-14) << point;
+  }
+
+  template <int dim>
+  RoundObstacle<dim>
+  sphere(const Point<dim> &centre, const double radius, const bool bodies_inside = false)
+  {
+    return {centre, Tensor<1, dim>(), radius, bodies_inside};
+  }
+} // namespace
+
+TEST(Obstacles, PlaneWithANormalOfAnyLength)
+{
+  const Plane<2> wall(Point<2>(1., 0.), Tensor<1, 2>({3., 4.}));
+  expect_projection<2>(wall, {4., 4.}, 5., Tensor<1, 2>({-0.6, -0.8}));
+  expect_projection<2>(wall, {-2., -4.}, -5., Tensor<1, 2>({-0.6, -0.8}));
+  expect_projection<2>(wall, {5., -3.}, 0., Tensor<1, 2>({-0.6, -0.8}));
+}
+
+TEST(Obstacles, SphereFromOutsideAndFromInside)
+{
+  const Point<3> centre(1., 2., 3.);
+  expect_projection<3>(sphere<3>(centre, 2.), {1., 2., 6.}, 1., Tensor<1, 3>({0., 0., -1.}));
+  expect_projection<3>(sphere<3>(centre, 2.), {1., 2., 4.}, -1., Tensor<1, 3>({0., 0., -1.}));
+  expect_projection<3>(sphere<3>(centre, 2., true), {1., 2., 4.}, 1., Tensor<1, 3>({0., 0., 1.}));
+  expect_projection<3>(sphere<3>(centre, 2., true), {4., 2., 3.}, -1., Tensor<1, 3>({1., 0., 0.}));
+  expect_projection<2>(sphere<2>({0., 0.}, 1.), {3., 4.}, 4., Tensor<1, 2>({-0.6, -0.8}));
+}
+
+TEST(Obstacles, CentreOfASphereHasSomeNormal)
+{
+  const auto projection = sphere<3>({1., 2., 3.}, 2., true).project({1., 2., 3.});
+  EXPECT_DOUBLE_EQ(projection.gap, 2.);
+  EXPECT_DOUBLE_EQ(projection.normal.norm(), 1.);
+}
+
+TEST(Obstacles, CylinderIgnoresTheWayAlongItsAxis)
+{
+  const Point<3>     centre(0., 0., 1.);
+  const Tensor<1, 3> axis({0., 5., 0.});
+  for (const double y : {-10., 0., 3.})
+    expect_projection<3>(
+      RoundObstacle<3>(centre, axis, 2., false), {3., y, 5.}, 3., Tensor<1, 3>({-0.6, 0., -0.8}));
+  expect_projection<3>(
+    RoundObstacle<3>(centre, axis, 2., true), {0.6, 7., 1.8}, 1., Tensor<1, 3>({0.6, 0., 0.8}));
+}
+
+TEST(Obstacles, AxisOfACylinderHasANormalAcrossIt)
+{
+  for (const auto &axis : {Tensor<1, 3>({0., 0., 1.}), Tensor<1, 3>({0.1, 0., 1.})})
+    {
+      const auto projection =
+        RoundObstacle<3>(Point<3>(1., 2., 3.), axis, 2., true).project({1., 2., 3.});
+      EXPECT_DOUBLE_EQ(projection.gap, 2.);
+      EXPECT_DOUBLE_EQ(projection.normal.norm(), 1.);
+      EXPECT_NEAR(projection.normal * axis, 0., 1e-15);
+    }
+}
+
+TEST(Obstacles, FunctionIsScaledToADistance)
+{
+  const LevelSet<3> ball("ball", "5*(sqrt(x*x + y*y + z*z) - 1)");
+  for (const Point<3> &point :
+       {Point<3>(0., 0., 2.), Point<3>(0.6, 0., 0.8), Point<3>(-1., 2., 2.), Point<3>(0., 0.5, 0.)})
+    expect_projection<3>(ball, point, point.norm() - 1., -point / point.norm(), 1e-9);
+  expect_projection<3>(LevelSet<3>("slope", "z - 0.1*x"),
+                       {0., 0., 0.},
+                       0.,
+                       Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01),
+                       1e-9);
+}
+
+TEST(Obstacles, FunctionFarFromTheOriginHasTheSameNormal)
+{
+  // The features of a surface are as large as the bodies, wherever the origin is.
+  const LevelSet<2> near("near", "y - 0.1*sin(3*x)"),
+    far("far", "y - 1000 - 0.1*sin(3*(x - 1000))");
+  const auto expected = near.project({0.3, 0.2}), found = far.project({1000.3, 1000.2});
+  EXPECT_NEAR(found.gap, expected.gap, 1e-8);
+  EXPECT_LT((found.normal - expected.normal).norm(), 1e-8);
+}
+
+TEST(Obstacles, FunctionWithAnEdgeHasTheNormalOfItsSide)
+{
+  const LevelSet<2> roof("roof", "y + abs(x)");
+  for (const double x : {-1., -1e-3, 1e-3, 1.})
+    expect_projection<2>(roof,
+                         {x, 0.},
+                         std::abs(x) / std::sqrt(2.),
+                         Tensor<1, 2>({x > 0. ? -1. : 1., -1.}) / std::sqrt(2.),
+                         1e-8);
+}
+
+TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
+{
+  const Plane<3>         plane(Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.}));
+  const RoundObstacle<3> ball = sphere<3>({2., 0., 0.}, 1.);
+  const RoundObstacle<3> pipe(Point<3>(0., 0., 1.), Tensor<1, 3>({1., 2., 2.}), 0.3, false);
+  const LevelSet<3>      wave("wave", "z - 0.1*sin(3*x)*cos(2*y)");
+  for (const RigidObstacle<3> *obstacle :
+       std::initializer_list<const RigidObstacle<3> *>{&plane, &ball, &pipe, &wave})
+    {
+      const Point<3> point(0.3, 0.2, 0.);
+      const auto     projection = obstacle->project(point);
+      const double   step       = 1e-5;
+      const double   slope      = (obstacle->project(point + step * projection.normal).gap
+                            - obstacle->project(point - step * projection.normal).gap)
+                           / (2. * step);
+      // A function is a distance only to first order; here it is not far from one.
+      EXPECT_NEAR(slope, -1., obstacle == &wave ? 0.05 : 1e-9);
+    }
+}
+
+TEST(Obstacles, FunctionWithoutNormalIsRefused)
+{
+  EXPECT_THROW(LevelSet<2>("fog", "1").project({0., 0.}), UserError);
+}

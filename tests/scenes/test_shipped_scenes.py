@@ -1,0 +1,95 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Every scene in parameters/ with every scheme keeps what theory promises in each step: the ledger
+of energy closes, energy never grows but with the classical scheme, nothing penetrates, contact only
+presses, and momentum changes by the forces alone. Expensive scenes are shortened. Scenes of two
+bodies and those with friction have tests of their own.
+"""
+
+import check_history
+import test_adaptivity
+import test_friction
+import test_two_bodies
+
+DOWN_2D = (0.0, 1.0, 0.0)
+DOWN_3D = (0.0, 0.0, 1.0)
+
+#: Scene: overrides that make it short, size of the body, direction of the contact force on a plane,
+#: load.
+SCENES = {
+    "bar_2d": ([], 10.0, DOWN_2D, (0.0, 0.0, 0.0)),
+    "bar_3d": (["Time/End time=0.8"], 10.0, DOWN_3D, (0.0, 0.0, 0.0)),
+    "box_on_sphere": (["Bodies/box/Refinements=2"], 1.0, None, (0.0, 0.0, -9.81)),
+    "disc_2d": (["Bodies/disc/Refinements=4"], 2.0, DOWN_2D, (0.0, 0.0, 0.0)),
+    "geometry_a": (["Bodies/ball/Refinements=2"], 2.0, DOWN_3D, (0.0, 0.0, 0.0)),
+    "quick_start": (["Bodies/ball/Refinements=2"], 2.0, DOWN_3D, (0.0, 0.0, 0.0)),
+}
+#: Scenes that are driven from outside, by loads or Dirichlet conditions; free scenes of two bodies
+#: have a test of their own.
+DRIVEN = {
+    "stack_of_boxes": (["Time/End time=0.08"], 1.2),
+    "hammer_and_anvil": ([], 1.0),
+    "manufactured_bar": ([], 1.0),
+    "bouncing_bar": (["Time/End time=2"], 10.0),
+}
+
+
+class ShippedScenes(check_history.SceneTest):
+    def check(self, name):
+        overrides, size, direction, load = SCENES[name]
+        for scheme in check_history.SCHEMES:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(
+                    check_history.scene_file(name),
+                    f"shipped-{name}-{scheme}",
+                    overrides + [f"Time/Scheme={scheme}"],
+                )
+                self.expect_contact(run)
+                self.expect_ledger_closes(run)
+                if scheme in check_history.DISSIPATIVE:
+                    self.expect_no_gain_of_energy(run)
+                self.expect_no_penetration(run, size)
+                self.expect_pressure(run, direction)
+                self.expect_balance_of_momentum(run, scheme, lambda start, end: load)
+
+    def test_no_scene_is_forgotten(self):
+        self.assertEqual(
+            sorted(path.stem for path in check_history.PARAMETERS.rglob("*.prm")),
+            sorted(
+                [
+                    *SCENES,
+                    *DRIVEN,
+                    *test_two_bodies.FREE_SCENES,
+                    *test_friction.SCENES,
+                    *test_adaptivity.SCENES,
+                ]
+            ),
+        )
+
+    def check_driven(self, name):
+        overrides, size = DRIVEN[name]
+        for scheme in check_history.SCHEMES:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(
+                    check_history.scene_file(name),
+                    f"shipped-{name}-{scheme}",
+                    overrides + [f"Time/Scheme={scheme}"],
+                )
+                self.expect_contact(run)
+                self.expect_ledger_closes(run, driven=True)
+                if scheme in check_history.DISSIPATIVE:
+                    self.expect_no_gain_of_energy(run, driven=True)
+                self.expect_no_penetration(run, size)
+                self.expect_pressure(run)
+
+
+for scene in DRIVEN:
+    setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check_driven(name))
+for scene in SCENES:
+    setattr(ShippedScenes, f"test_{scene}", lambda self, name=scene: self.check(name))
+
+
+if __name__ == "__main__":
+    check_history.main()
