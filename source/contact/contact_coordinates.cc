@@ -17,6 +17,7 @@ namespace signorini
     : dirichlet(dirichlet)
     , owned_contact_nodes(surface.nodes())
     , node_coupling(surface.coupling())
+    , n_owned_entries(dim * discretization.matrices().pattern.n_owned)
   {
     Frame identity{};
     for (unsigned int c = 0; c < dim; ++c)
@@ -116,6 +117,7 @@ namespace signorini
   template <int dim>
   void ContactCoordinates<dim>::rotate_to_frames(Vector &vector) const
   {
+    AssertDimension(vector.locally_owned_size(), n_owned_entries);
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         std::array<double, dim> w{};
@@ -132,6 +134,7 @@ namespace signorini
   template <int dim>
   void ContactCoordinates<dim>::rotate_from_frames(Vector &vector) const
   {
+    AssertDimension(vector.locally_owned_size(), n_owned_entries);
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         std::array<double, dim> u{};

@@ -182,6 +182,7 @@ namespace signorini
   template <int dim>
   std::vector<double> ContactSurface<dim>::relative_normal(const Vector &motion) const
   {
+    AssertDimension(motion.locally_owned_size(), dim * discretization.matrices().pattern.n_owned);
     const auto          opposite = node_coupling->partner_displacement(motion);
     std::vector<double> result;
     result.reserve(contact_nodes.size());
@@ -199,6 +200,7 @@ namespace signorini
   template <int dim>
   std::vector<Tensor<1, dim>> ContactSurface<dim>::relative_tangential(const Vector &motion) const
   {
+    AssertDimension(motion.locally_owned_size(), dim * discretization.matrices().pattern.n_owned);
     std::vector<Tensor<1, dim>> result = node_coupling->partner_displacement(motion);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
@@ -244,6 +246,7 @@ namespace signorini
   double ContactSurface<dim>::largest_sliding(const Vector &displacement,
                                               const Vector &contact_force) const
   {
+    AssertDimension(contact_force.locally_owned_size(), displacement.locally_owned_size());
     if (!node_coupling->any())
       return 0.;
     const auto sliding = relative_tangential(displacement);

@@ -3,12 +3,20 @@
 
 #include <signorini/contact/dual_basis.h>
 
+#include <deal.II/base/exceptions.h>
+
 #include <Eigen/LU>
+
+#include <algorithm>
 
 namespace signorini
 {
   Eigen::MatrixXd dual_basis(const Eigen::MatrixXd &mass, const std::vector<bool> &carries)
   {
+    AssertDimension(mass.cols(), mass.rows());
+    AssertDimension(carries.size(), static_cast<std::size_t>(mass.rows()));
+    Assert(std::find(carries.begin(), carries.end(), true) != carries.end(),
+           dealii::ExcMessage("At least one node of a face carries a multiplier."));
     const Eigen::Index        n = mass.rows();
     std::vector<Eigen::Index> carriers;
     for (Eigen::Index i = 0; i < n; ++i)

@@ -66,13 +66,17 @@ namespace signorini
       for (unsigned int c = 0; c < dim; ++c)
         inverse_diagonal.local_element(dim * node + c) = 0.;
     for (const unsigned int entry : held)
-      inverse_diagonal.local_element(entry) = 0.;
+      {
+        AssertIndexRange(entry, inverse_diagonal.locally_owned_size());
+        inverse_diagonal.local_element(entry) = 0.;
+      }
   }
 
 
   template <int dim>
   Vector MassSolver<dim>::solve(const Vector &force) const
   {
+    AssertDimension(force.locally_owned_size(), inverse_diagonal.locally_owned_size());
     const FreeMass<dim> mass{matrices, inverse_diagonal};
     Vector              right_hand_side = force, result(matrices.pattern.partitioner);
     mass.clear_held(right_hand_side);

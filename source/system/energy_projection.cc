@@ -9,6 +9,8 @@
 #include <signorini/system/scales.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
+#include <limits>
+
 namespace signorini
 {
   namespace
@@ -49,11 +51,10 @@ namespace signorini
       const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);
       Vector                    correction = discretization.make_vector(), residual = correction;
       // Of a body without deformation both sizes are round-off; then the larger one is the measure.
-      const double tolerance = std::max(
-        1e-12 * size,
-        1e-10
-          * response_size(
-            matrix, *preconditioner, right_hand_side, coordinates.dirichlet_entries(), nothing));
+      const double response = response_size(
+        matrix, *preconditioner, right_hand_side, coordinates.dirichlet_entries(), nothing);
+      const double tolerance =
+        std::max({1e-12 * size, 1e-10 * response, std::numeric_limits<double>::min()});
       solver.solve({matrix,
                     *preconditioner,
                     right_hand_side,
@@ -82,6 +83,7 @@ namespace signorini
                            const SolverParameters        &limits)
   {
     AssertDimension(bounds.size(), coordinates.normal_entries().size());
+    AssertDimension(energy_moments.locally_owned_size(), mass_moments.locally_owned_size());
     Assert(size >= 0., dealii::ExcMessage("The size of a displacement is a norm."));
     const RigidModes<dim> rigid(discretization, coordinates);
     const double          touching = touching_distance(discretization.mesh().body_size());

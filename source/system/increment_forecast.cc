@@ -11,6 +11,8 @@ namespace signorini
     const unsigned int n = entries.size();
     if (n == 0)
       return false;
+    AssertDimension(right_hand_side.size(), entries[0].product.size());
+    AssertDimension(increment.size(), right_hand_side.size());
 
     // b - s with s from the last two steps
     Vector force = right_hand_side;
@@ -44,6 +46,10 @@ namespace signorini
                                    const Vector &increment,
                                    const Vector &residual)
   {
+    AssertDimension(increment.size(), right_hand_side.size());
+    AssertDimension(residual.size(), right_hand_side.size());
+    Assert(entries.empty() || entries[0].increment.size() == increment.size(),
+           dealii::ExcMessage("The mesh has changed: clear() what was remembered."));
     Entry entry;
     if (entries.size() == n_kept) // reuse the memory of the oldest
       {

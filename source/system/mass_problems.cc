@@ -7,6 +7,7 @@
 #include <signorini/system/scales.h>
 
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -48,6 +49,9 @@ namespace signorini
                                          Vector          &correction,
                                          Vector          &mass_correction)
   {
+    AssertDimension(bounds.size(), surface.nodes().size());
+    Assert(step_size > 0., dealii::ExcMessage("A step goes forward in time."));
+    Assert(energy_scale >= 0., dealii::ExcMessage("The scale is an energy of motion."));
     correction      = discretization.make_vector();
     mass_correction = correction;
 
@@ -123,6 +127,8 @@ namespace signorini
                                                       Vector          &correction,
                                                       Vector          &mass_correction)
   {
+    AssertDimension(held.size(), surface.nodes().size());
+    Assert(energy_scale >= 0., dealii::ExcMessage("The scale is an energy of motion."));
     correction      = discretization.make_vector();
     mass_correction = correction;
 
@@ -203,7 +209,7 @@ namespace signorini
                   {},
                   coordinates.dirichlet_entries(),
                   held,
-                  1e-13 * size,
+                  std::max(1e-13 * size, std::numeric_limits<double>::min()),
                   0.},
                  none,
                  result,

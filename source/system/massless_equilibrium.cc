@@ -5,6 +5,7 @@
 #include <signorini/system/scales.h>
 
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -45,6 +46,9 @@ namespace signorini
                                               const double  energy_scale,
                                               Vector       &contact_force)
   {
+    AssertDimension(displacement.locally_owned_size(), load.locally_owned_size());
+    AssertDimension(load.locally_owned_size(), dim * discretization.matrices().pattern.n_owned);
+    Assert(energy_scale >= 0., dealii::ExcMessage("The scale is an energy of motion."));
     Vector right_hand_side = discretization.make_vector(), increment = right_hand_side,
            residual = right_hand_side;
     discretization.matrices().apply_stiffness(right_hand_side, displacement);
@@ -57,19 +61,20 @@ namespace signorini
       energy_scale > 0.
         ? std::sqrt(energy_scale)
         : response_size(stiffness, *preconditioner, right_hand_side, fixed_entries, zeros);
-    const SolveReport report = solver.solve({stiffness,
-                                             *preconditioner,
-                                             right_hand_side,
-                                             coordinates.normal_entries(),
-                                             gap,
-                                             fixed_entries,
-                                             zeros,
-                                             1e-12 * scale,
-                                             1e-13 * discretization.mesh().body_size()},
-                                            active,
-                                            increment,
-                                            residual);
-    contact_force            = discretization.make_vector();
+    const SolveReport report =
+      solver.solve({stiffness,
+                    *preconditioner,
+                    right_hand_side,
+                    coordinates.normal_entries(),
+                    gap,
+                    fixed_entries,
+                    zeros,
+                    std::max(1e-12 * scale, std::numeric_limits<double>::min()),
+                    1e-13 * discretization.mesh().body_size()},
+                   active,
+                   increment,
+                   residual);
+    contact_force = discretization.make_vector();
     for (unsigned int k = 0; k < active.size(); ++k)
       if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
         contact_force.local_element(i) = -residual.local_element(i);

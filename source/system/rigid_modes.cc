@@ -88,6 +88,8 @@ namespace signorini
   template <int dim>
   std::vector<Motion> RigidModes<dim>::free_of(const std::vector<unsigned int> &entries) const
   {
+    for ([[maybe_unused]] const unsigned int entry : entries)
+      AssertIndexRange(entry, dim * discretization.matrices().pattern.n_owned);
     const Eigen::Index n    = modes.size();
     Eigen::MatrixXd    gram = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index i = 0; i < n; ++i)

@@ -14,6 +14,7 @@ namespace signorini
                        const std::vector<unsigned int> &prescribed_entries,
                        const std::vector<double>       &prescribed_values)
   {
+    AssertDimension(prescribed_values.size(), prescribed_entries.size());
     Vector response(right_hand_side), force(right_hand_side);
     response = 0.;
     Mask mask(response.locally_owned_size(), 0);

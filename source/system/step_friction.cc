@@ -40,6 +40,8 @@ namespace signorini
                                       const double     touching,
                                       const Vector    *further_reaction) const
   {
+    AssertDimension(bounds.size(), coordinates.surface_nodes().size());
+    Assert(touching >= 0., dealii::ExcMessage("The distance of touching is a length."));
     Vector further;
     if (further_reaction != nullptr)
       {
@@ -71,6 +73,9 @@ namespace signorini
                                   const bool         pressed_from_elsewhere,
                                   IncrementSolution &solution) const
   {
+    AssertDimension(friction.size(), status.size());
+    AssertDimension(status.size(), coordinates.normal_entries().size());
+    AssertDimension(residual.size(), increment.size());
     solution.friction_reaction.reinit(increment);
     solution.slip.reinit(increment);
     solution.slip_length.assign(status.size(), 0.);

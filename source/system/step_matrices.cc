@@ -32,6 +32,8 @@ namespace signorini
   template <int dim>
   StepMatrix<dim> &StepMatrices<dim>::get(const double stiffness_factor, const double step_size)
   {
+    Assert(stiffness_factor >= 0., dealii::ExcMessage("M + s A is definite with s >= 0."));
+    Assert(step_size > 0., dealii::ExcMessage("A step goes forward in time."));
     ++uses;
     const auto known =
       std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {

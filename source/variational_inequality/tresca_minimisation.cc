@@ -280,7 +280,9 @@ namespace signorini
                                         Vector                    &solution,
                                         Vector                    &residual)
   {
+    check_sizes(problem, status, solution, residual);
     AssertDimension(bounds.size(), status.size());
+    AssertDimension(problem.friction.size(), status.size());
     Assert(
       std::none_of(bounds.begin(), bounds.end(), [](const double bound) { return bound < 0.; }),
       dealii::ExcMessage("A bound of the friction is not negative."));

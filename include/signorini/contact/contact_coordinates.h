@@ -95,6 +95,7 @@ namespace signorini
     const DirichletConditions<dim>        &dirichlet;
     const std::vector<ContactNode<dim>>   &owned_contact_nodes;
     const NodeCoupling<dim>               &node_coupling;
+    const unsigned int                     n_owned_entries;
     std::map<unsigned int, Frame>          frames;
     std::vector<unsigned int>              normals, prescribed;
     std::vector<std::vector<unsigned int>> tangential;

@@ -4,6 +4,8 @@
 #ifndef signorini_friction_friction_law_h
 #define signorini_friction_friction_law_h
 
+#include <deal.II/base/exceptions.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -41,6 +43,7 @@ namespace signorini
     /** The law of forces that are multiplied by a factor. */
     FrictionLaw scaled(const double factor) const
     {
+      Assert(factor > 0., dealii::ExcMessage("Forces are scaled by a positive factor."));
       return {coefficient, factor * constant, factor * cap};
     }
   };
