@@ -22,7 +22,7 @@ namespace
   }
 } // namespace
 
-TEST(DirichletOnSurface, NormalDirichletTakesTheNode)
+TEST(DirichletOnSurface, NormalConditionTakesTheNode)
 {
   const ContactProblem<3> problem(held_box({{"-", "-", "0"}}));
   EXPECT_EQ(problem.surface.n_global_nodes(), 6u);
@@ -31,7 +31,7 @@ TEST(DirichletOnSurface, NormalDirichletTakesTheNode)
     EXPECT_GT(node.position[0], 0.);
 }
 
-TEST(DirichletOnSurface, TangentialDirichletLeavesTheNode)
+TEST(DirichletOnSurface, TangentialConditionLeavesTheNode)
 {
   const ContactProblem<3> problem(held_box({{"0", "0", "-"}}));
   EXPECT_EQ(problem.surface.n_global_nodes(), 9u);

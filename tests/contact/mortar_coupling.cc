@@ -245,7 +245,7 @@ TEST(MortarCoupling, CurvedSurfacesReproduceConstants)
     }
 }
 
-TEST(MortarCoupling, NormalDirichletTakesTheMultiplier)
+TEST(MortarCoupling, NormalConditionTakesTheMultiplier)
 {
   const TwoBodies<3> bodies = prescribed({{"-", "-", "0"}});
   EXPECT_EQ(bodies.surface.n_left_to_dirichlet_conditions(), 3u);

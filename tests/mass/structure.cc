@@ -114,7 +114,7 @@ TEST(MassStructure, RefusesWhatIsNotPositiveDefinite)
       << construction;
 }
 
-TEST(MassStructure, MacroElementsBesideADirichlet)
+TEST(MassStructure, MacroElementsBesidePrescribedNodes)
 {
   // The corner is held and no contact node, but it lies on the contact surface: it loses its mass
   // like the others.

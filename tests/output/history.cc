@@ -57,7 +57,8 @@ TEST(History, ContactAndFriction)
   const std::vector<Probe<2>> no_probes;
   History<2>                  history(folder.name, false, true, no_probes, MPI_COMM_WORLD);
   const State                 state;
-  HistoryRow                  row{state, 0, 0, {}, 0., {}, {}, 0., {}, {}, {}, 7., {}};
+  HistoryRow                  row{state};
+  row.wall_time              = 7.;
   row.booking.friction       = -1.5;
   row.contact.normal_force   = 10.;
   row.contact.friction_force = 3.;

@@ -21,16 +21,16 @@ namespace signorini
   {
     const State  &state;
     unsigned long cells = 0, dofs = 0;
-    Energy        energy;                       ///< with the mass of the scheme
+    Energy        energy                  = {}; ///< with the mass of the scheme
     double        standard_kinetic_energy = 0.; ///< with the consistent mass
-    EnergyBooking booking;
-    Momentum      momentum;
+    EnergyBooking booking                 = {};
+    Momentum      momentum                = {};
     double        angular_momentum_drift = 0.; ///< |change of the angular momentum since the start|
-    ContactSummary contact;
-    StepReport     report;
-    ProductCount   products; ///< matrix-vector products of this step
-    double         wall_time = 0.;
-    ErrorNorms     errors; ///< written only if the scene has an exact solution
+    ContactSummary contact               = {};
+    StepReport     report                = {};
+    ProductCount   products              = {}; ///< matrix-vector products of this step
+    double         wall_time             = 0.;
+    ErrorNorms     errors                = {}; ///< written only if the scene has an exact solution
   };
 
   /**
