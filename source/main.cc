@@ -33,7 +33,10 @@ namespace
 
 int main(int argc, char **argv)
 {
-  dealii::Utilities::MPI::MPI_InitFinalize mpi(argc, argv, 1);
+  // deal.II would hand the options on to other libraries, and PETSc comments on what it does not
+  // know.
+  int                                      only_the_name = 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(only_the_name, argv, 1);
   dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
   dealii::deal_II_exceptions::disable_abort_on_exception();
   const MPI_Comm        comm = MPI_COMM_WORLD;

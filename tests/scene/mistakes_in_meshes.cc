@@ -188,7 +188,6 @@ TEST(MistakesInMeshes, InvertedCells)
   expect_mesh_refusals(
     {{replaced(ucd, "6 2 1 0", "6 1.4 0.4 0"), ".ucd", 2, {second[0], second[1], "(1.4 0.4)"}},
      {replaced(ucd, "6 2 1 0", "6 1.5 0.5 0"), ".ucd", 2, {second[0], second[1], "(1.5 0.5)"}},
-     {replaced(ucd, "2 5 6 3", "2 5 6 6"), ".ucd", 2, {second[0], second[1], "(2 1)"}},
      {replaced(read_file("hammer.inp"),
                "\n186, 225, 240, 241, 220, 266, 281, 282, 261\n",
                "\n186, 266, 281, 282, 261, 225, 240, 241, 220\n"),
@@ -199,6 +198,18 @@ TEST(MistakesInMeshes, InvertedCells)
       ".msh",
       3,
       {"among the hexahedra", "inverted or degenerate at its vertex", "-0.6)"}}});
+}
+
+TEST(MistakesInMeshes, CellWithOneVertexTwice)
+{
+  // In Debug deal.II says it first.
+#ifdef DEBUG
+  const std::vector<std::string> words = {"refers to the same vertex"};
+#else
+  const std::vector<std::string> words = {
+    "cell 2 (counted from 1 among the quadrilaterals)", "inverted or degenerate", "(2 1)"};
+#endif
+  expect_mesh_refusals({{replaced(ucd, "2 5 6 3", "2 5 6 6"), ".ucd", 2, words}});
 }
 
 TEST(MistakesInMeshes, References)
