@@ -28,7 +28,7 @@ function(signorini_add_test name)
     set(TEST_RANKS 1)
   endif()
   if(NOT TEST_TIMEOUT)
-    set(TEST_TIMEOUT 300)
+    set(TEST_TIMEOUT 600) # some ten times what it takes: machines may be slow or busy
   endif()
   if(NOT TEST_EXECUTABLE)
     set(TEST_EXECUTABLE ${name})

@@ -18,7 +18,7 @@ import unittest
 
 EXECUTABLE = ""
 QUICK_START = str(pathlib.Path(__file__).resolve().parents[2] / "parameters" / "quick_start.prm")
-TIMEOUT = 60
+TIMEOUT = 300
 
 
 def own_lines(text):

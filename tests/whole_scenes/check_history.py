@@ -34,7 +34,7 @@ FURTHER_SCHEMES = (
 DISSIPATIVE = ("contact-implicit", "contact-stabilized")
 #: What the solver promises, relative to the energy of the motion.
 ACCURACY = 1e-10
-TIMEOUT = 250
+TIMEOUT = 900
 
 settings = {"executable": "", "folder": ""}
 
