@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/expressions.h>
 #include <signorini/prm/apply_statements.h>
 #include <signorini/prm/check_expressions.h>
 #include <signorini/scene/read_scene.h>
@@ -55,6 +56,21 @@ namespace signorini
                                        "does not fit `Time/Start = equilibrium`, where the loads "
                                        "determine the displacement. Remove this key, or set "
                                        "`Time/Start = given`.");
+    }
+
+    template <int dim>
+    void check_dirichlet(const SectionReader &in, const Scene<dim> &scene)
+    {
+      if (scheme_info(scene.time.scheme).moving_dirichlet)
+        return;
+      for (const BodyDescription<dim> &body : scene.bodies)
+        for (const BoundaryCondition<dim> &condition : body.dirichlet)
+          if (has_time(condition.expressions))
+            in.section(body.name).fail("Dirichlet",
+                                       "does not fit `Time/Scheme = " + scene.time.scheme
+                                         + "`, which does not follow prescribed displacements that "
+                                           "change in time. Take another scheme for contact nodes "
+                                           "without mass, with a small step size.");
     }
 
     /**
@@ -113,6 +129,7 @@ namespace signorini
     for (const std::string &name : names.bodies)
       scene.bodies.push_back(parse_body<dim>(in.section("Bodies").section(name), name));
     check_start(in.section("Bodies"), scene);
+    check_dirichlet(in.section("Bodies"), scene);
     for (const std::string &name : names.obstacles)
       scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
     scene.pairs      = parse_pairs(in.section("Contact"), names.pairs, scene);

@@ -40,6 +40,7 @@ namespace signorini
       info.balance          = StepBalance::middle;
       info.force_before_end = "0.5";
       info.changing_mesh    = true;
+      info.moving_dirichlet = true;
       return info;
     }
 
@@ -255,6 +256,7 @@ namespace signorini
       info.force_before_end = "0";
       info.mean_velocity    = true;
       info.own_tolerance    = "Reference tolerance";
+      info.moving_dirichlet = false;
       info.keys             = {info.own_tolerance};
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ReferenceIntegration>(parameters.reference_tolerance);

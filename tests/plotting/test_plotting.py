@@ -54,6 +54,26 @@ class Phases(unittest.TestCase):
         self.assertEqual(curves.contact_phases(self.time, 0.0 * self.time), [])
 
 
+class Momentum(unittest.TestCase):
+    def test_components_only(self):
+        """The drift of the angular momentum is no component of it."""
+        time = numpy.arange(6.0)
+        figure = curves.momentum(
+            {
+                "time": time,
+                "contact_force": 0.0 * time,
+                "momentum_x": 0.0 * time,
+                "momentum_y": time - 3.0,
+                "angular_momentum_z": time,
+                "angular_momentum_drift": time,
+            }
+        )
+        linear, angular = figure.axes[:2]
+        self.assertEqual(linear.get_title(), "Linear momentum (x: zero)")
+        self.assertEqual(angular.get_title(), "Angular momentum")
+        self.assertEqual(len(angular.lines), 1)
+
+
 class Skin(unittest.TestCase):
     def test_block(self):
         """27 cubes have 6 x 9 outer faces, and their area vectors cancel."""

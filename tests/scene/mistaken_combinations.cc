@@ -50,6 +50,12 @@ TEST(Combinations, OfSchemes)
          {"Stop sticking nodes = false", "Scheme = newmark", "Remove"});
 }
 
+TEST(Combinations, OfMovingConditions)
+{
+  expect({{"Time/Scheme", "reference"}, {"Bodies/box/Dirichlet", "0: 0; -; sin(t)"}},
+         {"Bodies/box/Dirichlet = 0: 0; -; sin(t)", "Scheme = reference", "Take another scheme"});
+}
+
 TEST(Combinations, OfOtherValues)
 {
   expect({{"Time/Start", "equilibrium"}, {"Bodies/box/Initial displacement", "0; 0; 0.1*x"}},

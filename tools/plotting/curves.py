@@ -3,6 +3,8 @@
 
 """Curves over time: energy, contact force, momentum, probes."""
 
+import re
+
 import numpy
 
 from . import style
@@ -146,8 +148,11 @@ def momentum(history):
     """Linear and angular momentum, the components that are not zero throughout."""
     (time,) = require(history, "time")
     kinds = [
-        ("Linear momentum", [name for name in history if name.startswith("momentum_")]),
-        ("Angular momentum", [name for name in history if name.startswith("angular_momentum_")]),
+        (title, [name for name in history if re.fullmatch(kind + "_[xyz]", name)])
+        for title, kind in (
+            ("Linear momentum", "momentum"),
+            ("Angular momentum", "angular_momentum"),
+        )
     ]
     kinds = [(title, names) for title, names in kinds if names]
     if not kinds:

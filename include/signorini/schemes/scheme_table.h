@@ -87,6 +87,7 @@ namespace signorini
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
     bool                     mean_velocity; ///< velocities of contact nodes are means over the step
     bool                     changing_mesh; ///< the mesh may change between steps
+    bool                     moving_dirichlet; ///< prescribed displacements may change in time
     std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
                                ///< have equal sizes
     std::unique_ptr<TimeScheme> (*make)(const SchemeParameters &parameters);
