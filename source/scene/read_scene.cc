@@ -129,10 +129,10 @@ namespace signorini
     for (const std::string &name : names.bodies)
       scene.bodies.push_back(parse_body<dim>(in.section("Bodies").section(name), name));
     check_start(in.section("Bodies"), scene);
-    check_dirichlet(in.section("Bodies"), scene);
     for (const std::string &name : names.obstacles)
       scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
-    scene.pairs      = parse_pairs(in.section("Contact"), names.pairs, scene);
+    scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);
+    check_dirichlet(in.section("Bodies"), scene);
     scene.adaptivity = parse_adaptivity(in.section("Adaptivity"), scene.time, scene.bodies);
     parse_probes(in.section("Probes"), names.probes, scene);
     scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);

@@ -17,6 +17,12 @@
 
 namespace signorini::tests
 {
+  /** Nobody reads a file before all processes have ended the run, by an exception or not. */
+  struct LeaveTogether
+  {
+    ~LeaveTogether() { MPI_Barrier(MPI_COMM_WORLD); }
+  };
+
   /**
    * A scene in a folder of its own: a square of four cells, of mass 2, that flies to the floor with
    * the velocity 2 and touches it at the time 0.05. Ten steps of 0.01.
@@ -34,7 +40,11 @@ namespace signorini::tests
       overrides.insert(overrides.end(), more.begin(), more.end());
     }
 
-    void run() { Simulation<2>(scene(), MPI_COMM_WORLD, true).run(); }
+    void run()
+    {
+      const LeaveTogether together;
+      Simulation<2>(scene(), MPI_COMM_WORLD, true).run();
+    }
 
     std::string validate() { return Simulation<2>(scene(), MPI_COMM_WORLD, true).validate(); }
 
