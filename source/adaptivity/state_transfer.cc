@@ -71,7 +71,7 @@ namespace signorini
                                    ContactSurface<dim>           &surface,
                                    const ContactCoordinates<dim> &coordinates,
                                    DynamicalSystem               &system,
-                                   const SolverParameters        &limits)
+                                   const ActiveSetLimits         &limits)
   {
     auto       results = fields.unpack(discretization);
     auto       next    = results.begin();

@@ -149,6 +149,36 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<unsigned int> ContactCoordinates<dim>::held_entries(const ActiveSet &statuses) const
+  {
+    AssertDimension(statuses.size(), normals.size());
+    std::vector<unsigned int> held = prescribed;
+    for (std::size_t k = 0; k < statuses.size(); ++k)
+      {
+        if (contact_status::is_closed(statuses[k]))
+          held.push_back(normals[k]);
+        if (contact_status::sticks(statuses[k]))
+          held.insert(held.end(), tangential[k].begin(), tangential[k].end());
+      }
+    return held;
+  }
+
+
+  template <int dim>
+  Vector ContactCoordinates<dim>::normal_reaction(const ActiveSet &statuses,
+                                                  const Vector    &residual) const
+  {
+    AssertDimension(statuses.size(), normals.size());
+    Vector reaction;
+    reaction.reinit(residual);
+    for (std::size_t k = 0; k < statuses.size(); ++k)
+      if (contact_status::is_closed(statuses[k]))
+        reaction.local_element(normals[k]) = -residual.local_element(normals[k]);
+    return reaction;
+  }
+
+
+  template <int dim>
   std::vector<double> ContactCoordinates<dim>::dirichlet_values(const double time) const
   {
     std::vector<double> values;

@@ -253,11 +253,8 @@ namespace signorini
     double     largest = 0.;
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
-        const ContactNode<dim> &node  = contact_nodes[k];
-        double                  force = 0.;
-        for (unsigned int c = 0; c < dim; ++c)
-          force += node.frame[c] * contact_force.local_element(dim * node.node + c);
-        if (!node.partners.empty() && is_pressed(force))
+        const ContactNode<dim> &node = contact_nodes[k];
+        if (!node.partners.empty() && is_pressed(node.normal_part(contact_force)))
           largest = std::max(largest, sliding[k].norm() / std::pow(node.weight, 1. / (dim - 1)));
       }
     return Utilities::MPI::max(largest, discretization.communicator());

@@ -9,16 +9,6 @@
 namespace signorini
 {
   template <int dim>
-  double normal_force(const ContactNode<dim> &contact_node, const Vector &contact_force)
-  {
-    double force = 0.;
-    for (unsigned int c = 0; c < dim; ++c)
-      force += contact_node.frame[c] * contact_force.local_element(dim * contact_node.node + c);
-    return force;
-  }
-
-
-  template <int dim>
   ContactSummary contact_summary(const ContactSurface<dim> &surface,
                                  const Discretization<dim> &discretization,
                                  const State               &state)
@@ -29,7 +19,7 @@ namespace signorini
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
         const ContactNode<dim>    &node     = surface.nodes()[k];
-        const double               force    = normal_force(node, state.contact_force);
+        const double               force    = node.normal_part(state.contact_force);
         const FrictionReading<dim> friction = friction_at(surface, state.friction, k);
         summary.normal_force += std::abs(node.transmission * force);
         summary.friction_force += node.transmission * friction.force.norm();
@@ -58,8 +48,6 @@ namespace signorini
   }
 
 
-  template double normal_force(const ContactNode<2> &, const Vector &);
-  template double normal_force(const ContactNode<3> &, const Vector &);
   template ContactSummary
   contact_summary(const ContactSurface<2> &, const Discretization<2> &, const State &);
   template ContactSummary

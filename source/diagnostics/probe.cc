@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/friction_reading.h>
 #include <signorini/diagnostics/probe.h>
 
@@ -56,7 +55,7 @@ namespace signorini
         reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;
         reading.normal_displacement = scale * displacement[node] + 0.;
         reading.normal_velocity     = scale * velocity[node] + 0.;
-        reading.normal_force        = -normal_force(contact_node, state.contact_force) + 0.;
+        reading.normal_force        = -contact_node.normal_part(state.contact_force) + 0.;
         reading.pressure            = reading.normal_force / contact_node.weight;
         for (unsigned int c = 0; c < dim; ++c)
           {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/friction_reading.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/output/surface_patches.h>
@@ -74,7 +73,7 @@ namespace signorini
       {
         const ContactNode<dim> &contact_node = surface.nodes()[i];
         values.local_element(dim * contact_node.node) =
-          std::max(0., -normal_force(contact_node, state.contact_force) / contact_node.weight);
+          std::max(0., -contact_node.normal_part(state.contact_force) / contact_node.weight);
         values.local_element(dim * contact_node.node + 1) = gaps[i];
       }
     return values;

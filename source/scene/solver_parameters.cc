@@ -39,11 +39,11 @@ namespace signorini
                       "largest energy of the run (no unit), between 0 and 0.01. The energy ledger "
                       "closes to this accuracy.");
     prm.declare_entry("Maximum active set iterations",
-                      std::to_string(defaults.maximum_active_set_iterations),
+                      std::to_string(defaults.limits.maximum_iterations),
                       Integer(),
                       "Active sets tried in a step before the guaranteed fallback takes over.");
     prm.declare_entry("Maximum linear iterations",
-                      std::to_string(defaults.maximum_linear_iterations),
+                      std::to_string(defaults.limits.maximum_linear_iterations),
                       Integer(),
                       "Conjugate gradient iterations of one linear solve before the active set "
                       "method gives way to the slower MPRGP.");
@@ -59,9 +59,9 @@ namespace signorini
       in.fail("Tolerance",
               "a step solved so roughly is useless, its error appears as energy. Give at most "
                 + as_text(max_tolerance) + ", for example 2e-11.");
-    solver.maximum_active_set_iterations =
+    solver.limits.maximum_iterations =
       in.integer("Maximum active set iterations", 1, SectionReader::unlimited);
-    solver.maximum_linear_iterations =
+    solver.limits.maximum_linear_iterations =
       in.integer("Maximum linear iterations", 1, SectionReader::unlimited);
     return solver;
   }

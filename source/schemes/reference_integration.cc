@@ -160,12 +160,6 @@ namespace signorini
 
   StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    const MovingDirichletConditions *dirichlet = system.capabilities().moving_dirichlet;
-    if (dirichlet != nullptr && dirichlet->dirichlet_values_move(state.time, state.time + tau))
-      throw UserError(
-        "Time/Scheme: this integration does not follow prescribed displacements, and one of them "
-        "changes in time. Take another scheme for contact nodes without mass, with a small step "
-        "size.");
     Equation     equation(system, state, tau);
     const auto   massless = massless_entries(system);
     const Vector start    = state.displacement;

@@ -40,8 +40,11 @@ namespace signorini
     dealii::TimerOutput::Scope scope(timer, "mesh: transfer of the state");
     // Vectors that are assigned to would keep their old ghosts if they own the same entries.
     state = State();
-    state = transfer.finish(
-      meshed->discretization, meshed->surface, meshed->coordinates, meshed->system, scene.solver);
+    state = transfer.finish(meshed->discretization,
+                            meshed->surface,
+                            meshed->coordinates,
+                            meshed->system,
+                            scene.solver.limits);
   }
 
 

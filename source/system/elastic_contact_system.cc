@@ -15,11 +15,9 @@ namespace signorini
   namespace
   {
     /** Without friction, none of its cost. */
-    std::unique_ptr<ConstrainedSolver> make_solver(const bool              with_friction,
-                                                   const SolverParameters &parameters)
+    std::unique_ptr<ConstrainedSolver> make_solver(const bool             with_friction,
+                                                   const ActiveSetLimits &limits)
     {
-      const ActiveSetLimits limits{parameters.maximum_active_set_iterations,
-                                   parameters.maximum_linear_iterations};
       if (with_friction)
         return std::make_unique<FrictionalNewton>(limits);
       return std::make_unique<PrimalDualActiveSet>(limits);
@@ -51,7 +49,7 @@ namespace signorini
                     timer)
     , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
     , friction(coordinates, discretization.communicator())
-    , solver(make_solver(friction.any(), parameters.solver))
+    , solver(make_solver(friction.any(), parameters.solver.limits))
     , active(surface.nodes().size(), contact_status::open)
   {
   }
@@ -185,14 +183,11 @@ namespace signorini
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.forecast.remember(right_hand_side, increment, residual);
 
-    solution.contact_reaction   = discretization.make_vector();
-    solution.dirichlet_reaction = solution.contact_reaction;
-    solution.normal_reaction.assign(active.size(), 0.);
-    for (unsigned int k = 0; k < active.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k];
-          contact_status::is_closed(active[k]))
-        solution.contact_reaction.local_element(i) = solution.normal_reaction[k] =
-          -residual.local_element(i);
+    solution.contact_reaction = coordinates.normal_reaction(active, residual);
+    solution.normal_reaction.clear();
+    for (const unsigned int i : coordinates.normal_entries())
+      solution.normal_reaction.push_back(solution.contact_reaction.local_element(i));
+    solution.dirichlet_reaction = discretization.make_vector();
     for (const unsigned int i : coordinates.dirichlet_entries())
       solution.dirichlet_reaction.local_element(i) = -residual.local_element(i);
     if (friction.any())
@@ -241,24 +236,6 @@ namespace signorini
       result.local_element(coordinates.normal_entries()[k]) = forces[k];
     coordinates.force_to_cartesian(result);
     return result;
-  }
-
-
-  template <int dim>
-  bool ElasticContactSystem<dim>::dirichlet_values_move(const double start_time,
-                                                        const double end_time) const
-  {
-    const std::vector<double> start = coordinates.dirichlet_values(start_time);
-    bool                      moved = false;
-    for (const double time : {0.5 * (start_time + end_time), end_time})
-      {
-        const std::vector<double> now = coordinates.dirichlet_values(time);
-        for (unsigned int j = 0; j < now.size(); ++j)
-          moved = moved || std::abs(now[j] - start[j]) > 1e-13 * discretization.mesh().body_size();
-      }
-    return dealii::Utilities::MPI::max(static_cast<unsigned int>(moved),
-                                       discretization.communicator())
-           > 0;
   }
 
 

@@ -22,11 +22,11 @@ namespace signorini
                                            const ActiveSet               &active,
                                            const double                   touching)
     {
-      std::vector<unsigned int> held = coordinates.dirichlet_entries();
+      ActiveSet held = active;
       for (std::size_t k = 0; k < bounds.size(); ++k)
-        if (bounds[k] <= touching || contact_status::is_closed(active[k]))
-          held.push_back(coordinates.normal_entries()[k]);
-      return held;
+        if (bounds[k] <= touching)
+          held[k] = contact_status::slip;
+      return coordinates.held_entries(held);
     }
 
 
@@ -37,7 +37,7 @@ namespace signorini
                     Vector                         right_hand_side,
                     const std::vector<double>     &bounds,
                     const double                   size,
-                    const SolverParameters        &limits,
+                    const ActiveSetLimits         &limits,
                     ActiveSet                     &active)
     {
       // Far below the lowest frequency of any body that keeps its shape.
@@ -45,8 +45,7 @@ namespace signorini
       const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
       const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
         PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);
-      PrimalDualActiveSet solver(
-        {limits.maximum_active_set_iterations, limits.maximum_linear_iterations});
+      PrimalDualActiveSet solver(limits);
       coordinates.force_to_contact(right_hand_side);
       const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);
       Vector                    correction = discretization.make_vector(), residual = correction;
@@ -83,7 +82,7 @@ namespace signorini
                            const Vector                  &mass_moments,
                            const std::vector<double>     &bounds,
                            const double                   size,
-                           const SolverParameters        &limits)
+                           const ActiveSetLimits         &limits)
   {
     AssertDimension(bounds.size(), coordinates.normal_entries().size());
     AssertDimension(energy_moments.locally_owned_size(), mass_moments.locally_owned_size());
@@ -122,7 +121,7 @@ namespace signorini
                                     const Vector &,                                                \
                                     const std::vector<double> &,                                   \
                                     double,                                                        \
-                                    const SolverParameters &);
+                                    const ActiveSetLimits &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

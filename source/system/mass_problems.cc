@@ -24,7 +24,7 @@ namespace signorini
     , tolerance(parameters.tolerance)
     , mass_parameters(mass_parameters)
     , timer(timer)
-    , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
+    , solver(parameters.limits)
     , projected(surface.nodes().size(), 0)
     , last_correction(discretization.make_vector())
   {
@@ -132,19 +132,10 @@ namespace signorini
     correction      = discretization.make_vector();
     mass_correction = correction;
 
-    std::vector<unsigned int> fixed = coordinates.dirichlet_entries();
-    for (unsigned int k = 0; k < held.size(); ++k)
-      {
-        if (contact_status::is_closed(held[k]))
-          fixed.push_back(coordinates.normal_entries()[k]);
-        if (contact_status::sticks(held[k]))
-          fixed.insert(fixed.end(),
-                       coordinates.tangential_entries()[k].begin(),
-                       coordinates.tangential_entries()[k].end());
-      }
-    SolveReport        effort;
-    const unsigned int n_held = fixed.size() - coordinates.dirichlet_entries().size();
-    effort.n_active           = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
+    const std::vector<unsigned int> fixed = coordinates.held_entries(held);
+    SolveReport                     effort;
+    const unsigned int              n_held = fixed.size() - coordinates.dirichlet_entries().size();
+    effort.n_active = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
     if (effort.n_active == 0)
       return effort;
 

@@ -24,7 +24,7 @@ namespace signorini
                                          coordinates,
                                          0.,
                                          1.))
-    , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
+    , solver(parameters.limits)
     , active(surface.nodes().size(), 0)
   {
     const auto       &matrices = discretization.matrices();
@@ -74,10 +74,7 @@ namespace signorini
                    active,
                    increment,
                    residual);
-    contact_force = discretization.make_vector();
-    for (unsigned int k = 0; k < active.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k]; active[k])
-        contact_force.local_element(i) = -residual.local_element(i);
+    contact_force = coordinates.normal_reaction(active, residual);
     coordinates.force_to_cartesian(contact_force);
     coordinates.displacement_to_cartesian(increment);
     displacement += increment;

@@ -30,7 +30,7 @@ namespace signorini
         : parameters(parameters)
         , coordinates(coordinates)
         , matrix(discretization.matrices(), coordinates, sigma, 1.)
-        , solver({parameters.maximum_active_set_iterations, parameters.maximum_linear_iterations})
+        , solver(parameters.limits)
         , prescribed(coordinates.dirichlet_values(0.))
         , bound_tolerance(1e-12 * discretization.mesh().body_size())
       {
@@ -158,7 +158,7 @@ namespace signorini
 
         // What drives a free motion becomes its acceleration; the rest of the change tells how far
         // the equilibrium is.
-        const std::vector<Motion> free       = rigid.free_of(held_entries(status));
+        const std::vector<Motion> free       = rigid.free_of(coordinates.held_entries(status));
         const double              driven     = take_out(free, sigma, change, balance);
         const double              unbalanced = std::hypot(size_of(change), driven);
         if (unbalanced <= 1e-12 * size_of(now))
@@ -201,33 +201,13 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<unsigned int> StaticEquilibrium<dim>::held_entries(const ActiveSet &status) const
-  {
-    std::vector<unsigned int> held = coordinates.dirichlet_entries();
-    for (std::size_t k = 0; k < status.size(); ++k)
-      {
-        const auto &tangents = coordinates.tangential_entries()[k];
-        if (contact_status::is_closed(status[k]))
-          held.push_back(coordinates.normal_entries()[k]);
-        if (contact_status::sticks(status[k]))
-          held.insert(held.end(), tangents.begin(), tangents.end());
-      }
-    return held;
-  }
-
-
-  template <int dim>
   void StaticEquilibrium<dim>::set_forces(State           &state,
                                           const Friction  &laws,
                                           const ActiveSet &status,
                                           const Vector    &increment,
                                           const Vector    &residual) const
   {
-    state.contact_force = discretization.make_vector();
-    for (std::size_t k = 0; k < status.size(); ++k)
-      if (const unsigned int i = coordinates.normal_entries()[k];
-          contact_status::is_closed(status[k]))
-        state.contact_force.local_element(i) = -residual.local_element(i);
+    state.contact_force = coordinates.normal_reaction(status, residual);
     coordinates.force_to_cartesian(state.contact_force);
     if (!friction.any())
       return;

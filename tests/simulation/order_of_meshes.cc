@@ -76,7 +76,7 @@ TEST(OrderOfMeshes, TheStartIsWrittenOnAMeshThatIsFineEnough)
   run.run();
   const auto cells = run.column("cells");
   EXPECT_GT(cells[0], 4.);
-  EXPECT_NEAR(run.column("kinetic_energy")[0], 4., 1e-10) << "the initial velocity on this mesh";
+  EXPECT_NEAR(run.column("kinetic_energy")[0], 4., 1e-11) << "the initial velocity on this mesh";
   expect_all_steps(run, 10);
   expect_explained_energies(run);
 }

@@ -155,8 +155,6 @@ namespace signorini
       throw RunError("not there");
     }
 
-    bool dirichlet_values_move(double, double) const override { return static_cast<bool>(motion); }
-
     void stop_at_dirichlet(Vector &velocity) const override
     {
       if (motion)

@@ -55,31 +55,46 @@ namespace signorini
     Eigen::VectorXd solution, residual;
   };
 
-  inline FrictionalAnswer
-  solve(ConstrainedSolver &solver, const FrictionalProblem &data, const bool exact = true)
+  /** Calls `minimise(problem, status, x, residual)`, a SolveReport, from a guess and open nodes. */
+  template <class Minimise>
+  FrictionalAnswer solve_with(const Minimise          &minimise,
+                              const FrictionalProblem &data,
+                              const Eigen::VectorXd   &guess,
+                              const bool               exact)
   {
     const DenseOperator   matrix(data.matrix);
     const Eigen::MatrixXd diagonal = data.matrix.diagonal().asDiagonal();
     DenseInverse          preconditioner(exact ? data.matrix : diagonal);
-    Vector                x(data.matrix.rows()), residual(x);
+    const Vector          right_hand_side = to_vector(data.right_hand_side);
+    Vector                x               = to_vector(guess), residual(x);
     FrictionalAnswer      answer;
     answer.status.assign(data.bounded_entries.size(), contact_status::open);
-    answer.report   = solver.solve({matrix,
-                                    preconditioner,
-                                    to_vector(data.right_hand_side),
-                                    data.bounded_entries,
-                                    data.upper_bounds,
-                                    data.fixed_entries,
-                                    data.fixed_values,
-                                    1e-12,
-                                    1e-13,
-                                    data.friction},
-                                 answer.status,
-                                 x,
-                                 residual);
+    const ConstrainedProblem problem{matrix,
+                                     preconditioner,
+                                     right_hand_side,
+                                     data.bounded_entries,
+                                     data.upper_bounds,
+                                     data.fixed_entries,
+                                     data.fixed_values,
+                                     1e-12,
+                                     1e-13,
+                                     data.friction};
+    answer.report   = minimise(problem, answer.status, x, residual);
     answer.solution = to_eigen(x);
     answer.residual = to_eigen(residual);
     return answer;
+  }
+
+  inline FrictionalAnswer
+  solve(ConstrainedSolver &solver, const FrictionalProblem &data, const bool exact = true)
+  {
+    return solve_with(
+      [&](const ConstrainedProblem &problem, ActiveSet &status, Vector &x, Vector &residual) {
+        return solver.solve(problem, status, x, residual);
+      },
+      data,
+      Eigen::VectorXd::Zero(data.matrix.rows()),
+      exact);
   }
 
   inline NodeForces

@@ -22,29 +22,13 @@ namespace
                             const std::vector<double> &bounds,
                             const Eigen::VectorXd     &guess)
   {
-    const DenseOperator   matrix(data.matrix);
-    const Eigen::MatrixXd diagonal = data.matrix.diagonal().asDiagonal();
-    DenseInverse          preconditioner(diagonal);
-    Vector                x = to_vector(guess), residual(x);
-    FrictionalAnswer      answer;
-    answer.status.assign(data.bounded_entries.size(), contact_status::open);
-    answer.report   = TrescaMinimisation().solve({matrix,
-                                                  preconditioner,
-                                                  to_vector(data.right_hand_side),
-                                                  data.bounded_entries,
-                                                  data.upper_bounds,
-                                                  data.fixed_entries,
-                                                  data.fixed_values,
-                                                  1e-12,
-                                                  1e-13,
-                                                  data.friction},
-                                               bounds,
-                                               answer.status,
-                                               x,
-                                               residual);
-    answer.solution = to_eigen(x);
-    answer.residual = to_eigen(residual);
-    return answer;
+    return solve_with(
+      [&](const ConstrainedProblem &problem, ActiveSet &status, Vector &x, Vector &residual) {
+        return TrescaMinimisation().solve(problem, bounds, status, x, residual);
+      },
+      data,
+      guess,
+      false);
   }
 
   /** @return the number of nodes that stick */

@@ -44,7 +44,7 @@ namespace signorini
                  ContactSurface<dim>           &surface,
                  const ContactCoordinates<dim> &coordinates,
                  DynamicalSystem               &system,
-                 const SolverParameters        &limits);
+                 const ActiveSetLimits         &limits);
 
   private:
     const State        clock; ///< step and time

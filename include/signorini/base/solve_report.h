@@ -6,6 +6,13 @@
 
 namespace signorini
 {
+  /** When an active set method, with or without friction, leaves the rest to its fallback. */
+  struct ActiveSetLimits
+  {
+    unsigned int maximum_iterations        = 50;
+    unsigned int maximum_linear_iterations = 10000; ///< of one linear solve
+  };
+
   /** What it took to solve a problem with inequalities. */
   struct SolveReport
   {

@@ -4,6 +4,7 @@
 #ifndef signorini_contact_contact_coordinates_h
 #define signorini_contact_contact_coordinates_h
 
+#include <signorini/base/contact_status.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/node_frames.h>
 
@@ -79,6 +80,18 @@ namespace signorini
 
     /** The owned nodes of the contact surface, with what is known about them. */
     const std::vector<ContactNode<dim>> &surface_nodes() const { return owned_contact_nodes; }
+
+    /**
+     * The prescribed entries, then those that contact holds: the normal ones of closed nodes and
+     * the tangential ones of sticking nodes.
+     */
+    std::vector<unsigned int> held_entries(const ActiveSet &statuses) const;
+
+    /**
+     * What holds closed nodes in the normal direction. @param residual b - K x of a solved problem
+     * @return the same forces turned round, in contact coordinates
+     */
+    Vector normal_reaction(const ActiveSet &statuses, const Vector &residual) const;
 
     /** Displacements prescribed at a time, in the order of dirichlet_entries(). */
     std::vector<double> dirichlet_values(double time) const;

@@ -45,6 +45,15 @@ namespace signorini
 
     dealii::Tensor<1, dim> normal() const { return direction(0); }
 
+    /** The part of a nodal force along the normal, negative in compression. */
+    double normal_part(const Vector &nodal_forces) const
+    {
+      double part = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        part += frame[c] * nodal_forces.local_element(dim * node + c);
+      return part;
+    }
+
     /** A row of the frame. */
     dealii::Tensor<1, dim> direction(const unsigned int row) const
     {

@@ -29,10 +29,6 @@ namespace signorini
   ContactSummary contact_summary(const ContactSurface<dim> &surface,
                                  const Discretization<dim> &discretization,
                                  const State               &state);
-
-  /** Normal component of the force at a contact node, negative in compression. */
-  template <int dim>
-  double normal_force(const ContactNode<dim> &contact_node, const Vector &contact_force);
 } // namespace signorini
 
 #endif

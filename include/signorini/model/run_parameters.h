@@ -5,6 +5,7 @@
 #define signorini_model_run_parameters_h
 
 #include <signorini/base/enum_names.h>
+#include <signorini/base/solve_report.h>
 
 namespace signorini
 {
@@ -36,9 +37,8 @@ namespace signorini
      * `tolerance` times the root of the largest energy of the run so far; the energy ledger then
      * closes to this accuracy.
      */
-    double       tolerance                     = 2e-11;
-    unsigned int maximum_active_set_iterations = 50; ///< before the guaranteed fallback takes over
-    unsigned int maximum_linear_iterations     = 10000;
+    double          tolerance = 2e-11;
+    ActiveSetLimits limits    = {};
   };
 
   /** Section `Output`. */

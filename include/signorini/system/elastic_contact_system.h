@@ -113,7 +113,6 @@ namespace signorini
     SolveReport
     equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
-    bool   dirichlet_values_move(double start_time, double end_time) const override;
     void   stop_at_dirichlet(Vector &velocity) const override;
     Vector dirichlet_part(const Vector &forces) const override;
 

@@ -4,8 +4,8 @@
 #ifndef signorini_system_energy_projection_h
 #define signorini_system_energy_projection_h
 
+#include <signorini/base/solve_report.h>
 #include <signorini/contact/contact_coordinates.h>
-#include <signorini/model/run_parameters.h>
 
 namespace signorini
 {
@@ -42,7 +42,7 @@ namespace signorini
                            const Vector                  &mass_moments,
                            const std::vector<double>     &bounds,
                            double                         size,
-                           const SolverParameters        &limits);
+                           const ActiveSetLimits         &limits);
 } // namespace signorini
 
 #endif

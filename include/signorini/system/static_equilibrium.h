@@ -53,13 +53,11 @@ namespace signorini
 
     /** The law of each contact node; its past slip points along the initial velocity. */
     Friction friction_of_nodes(const NormalGap &gap, const Vector &velocity) const;
-    /** The entries that are prescribed or held by contact. */
-    std::vector<unsigned int> held_entries(const ActiveSet &status) const;
-    void                      set_forces(State           &state,
-                                         const Friction  &laws,
-                                         const ActiveSet &status,
-                                         const Vector    &increment,
-                                         const Vector    &residual) const;
+    void     set_forces(State           &state,
+                        const Friction  &laws,
+                        const ActiveSet &status,
+                        const Vector    &increment,
+                        const Vector    &residual) const;
   };
 } // namespace signorini
 

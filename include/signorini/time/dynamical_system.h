@@ -146,9 +146,6 @@ namespace signorini
   public:
     virtual ~MovingDirichletConditions() = default;
 
-    /** Whether prescribed displacements change in a span of time. Collective. */
-    virtual bool dirichlet_values_move(double start_time, double end_time) const = 0;
-
     /** Make a velocity zero in the prescribed directions, as where they stand still. */
     virtual void stop_at_dirichlet(Vector &velocity) const = 0;
 

@@ -9,13 +9,6 @@
 
 namespace signorini
 {
-  /** When an active set method, with or without friction, leaves the rest to its fallback. */
-  struct ActiveSetLimits
-  {
-    unsigned int maximum_iterations        = 50;
-    unsigned int maximum_linear_iterations = 10000; ///< of one linear solve
-  };
-
   /** Asserts that the parts of a problem belong together, as do its unknowns. */
   void check_sizes(const ConstrainedProblem &problem,
                    const ActiveSet          &active,
