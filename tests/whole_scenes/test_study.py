@@ -108,8 +108,7 @@ Bodies/bar/Repetitions = 1, 50; 1, 100
             ],
         )
         self.assertEqual(
-            [row[0] for row in rows[1:]],
-            ["contact-implicit"] * 2 + ["laursen-chawla"] * 2,
+            [row[0] for row in rows[1:]], ["contact-implicit"] * 2 + ["laursen-chawla"] * 2
         )
         self.assertEqual([row[2] for row in rows[1:]], ["6e-3", "3e-3"] * 2)
         self.assertLess(abs(float(rows[3][4])), 1e-8)
@@ -192,8 +191,7 @@ Time/Scheme = reference
         with self.assertRaisesRegex(Mistake, "does not know the scheme"):
             instants.before_end({"Scheme": "unheard-of"})
         self.assertAlmostEqual(
-            instants.before_end({"Scheme": "generalized-alpha", "Spectral radius": "1"}),
-            0.5,
+            instants.before_end({"Scheme": "generalized-alpha", "Spectral radius": "1"}), 0.5
         )
 
     def test_expressions(self):
