@@ -116,7 +116,7 @@ namespace signorini
         refuse("Predictor mass", with_predictor());
       if (!time.parameters.stop_sticking_nodes && !scheme.predictor)
         refuse("Stop sticking nodes", with_predictor());
-      if (time.parameters.impulses_per_node && !scheme.impulses)
+      if (!time.parameters.impulses_per_node && !scheme.impulses)
         refuse("Impulses", with_impulses());
     }
 
@@ -165,13 +165,14 @@ namespace signorini
     declare("Newmark gamma", "0.5", "between 1/2 (second order) and 2 Newmark beta (no unit).");
     declare_mass(prm);
     prm.declare_entry("Impulses",
-                      name_of(ImpulseKind::common),
+                      name_of(ImpulseKind::per_node),
                       choices_of<ImpulseKind>(),
                       "How " + with_impulses()
-                        + " shares the impulses that give lost energy back. common: along the "
-                          "contact forces, from one equation. per node: each contact node gets "
-                          "back what it has lost, from coupled equations; takes more time. No "
-                          "other scheme uses it.");
+                        + " shares the impulses that give lost energy back. per node: each contact "
+                          "node gets back what it has lost, from coupled equations. common: along "
+                          "the contact forces, from one equation; takes less time, but what one "
+                          "contact loses is given to all of them, however far away. No other "
+                          "scheme uses it.");
     prm.declare_entry("Stop sticking nodes",
                       "true",
                       Bool(),

@@ -75,24 +75,28 @@ namespace signorini
   }
 
 
-  double AlphaRule::work(DynamicalSystem  &system,
-                         const State      &before,
-                         const State      &after,
-                         const Vector     &increment,
-                         const StepReport &report)
+  double AlphaRule::work(DynamicalSystem &system,
+                         const State     &before,
+                         const State     &after,
+                         const Vector    &acceleration,
+                         const Vector    &increment) const
   {
-    const double tau             = after.time - before.time;
-    Vector       momentum_change = after.momentum, forces = after.internal_force;
+    const double tau    = after.time - before.time;
+    Vector       change = after.acceleration; // a_new - a
+    change -= acceleration;
+    Vector momentum_change = after.momentum;
     momentum_change -= before.momentum;
-    forces += before.internal_force;
-    forces *= 0.5;
-    Vector mean_load = system.make_vector();
-    add_mean_load(system, mean_load, 1., before.time, after.time);
-    forces -= mean_load;
-    Vector mismatch = before.velocity;
-    mismatch.add(1., after.velocity);
-    mismatch.sadd(0.5, -1. / tau, increment);
-    return mismatch * momentum_change + momentum_change * increment / tau + forces * increment
-           - report.work_contact - report.work_dirichlet;
+
+    // M (a_new - a) + A d - (f_new - f)
+    Vector forces = system.make_vector();
+    system.apply_mass(forces, change);
+    forces += after.internal_force;
+    forces -= before.internal_force;
+    Vector load_change = system.make_vector();
+    system.add_load(load_change, 1., after.time);
+    system.add_load(load_change, -1., before.time);
+    forces -= load_change;
+    return (alpha_f - 0.5) * (forces * increment)
+           - (beta - gamma / 2.) * tau * (change * momentum_change);
   }
 } // namespace signorini

@@ -32,7 +32,7 @@ namespace signorini
     report.work_dirichlet = rule.reaction_weight(tau) * (solution.dirichlet_reaction * d);
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
-    report.work_scheme = AlphaRule::work(system, state, end, d, report);
+    report.work_scheme = rule.work(system, state, end, a, d);
     swap(state, end);
     return report;
   }

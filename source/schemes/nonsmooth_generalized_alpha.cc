@@ -91,9 +91,9 @@ namespace signorini
       jump_limits);
     fixed_point.run(FixedPoint::usual_depth);
     if (!fixed_point.converged())
-      throw RunError(
-        "The jumps of the velocity in the step from time " + std::to_string(state.time)
-        + " were not found. Choose a smaller Time/Step size or a larger Time/Spectral radius.");
+      throw RunError("The jumps of the velocity in the step from time " + std::to_string(state.time)
+                     + " were not found to nine digits. Choose a smaller Time/Step size, a larger "
+                       "Time/Spectral radius or, above 1e-9, a smaller Solver/Tolerance.");
     solution.effort = effort;
     return solution;
   }
@@ -140,7 +140,7 @@ namespace signorini
                             + (1. / tau - weight * tau / 2.) * dirichlet_impulse_work;
     State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
-    report.work_scheme = AlphaRule::work(system, state, end, d, report);
+    report.work_scheme = rule.work(system, state, end, a, d);
     swap(state, end);
     return report;
   }

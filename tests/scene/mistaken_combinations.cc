@@ -44,8 +44,8 @@ TEST(Combinations, OfSchemes)
          {"Newmark beta = 0.2", "between 0.25 and 1", "not stable"});
   expect({{"Time/Newmark gamma", "1.2"}}, {"Newmark gamma = 1.2", "Newmark beta", "not stable"});
   expect({{"Time/Reference tolerance", "0"}}, {"Reference tolerance = 0", "between"});
-  expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "per node"}},
-         {"Impulses = per node", "Scheme = newmark", "Remove"});
+  expect({{"Time/Scheme", "newmark"}, {"Time/Impulses", "common"}},
+         {"Impulses = common", "Scheme = newmark", "Remove"});
   expect({{"Time/Scheme", "newmark"}, {"Time/Stop sticking nodes", "false"}},
          {"Stop sticking nodes = false", "Scheme = newmark", "Remove"});
 }

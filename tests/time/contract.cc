@@ -168,13 +168,11 @@ TEST(Contract, AnExceptionLeavesTheStateAsItWas)
 // A mass on a spring is all that most schemes ask for; the others are refused before they run.
 TEST(Contract, SchemesSayWhatTheyNeed)
 {
-  SchemeParameters parameters;
-  parameters.impulses_per_node = true;
   for (const SchemeInfo &info : scheme_table())
     {
       MassOnSpring simple;
       BouncingMass system;
-      const auto   scheme = info.make(parameters);
+      const auto   scheme = info.make({});
       const bool   asks   = info.predictor || info.impulses || !info.own_tolerance.empty();
       State        state  = make_state(simple, 0., 1.);
       if (asks)

@@ -100,9 +100,9 @@ TEST(NodeImpulses, SolveTheEquations)
 TEST(NodeImpulses, OfASingleNodeAreTheCommonOnes)
 {
   SchemeParameters parameters;
-  parameters.impulses_per_node = true;
-  const auto common            = make_time_scheme("laursen-love"),
-             per_node          = make_time_scheme("laursen-love", parameters);
+  parameters.impulses_per_node = false;
+  const auto common            = make_time_scheme("laursen-love", parameters),
+             per_node          = make_time_scheme("laursen-love");
   auto [system, state]         = make_scene("mass_on_spring");
   State other                  = state;
   for (unsigned int step = 0; step < 100; ++step)
@@ -117,8 +117,6 @@ TEST(NodeImpulses, OfASingleNodeAreTheCommonOnes)
 
 TEST(NodeImpulses, FailureIsReportedAndTheEnergyIsRight)
 {
-  SchemeParameters parameters;
-  parameters.impulses_per_node = true;
   Unreliable system(6);
   Vector     v      = system.make_vector();
   v                 = 1.;
@@ -127,8 +125,7 @@ TEST(NodeImpulses, FailureIsReportedAndTheEnergyIsRight)
   unsigned n_failed = 0;
   for (unsigned int step = 0; step < 60; ++step)
     {
-      const StepReport report =
-        make_time_scheme("laursen-love", parameters)->advance(system, state, 0.04);
+      const StepReport report = make_time_scheme("laursen-love")->advance(system, state, 0.04);
       n_failed += report.common_impulses;
       ASSERT_NEAR(energy(system, state), before, 1e-11) << "step " << step;
     }

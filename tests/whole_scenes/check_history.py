@@ -30,6 +30,9 @@ FURTHER_SCHEMES = (
     "nonsmooth-generalized-alpha",
     "backward-euler",
 )
+#: With contact nodes that have no mass.
+MASSLESS_SCHEMES = ("khenous-laborde-renard", "hager-hueeber-wohlmuth")
+ALL_SCHEMES = SCHEMES + FURTHER_SCHEMES + MASSLESS_SCHEMES
 #: Energy never grows with these.
 DISSIPATIVE = ("contact-implicit", "contact-stabilized")
 #: What the solver promises, relative to the energy of the motion.

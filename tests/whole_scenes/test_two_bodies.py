@@ -161,7 +161,6 @@ class TwoBodies(check_history.SceneTest):
                 [
                     *FREE_SCENES["geometry_b_curved"][0],
                     "Time/Scheme=laursen-love",
-                    "Time/Impulses=per node",
                 ],
                 processes,
             )

@@ -52,15 +52,21 @@ namespace signorini
     double reaction_weight(double step_size) const;
 
     /**
-     * What the rule itself does to the energy in a step with known works of contact and of
-     * prescribed nodes: the mean velocity is not d/tau, and the forces are not the means of both
-     * ends.
+     * What the rule itself does to the energy: forces are not means of both ends, and the mean
+     * velocity is not d/tau. The balance times d, with the differences @f$[\cdot]@f$ of both ends,
+     * gives
+     * @f[
+     *   (\alpha_f - \tfrac12) (M [a] + A d - [f]) \cdot d
+     *     - (\beta - \tfrac\gamma2) \tau [a] \cdot M [v].
+     * @f]
+     * It holds for any @f$a@f$ at the start, and with jumps of the velocity. One product with M.
+     * @param acceleration a @param increment d
      */
-    static double work(DynamicalSystem  &system,
-                       const State      &before,
-                       const State      &after,
-                       const Vector     &increment,
-                       const StepReport &report);
+    double work(DynamicalSystem &system,
+                const State     &before,
+                const State     &after,
+                const Vector    &acceleration,
+                const Vector    &increment) const;
   };
 } // namespace signorini
 

@@ -22,11 +22,12 @@ namespace signorini
    * @f$-r \cdot d \ge 0@f$ that contact has taken; the positive root exists always and pushes the
    * bodies apart. There are two ways to share the impulses among the nodes:
    *
-   * - common: @f$j = r@f$, impulses along the contact forces, one equation for @f$\alpha@f$ in
-   *   place of the coupled ones of the single nodes;
    * - per node: @f$j@f$ solves the coupled equations (NodeImpulses), and @f$\alpha = 1@f$ but for
    *   what their solver leaves. A step whose equations cannot be solved takes the common way and
    *   says so in its report.
+   * - common: @f$j = r@f$, impulses along the contact forces, one equation for @f$\alpha@f$ in
+   *   place of the coupled ones of the single nodes. It couples contacts that have nothing to do
+   *   with each other.
    *
    * Either way @f$E_\text{new} = E@f$ exactly, no penetration, linear momentum as without impulses.
    * The state's contact force is @f$r + \alpha j / \tau@f$: all that acted on average over the
@@ -35,7 +36,7 @@ namespace signorini
   class LaursenLove : public TimeScheme
   {
   public:
-    explicit LaursenLove(const bool separate_nodes = false)
+    explicit LaursenLove(const bool separate_nodes = true)
       : separate_nodes(separate_nodes)
     {
     }

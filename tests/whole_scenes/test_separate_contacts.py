@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""What happens to one body has no influence on another that it does not touch: a block at rest on a
+floor keeps its pressure, the one of equilibrium, while a ball lands a hundred lengths away. Steps
+are solved for all bodies together, to an accuracy that belongs to the largest energy of the run;
+more than that the block must not feel, whatever the scheme."""
+
+import check_history
+
+BLOCK_AND_BALL = """
+set Dimension = 2
+subsection Time
+  set Start     = equilibrium
+  set Step size = 5e-3
+  set End time  = 0.3
+end
+subsection Bodies
+  set Names = block, ball
+  subsection block
+    set Shape           = box
+    set Lower corner    = 0, 0
+    set Upper corner    = 1, 1
+    set Repetitions     = 4, 4
+    set Young's modulus = 500
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Body force      = 0; -10
+  end
+  subsection ball
+    set Shape            = ball
+    set Centre           = 100, 1.2
+    set Radius           = 1
+    set Refinements      = 3
+    set Young's modulus  = 500
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 0; -2
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = block[2] : floor, ball : floor
+end
+subsection Probes
+  set Names = foot, pole
+  subsection foot
+    set Point = 0.5, 0
+  end
+  subsection pole
+    set Point = 100, 0.2
+  end
+end
+"""
+
+
+class SeparateContacts(check_history.SceneTest):
+    def test_a_ball_that_lands_far_away_does_not_lift_a_block(self):
+        for scheme in check_history.SCHEMES + check_history.FURTHER_SCHEMES:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(BLOCK_AND_BALL, scheme, [f"Time/Scheme={scheme}"])
+                self.assertGreater(max(run.probes["pole"]["pressure"]), 10, "the ball lands")
+                pressure = run.probes["foot"]["pressure"]
+                self.expect_close(pressure[0], 10.38, 1e-3, "pressure in equilibrium")
+                for row, value in enumerate(pressure):
+                    self.expect_close(value, pressure[0], 1e-7, f"pressure in row {row}")
+
+
+if __name__ == "__main__":
+    check_history.main()
