@@ -33,7 +33,7 @@ namespace signorini
     {
       std::vector<double> result;
       for (const ContactNode<dim> &node : surface.nodes())
-        result.push_back(-node.normal_part(contact_force));
+        result.push_back(-node.normal_force(contact_force));
       return result;
     }
 

@@ -58,6 +58,7 @@ namespace signorini
                 make_function<3, 3>(const std::array<std::string, 3> &, const std::string &);
   template bool is_given(const std::array<std::string, 2> &);
   template bool is_given(const std::array<std::string, 3> &);
+  template bool has_time(const std::array<std::string, 1> &);
   template bool has_time(const std::array<std::string, 2> &);
   template bool has_time(const std::array<std::string, 3> &);
 } // namespace signorini

@@ -29,13 +29,14 @@ namespace signorini
       }
     for (const auto &[node, components] : dirichlet.nodes())
       {
-        const auto row = rows_along_axes<dim>(frames.emplace(node, identity).first->second);
+        const Frame &frame = frames.emplace(node, identity).first->second;
+        const auto   row   = rows_along_axes<dim>(frame);
         for (unsigned int c = 0; c < dim; ++c)
           if (components[c] != DirichletConditions<dim>::none && row[c] < dim)
             {
               prescribed.push_back(dim * node + row[c]);
-              dirichlet_sources.emplace_back(
-                components[c], discretization.node_positions()[node], c);
+              dirichlet_sources.push_back(
+                {components[c], discretization.node_positions()[node], c, frame[dim * row[c] + c]});
             }
       }
     const std::set<unsigned int> held(prescribed.begin(), prescribed.end());
@@ -183,8 +184,9 @@ namespace signorini
   {
     std::vector<double> values;
     values.reserve(prescribed.size());
-    for (const auto &[condition, point, component] : dirichlet_sources)
-      values.push_back(dirichlet.value(condition, point, component, time));
+    for (const DirichletSource &source : dirichlet_sources)
+      values.push_back(source.direction
+                       * dirichlet.value(source.condition, source.point, source.component, time));
     return values;
   }
 

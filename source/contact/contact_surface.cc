@@ -37,6 +37,10 @@ namespace signorini
     , contact_nodes(obstacle_contact.nodes())
     , n_left_to_dirichlet(obstacle_contact.n_left_to_dirichlet_conditions())
   {
+    if (obstacle_contact.n_oblique_nodes() > 0)
+      assumptions.push_back("at " + std::to_string(obstacle_contact.n_oblique_nodes())
+                            + " nodes an obstacle is oblique to prescribed directions; they meet "
+                              "it in the free ones, and what holds them takes the rest");
     for (unsigned int p = 0; p < pairs.size(); ++p)
       if (pairs[p].of_two_bodies())
         add_pair_of_bodies(p, dirichlet);
@@ -237,7 +241,7 @@ namespace signorini
   {
     std::vector<double> result = normal_gap(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      result[k] /= contact_nodes[k].transmission;
+      result[k] *= contact_nodes[k].distance_per_gap();
     return result;
   }
 
@@ -254,7 +258,7 @@ namespace signorini
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
         const ContactNode<dim> &node = contact_nodes[k];
-        if (!node.partners.empty() && is_pressed(node.normal_part(contact_force)))
+        if (!node.partners.empty() && is_pressed(node.normal_force(contact_force)))
           largest = std::max(largest, sliding[k].norm() / std::pow(node.weight, 1. / (dim - 1)));
       }
     return Utilities::MPI::max(largest, discretization.communicator());

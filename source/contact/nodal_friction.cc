@@ -66,7 +66,8 @@ namespace signorini
               node.friction.constant = bound.at(node.position) * node.weight;
             else
               {
-                node.friction.coefficient = coefficient.at(node.position);
+                // The law is one of nodal forces, of which the normal one is the free part.
+                node.friction.coefficient = coefficient.at(node.position) / node.free_part;
                 if (!friction.bound.empty())
                   node.friction.cap = bound.at(node.position) * node.weight;
               }

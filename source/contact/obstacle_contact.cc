@@ -19,6 +19,48 @@ namespace signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    constexpr double no_part = 1e-12; ///< parts of a unit normal below this are none
+    constexpr double no_free_part =
+      1e-6; ///< with a free part below this, nothing can close the gap
+
+    /**
+     * A node with prescribed directions meets the obstacle in the others: with the directions
+     * there that is closest to the normal, and with the gap along it. The frame becomes one in
+     * which prescribed directions are tangential.
+     * @return whether the node can move towards the obstacle
+     */
+    template <int dim>
+    bool meet_in_free_directions(const DirichletConditions<dim>                      &dirichlet,
+                                 const typename DirichletConditions<dim>::Components &conditions,
+                                 ContactNode<dim>                                    &contact_node)
+    {
+      std::array<bool, dim> held;
+      Tensor<1, dim>        normal  = contact_node.normal();
+      double                brought = 0.; // of the gap, by the prescribed displacement
+      for (unsigned int c = 0; c < dim; ++c)
+        if ((held[c] = conditions[c] != DirichletConditions<dim>::none)
+            && std::abs(normal[c]) > no_part)
+          {
+            contact_node.prescribed_part[c] = normal[c];
+            brought += normal[c] * dirichlet.value(conditions[c], contact_node.position, c, 0.);
+            normal[c] = 0.;
+          }
+      if (contact_node.prescribed_part.norm() > 0.)
+        {
+          contact_node.free_part = normal.norm();
+          if (contact_node.free_part < no_free_part)
+            return false;
+          normal /= contact_node.free_part;
+          contact_node.gap = (contact_node.gap - brought) / contact_node.free_part;
+        }
+      contact_frame_with_dirichlet<dim>(normal, held, contact_node.frame);
+      return true;
+    }
+  } // namespace
+
+
   template <int dim>
   ObstacleContact<dim>::ObstacleContact(const Discretization<dim>             &discretization,
                                         const DirichletConditions<dim>        &dirichlet,
@@ -29,27 +71,55 @@ namespace signorini
     , obstacles(obstacles)
   {
     std::map<unsigned int, ContactNode<dim>> closest;
+    std::vector<Complaint>                   complaints;
     for (unsigned int p = 0; p < pairs.size(); ++p)
       if (!pairs[p].of_two_bodies())
         add_closest(p, closest);
 
     for (auto &[node, contact_node] : closest)
       {
-        if (const auto condition = dirichlet.nodes().find(node);
-            condition != dirichlet.nodes().end())
+        if (const auto conditions = dirichlet.nodes().find(node);
+            conditions != dirichlet.nodes().end())
           {
-            std::array<bool, dim> held;
-            for (unsigned int c = 0; c < dim; ++c)
-              held[c] = condition->second[c] != DirichletConditions<dim>::none;
-            if (!contact_frame_with_dirichlet<dim>(contact_node.normal(), held, contact_node.frame))
+            if (!meet_in_free_directions(dirichlet, conditions->second, contact_node))
               {
                 ++n_left_to_dirichlet;
                 continue;
               }
+            if (contact_node.free_part != 1.)
+              ++n_oblique;
+            check_that_they_rest(dirichlet, conditions->second, contact_node, complaints);
           }
         contact_nodes.push_back(contact_node);
       }
+    throw_worst(complaints, discretization.communicator());
     n_left_to_dirichlet = Utilities::MPI::sum(n_left_to_dirichlet, discretization.communicator());
+    n_oblique           = Utilities::MPI::sum(n_oblique, discretization.communicator());
+  }
+
+
+  template <int dim>
+  void ObstacleContact<dim>::check_that_they_rest(
+    const DirichletConditions<dim>                      &dirichlet,
+    const typename DirichletConditions<dim>::Components &conditions,
+    const ContactNode<dim>                              &contact_node,
+    std::vector<Complaint>                              &complaints) const
+  {
+    for (unsigned int c = 0; c < dim; ++c)
+      if (contact_node.prescribed_part[c] != 0. && dirichlet.moves(conditions[c], c))
+        {
+          const PairDescription &pair = pairs[contact_node.pair];
+          std::ostringstream     message;
+          message << "Bodies/" << discretization.mesh().bodies()[pair.slave].name
+                  << "/Dirichlet: at (" << contact_node.position << ") the displacement in "
+                  << "xyz"[c] << " is prescribed and changes in time, and the obstacle '"
+                  << obstacles[pair.obstacle].name
+                  << "' is oblique to it. Such a motion opens and closes the gap by itself, which "
+                     "is not implemented. Prescribe a displacement that rests, move another part "
+                     "of the boundary, or turn the scene until the obstacle and the prescribed "
+                     "direction are parallel or at right angles.";
+          complaints.emplace_back(std::abs(contact_node.prescribed_part[c]), message.str());
+        }
   }
 
 

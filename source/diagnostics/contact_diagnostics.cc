@@ -18,13 +18,14 @@ namespace signorini
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
-        const ContactNode<dim>    &node     = surface.nodes()[k];
-        const double               force    = node.normal_part(state.contact_force);
-        const FrictionReading<dim> friction = friction_at(surface, state.friction, k);
+        const ContactNode<dim>      &node     = surface.nodes()[k];
+        const double                 force    = node.normal_force(state.contact_force);
+        const FrictionReading<dim>   friction = friction_at(surface, state.friction, k);
+        const dealii::Tensor<1, dim> normal   = node.surface_normal();
         summary.normal_force += std::abs(node.transmission * force);
         summary.friction_force += node.transmission * friction.force.norm();
         for (unsigned int c = 0; c < dim; ++c)
-          summary.resultant[c] += node.transmission * (force * node.frame[c] + friction.force[c]);
+          summary.resultant[c] += node.transmission * (force * normal[c] + friction.force[c]);
         summary.n_active += bears_force(force);
         summary.n_stick += (bears_force(force) && friction.status == contact_status::stick);
         summary.n_slip += (bears_force(force) && friction.status == contact_status::slip);

@@ -50,12 +50,12 @@ namespace signorini
       {
         const ContactNode<dim>    &contact_node = surface->nodes()[node];
         const FrictionReading<dim> friction     = friction_at(*surface, state.friction, node);
-        const double               scale        = 1. / contact_node.transmission;
+        const double               scale        = contact_node.distance_per_gap();
         // Zero is added: there is no negative zero in tables.
         reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;
         reading.normal_displacement = scale * displacement[node] + 0.;
         reading.normal_velocity     = scale * velocity[node] + 0.;
-        reading.normal_force        = -contact_node.normal_part(state.contact_force) + 0.;
+        reading.normal_force        = -contact_node.normal_force(state.contact_force) + 0.;
         reading.pressure            = reading.normal_force / contact_node.weight;
         for (unsigned int c = 0; c < dim; ++c)
           {

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/complaints.h>
+#include <signorini/base/expressions.h>
 #include <signorini/discretization/dirichlet_conditions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
 
 namespace signorini
 {
@@ -9,6 +16,7 @@ namespace signorini
 
   template <int dim>
   DirichletConditions<dim>::DirichletConditions(const Discretization<dim> &discretization)
+    : mesh(discretization.mesh())
   {
     const auto &bodies = discretization.mesh().bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)
@@ -16,6 +24,11 @@ namespace signorini
         {
           const unsigned int index = functions.size();
           functions.push_back(&discretization.mesh().function(condition.expressions));
+          places.emplace_back(b, condition.boundary_id);
+          depends_on_time.emplace_back();
+          for (unsigned int c = 0; c < dim; ++c)
+            depends_on_time.back()[c] =
+              has_time(std::array<std::string, 1>{{condition.expressions[c]}});
           // Flags travel as numbers: a process may own a node without owning a cell at this part of
           // the boundary.
           Vector flags = discretization.make_vector();
@@ -37,10 +50,57 @@ namespace signorini
                 Components &components = prescribed.emplace(node, none_yet).first->second;
                 for (unsigned int c = 0; c < dim; ++c)
                   if (const std::string &text = condition.expressions[c];
-                      !text.empty() && text != "-" && components[c] == none)
-                    components[c] = index;
+                      !text.empty() && text != "-")
+                    {
+                      if (components[c] == none)
+                        components[c] = index;
+                      else
+                        shared.push_back(
+                          {discretization.node_positions()[node], c, components[c], index});
+                    }
               }
         }
+  }
+
+
+  template <int dim>
+  std::vector<std::string> DirichletConditions<dim>::check_shared_nodes(const double end_time) const
+  {
+    const auto boundaries = [&](const Shared &node) {
+      return "Bodies/" + mesh.bodies()[places[node.first].first].name
+             + "/Dirichlet: the boundaries " + std::to_string(places[node.first].second) + " and "
+             + std::to_string(places[node.second].second);
+    };
+    std::vector<Complaint> complaints;
+    std::set<std::string>  notes;
+    for (const Shared &node : shared)
+      {
+        // Any times will do that are not the same part of a period.
+        for (const double part : {0., 0.0173, 0.131, 0.317, 0.523, 0.779, 1.})
+          {
+            const double time   = part * end_time;
+            const double first  = value(node.first, node.point, node.component, time),
+                         second = value(node.second, node.point, node.component, time);
+            const double size   = std::max({std::abs(first), std::abs(second), mesh.body_size()});
+            if (std::abs(first - second) <= 1e-12 * size)
+              continue;
+            std::ostringstream message;
+            message << boundaries(node) << " share the point (" << node.point
+                    << "), and prescribe different displacements there in "
+                    << "xyz"[node.component] << ", " << first << " and " << second
+                    << " at the time " << time
+                    << ". Let them agree, or leave this component free (-) on one of them.";
+            complaints.emplace_back(std::abs(first - second), message.str());
+            break;
+          }
+        notes.insert(boundaries(node) + " share nodes and agree there");
+      }
+    throw_worst(complaints, mesh.communicator());
+    std::set<std::string> all;
+    for (const auto &of_process : Utilities::MPI::all_gather(
+           mesh.communicator(), std::vector<std::string>(notes.begin(), notes.end())))
+      all.insert(of_process.begin(), of_process.end());
+    return {all.begin(), all.end()};
   }
 
 

@@ -73,7 +73,7 @@ namespace signorini
       {
         const ContactNode<dim> &contact_node = surface.nodes()[i];
         values.local_element(dim * contact_node.node) =
-          std::max(0., -contact_node.normal_part(state.contact_force) / contact_node.weight);
+          std::max(0., -contact_node.normal_force(state.contact_force) / contact_node.weight);
         values.local_element(dim * contact_node.node + 1) = gaps[i];
       }
     return values;

@@ -120,7 +120,10 @@ namespace signorini
       "",
       Anything(),
       "Prescribed displacement (length) on boundaries: " + form
-        + (dim == 2 ? "0: 0; - | 1: 0; 0.1*sin(t)" : "0: 0; -; - | 1: 0; 0; 0.1*sin(t)"));
+        + (dim == 2 ? "0: 0; - | 1: 0; 0.1*sin(t)" : "0: 0; -; - | 1: 0; 0; 0.1*sin(t)")
+        + ". Where two of these boundaries meet they must agree. The run starts with the velocity "
+          "of the condition. A node that an obstacle meets obliquely moves towards it in the free "
+          "directions.");
     prm.declare_entry("Traction",
                       "",
                       Anything(),

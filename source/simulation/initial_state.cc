@@ -5,7 +5,12 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdlib>
+#include <iomanip>
+#include <sstream>
 
 namespace signorini
 {
@@ -34,6 +39,65 @@ namespace signorini
   }
 
 
+  template <int dim>
+  std::vector<std::string> start_with_conditions(const Discretization<dim>     &discretization,
+                                                 const ContactCoordinates<dim> &coordinates,
+                                                 const double                   step_size,
+                                                 State                         &state)
+  {
+    // One-sided difference of third order: exact for the motions that people write, and before time
+    // 0 a condition need not exist.
+    const double                     h        = 1e-2 * step_size;
+    constexpr std::array<double, 4>  factor   = {{-11. / 6., 3., -1.5, 1. / 3.}};
+    const std::vector<unsigned int> &entries  = coordinates.dirichlet_entries();
+    const std::vector<double>        position = coordinates.dirichlet_values(0.);
+    std::vector<double>              rate(entries.size(), 0.);
+    for (unsigned int k = 0; k < factor.size(); ++k)
+      {
+        const std::vector<double> value = coordinates.dirichlet_values(k * h);
+        for (std::size_t j = 0; j < rate.size(); ++j)
+          rate[j] += factor[k] * (value[j] - position[j]) / h;
+      }
+
+    Vector displacement = state.displacement;
+    coordinates.displacement_to_contact(displacement);
+    coordinates.displacement_to_contact(state.velocity);
+    double jump = 0., change = 0.;
+    for (std::size_t j = 0; j < entries.size(); ++j)
+      {
+        double &velocity = state.velocity.local_element(entries[j]);
+        jump     = std::max(jump, std::abs(displacement.local_element(entries[j]) - position[j]));
+        change   = std::max(change, std::abs(velocity - rate[j]));
+        velocity = rate[j];
+      }
+    coordinates.displacement_to_cartesian(state.velocity);
+
+    const MPI_Comm communicator = discretization.communicator();
+    jump                        = dealii::Utilities::MPI::max(jump, communicator);
+    change                      = dealii::Utilities::MPI::max(change, communicator);
+    std::vector<std::string> notes;
+    const auto               say = [&](const double value, const std::string &sentence) {
+      std::ostringstream text;
+      text << std::setprecision(3) << sentence << value;
+      notes.push_back(text.str());
+    };
+    // The difference has a round-off of 1e-14 of the positions.
+    if (change * step_size > 1e-11 * discretization.mesh().body_size())
+      say(change,
+          "note: prescribed nodes start with the velocity of their condition, which differs from "
+          "the initial velocity of their body by up to ");
+    if (jump > 1e-9 * discretization.mesh().body_size())
+      say(jump,
+          "warning: the first step brings prescribed nodes suddenly to where their conditions want "
+          "them. `Start = equilibrium` begins with them there, at rest. They move by up to ");
+    return notes;
+  }
+
+
+  template std::vector<std::string>
+  start_with_conditions(const Discretization<2> &, const ContactCoordinates<2> &, double, State &);
+  template std::vector<std::string>
+  start_with_conditions(const Discretization<3> &, const ContactCoordinates<3> &, double, State &);
   template State initial_state(const Discretization<2> &);
   template State initial_state(const Discretization<3> &);
 } // namespace signorini

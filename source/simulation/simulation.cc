@@ -176,6 +176,12 @@ namespace signorini
                  meshed->discretization, meshed->surface, meshed->coordinates, scene.solver)
           .find(state, meshed->load(0.));
       });
+    start_notes = meshed->dirichlet.check_shared_nodes(scene.time.end_time);
+    for (std::string &note : start_notes)
+      note = "note: " + note;
+    for (const std::string &note : start_with_conditions(
+           meshed->discretization, meshed->coordinates, scene.time.step_size, state))
+      start_notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);
     meshed->system.apply_stiffness(state.internal_force, state.displacement);
   }
@@ -233,6 +239,8 @@ namespace signorini
            << perturbation_of_velocities() << " of themselves\n";
     for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
+    for (const std::string &note : start_notes)
+      text << "  " << note << "\n";
     return text.str();
   }
 

@@ -97,6 +97,29 @@ TEST(ContactCoordinates, DirichletConditionsAreSingleEntriesWithTheirValues)
     EXPECT_NEAR(w.local_element(entries[k]), values[k], 1e-14);
 }
 
+// Prescribed tangents of a contact node are rows of its frame, along the axis or against it; the
+// values follow. On a floor one of two must be against, as the normal points downwards.
+TEST(ContactCoordinates, DirichletConditionsInBothTangents)
+{
+  BodyDescription<3> body = box<3>();
+  body.dirichlet          = {{4, {{"0.1*t", "0.2*t + x", "-"}}}};
+  const CoordinatesProblem<3> problem(contact_scene<3>(body, {floor_at<3>(-0.1)}, {4}));
+  EXPECT_EQ(problem.surface.n_global_nodes(), 9u);
+  const auto &entries = problem.coordinates.dirichlet_entries();
+  EXPECT_EQ(dealii::Utilities::MPI::sum(entries.size(), MPI_COMM_WORLD), 18u);
+
+  Vector     w      = problem.discretization.make_vector();
+  const auto values = problem.coordinates.dirichlet_values(2.);
+  for (unsigned int k = 0; k < entries.size(); ++k)
+    w.local_element(entries[k]) = values[k];
+  problem.coordinates.displacement_to_cartesian(w);
+  for (const ContactNode<3> &node : problem.surface.nodes())
+    {
+      EXPECT_NEAR(w.local_element(3 * node.node), 0.2, 1e-15);
+      EXPECT_NEAR(w.local_element(3 * node.node + 1), 0.4 + node.position[0], 1e-15);
+    }
+}
+
 // A process knows for its ghosts, too, which directions are held: the same as their owner.
 TEST(ContactCoordinates, HeldNodesAreKnownWithTheirGhosts)
 {

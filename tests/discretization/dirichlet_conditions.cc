@@ -3,10 +3,11 @@
 
 // A Dirichlet condition prescribes exactly the given components of the nodes of its boundary,
 // hanging nodes excepted (they follow their neighbours), with the values of its expression in space
-// and time. The first condition in the scene wins.
+// and time. Where two meet, the first one in the scene counts.
 
 #include "bodies.h"
 
+#include <signorini/base/user_error.h>
 #include <signorini/discretization/dirichlet_conditions.h>
 
 #include <gtest/gtest.h>
@@ -45,6 +46,33 @@ TEST(DirichletConditions, PrescribeTheGivenComponents)
   EXPECT_EQ(dirichlet.value(1, {0.5, 0.}, 0, 7.), 1.);
   EXPECT_DOUBLE_EQ(dirichlet.value(1, {0.5, 0.}, 1, 7.), 3.5);
   EXPECT_DOUBLE_EQ(dirichlet.value(1, {0.5, 0.}, 1, 2.), 1.);
+}
+
+// Where boundaries meet, two conditions may prescribe the same component: they must agree at all
+// times of the run.
+TEST(DirichletConditions, MustAgreeWhereTheyMeet)
+{
+  const auto check = [](const std::string &left, const std::string &bottom) {
+    BodyDescription<2> body = box<2>();
+    body.dirichlet          = {{0, {{left, "-"}}}, {2, {{bottom, "0"}}}};
+    const Assembled<2> assembled(body);
+    return DirichletConditions<2>(assembled.discretization).check_shared_nodes(3.);
+  };
+  EXPECT_TRUE(check("-", "0").empty());
+  EXPECT_EQ(check("0", "0").size(), 1u);
+  EXPECT_EQ(check("y*t", "x*t").size(), 1u) << "zero where they meet";
+  for (const auto &[left, bottom] :
+       {std::pair<std::string, std::string>{"1", "0"}, {"0", "t"}, {"sin(4*pi/3*t)", "0"}})
+    try
+      {
+        check(left, bottom);
+        ADD_FAILURE() << left << " and " << bottom;
+      }
+    catch (const UserError &error)
+      {
+        for (const char *const part : {"Dirichlet", "boundaries 0 and 2", "(0 0)", "in x"})
+          EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      }
 }
 
 TEST(DirichletConditions, LeaveOutHangingNodesAndOtherBodies)

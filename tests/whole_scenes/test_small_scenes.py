@@ -77,7 +77,7 @@ subsection Bodies
     set Young's modulus = 500
     set Poisson's ratio = 0.3
     set Density         = 1
-    set Dirichlet       = 3: 0.05*sin(7*t); -0.1*(1 - cos(9*t)) | 0: 0; -
+    set Dirichlet       = 3: 0.03*x*sin(7*t); -0.1*(1 - cos(9*t)) | 0: 0; -
   end
 end
 subsection Obstacles

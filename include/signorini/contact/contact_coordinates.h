@@ -112,8 +112,16 @@ namespace signorini
     std::map<unsigned int, Frame>          frames;
     std::vector<unsigned int>              normals, prescribed;
     std::vector<std::vector<unsigned int>> tangential;
-    std::vector<std::tuple<unsigned int, dealii::Point<dim>, unsigned int>>
-      dirichlet_sources; ///< condition, point, component
+
+    /** Where the value of a prescribed entry comes from. */
+    struct DirichletSource
+    {
+      unsigned int       condition;
+      dealii::Point<dim> point;
+      unsigned int       component;
+      double             direction; ///< 1 or -1: the entry is that along or against the axis
+    };
+    std::vector<DirichletSource> dirichlet_sources;
 
     /**
      * Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian

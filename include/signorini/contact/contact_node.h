@@ -27,9 +27,17 @@ namespace signorini
     /**
      * Force on the slave body per nodal force, and relative normal entry per shift of the body: 1,
      * and more where nodes without multiplier take their share (they are among the partners with
-     * negative weights). The distance to the other side is gap / transmission.
+     * negative weights). The distance to the other side is gap distance_per_gap().
      */
     double transmission = 1.;
+    /**
+     * At an obstacle the unit normal may be oblique to prescribed directions. The node meets the
+     * obstacle in the free ones only: `normal()` is the direction of that part of the unit normal,
+     * and this is its length. Positive; 1 unless conditions hold a part of the normal.
+     */
+    double free_part = 1.;
+    /** The other part of the unit normal: these forces pass on to what holds the node. */
+    dealii::Tensor<1, dim> prescribed_part = {};
     /** Law of friction in nodal forces; without any() the node slides freely. */
     FrictionLaw friction = {};
     /**
@@ -45,13 +53,19 @@ namespace signorini
 
     dealii::Tensor<1, dim> normal() const { return direction(0); }
 
-    /** The part of a nodal force along the normal, negative in compression. */
-    double normal_part(const Vector &nodal_forces) const
+    /** The unit normal of the surface, out of the body. */
+    dealii::Tensor<1, dim> surface_normal() const { return free_part * normal() + prescribed_part; }
+
+    /** Distance to the other side, along the unit normal, per length of the gap. */
+    double distance_per_gap() const { return free_part / transmission; }
+
+    /** The nodal force along the unit normal that these forces are the free part of. */
+    double normal_force(const Vector &nodal_forces) const
     {
-      double part = 0.;
+      double free_force = 0.;
       for (unsigned int c = 0; c < dim; ++c)
-        part += frame[c] * nodal_forces.local_element(dim * node + c);
-      return part;
+        free_force += frame[c] * nodal_forces.local_element(dim * node + c);
+      return free_force / free_part;
     }
 
     /** A row of the frame. */

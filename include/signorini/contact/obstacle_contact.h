@@ -4,6 +4,7 @@
 #ifndef signorini_contact_obstacle_contact_h
 #define signorini_contact_obstacle_contact_h
 
+#include <signorini/base/complaints.h>
 #include <signorini/contact/contact_node.h>
 #include <signorini/discretization/dirichlet_conditions.h>
 #include <signorini/obstacles/rigid_obstacle.h>
@@ -14,14 +15,18 @@ namespace signorini
 {
   /**
    * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
-   * body, and only if its surface faces that obstacle. A node whose normal displacement is
-   * prescribed is left out.
+   * body, and only if its surface faces that obstacle. A node with prescribed directions meets it
+   * in the others; one whose normal displacement is prescribed is left out.
    */
   template <int dim>
   class ObstacleContact
   {
   public:
-    /** The pairs of two bodies among @p pairs are left out. */
+    /**
+     * The pairs of two bodies among @p pairs are left out.
+     * @throws UserError naming body, place and obstacle, where a prescribed displacement that is
+     * oblique to the obstacle changes in time
+     */
     ObstacleContact(const Discretization<dim>             &discretization,
                     const DirichletConditions<dim>        &dirichlet,
                     const std::vector<NamedObstacle<dim>> &obstacles,
@@ -32,6 +37,9 @@ namespace signorini
 
     /** Number of nodes (all processes) whose normal displacement is prescribed: no contact. */
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
+
+    /** Number of nodes (all processes) at which a part of the normal is prescribed. */
+    unsigned int n_oblique_nodes() const { return n_oblique; }
 
     /**
      * Largest depth of a displaced contact node in *any* obstacle of its body, on all processes; 0
@@ -50,7 +58,12 @@ namespace signorini
     const std::vector<PairDescription>    pairs;
     const std::vector<NamedObstacle<dim>> obstacles;
     std::vector<ContactNode<dim>>         contact_nodes;
-    unsigned int                          n_left_to_dirichlet = 0;
+    unsigned int                          n_left_to_dirichlet = 0, n_oblique = 0;
+
+    void check_that_they_rest(const DirichletConditions<dim>                      &dirichlet,
+                              const typename DirichletConditions<dim>::Components &conditions,
+                              const ContactNode<dim>                              &contact_node,
+                              std::vector<Complaint> &complaints) const;
 
     /** Enter the nodes of a pair that have no closer obstacle yet. */
     void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest) const;

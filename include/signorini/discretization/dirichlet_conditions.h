@@ -9,6 +9,8 @@
 #include <deal.II/base/function_parser.h>
 
 #include <map>
+#include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -26,6 +28,20 @@ namespace signorini
     /** Prescribed components by owned node. */
     const std::map<unsigned int, Components> &nodes() const { return prescribed; }
 
+    /** Whether the displacement that a condition prescribes for a component depends on time. */
+    bool moves(const unsigned int condition, const unsigned int component) const
+    {
+      return depends_on_time[condition][component];
+    }
+
+    /**
+     * Where two conditions prescribe the same component of a node, they must agree. Collective.
+     * @param end_time they are compared at some times up to this
+     * @throws UserError naming body, boundaries, place, component and values
+     * @return a sentence for the user for each pair of boundaries that share nodes and agree
+     */
+    std::vector<std::string> check_shared_nodes(double end_time) const;
+
     /** Displacement prescribed by a condition for a component at a point. */
     double value(unsigned int              condition,
                  const dealii::Point<dim> &point,
@@ -33,7 +49,19 @@ namespace signorini
                  double                    time) const;
 
   private:
-    std::map<unsigned int, Components> prescribed;
+    /** A component of a node that two conditions prescribe; the first one counts. */
+    struct Shared
+    {
+      dealii::Point<dim> point;
+      unsigned int       component, first, second;
+    };
+
+    const Mesh<dim>                   &mesh;
+    std::vector<Shared>                shared;
+    std::vector<std::array<bool, dim>> depends_on_time; ///< of each condition
+    /** Body and boundary id of each condition. */
+    std::vector<std::pair<unsigned int, dealii::types::boundary_id>> places;
+    std::map<unsigned int, Components>                               prescribed;
     std::vector<dealii::FunctionParser<dim> *>
       functions; ///< of each condition; the mesh keeps them
   };

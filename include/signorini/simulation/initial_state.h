@@ -4,8 +4,11 @@
 #ifndef signorini_simulation_initial_state_h
 #define signorini_simulation_initial_state_h
 
-#include <signorini/discretization/discretization.h>
+#include <signorini/contact/contact_coordinates.h>
 #include <signorini/time/state.h>
+
+#include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -21,6 +24,19 @@ namespace signorini
    */
   template <int dim>
   State initial_state(const Discretization<dim> &discretization);
+
+  /**
+   * Prescribed nodes start with the velocity of their condition, whatever the body's initial
+   * velocity is: schemes that take the velocity from displacements, v_new = 2 d/tau - v, would
+   * otherwise alternate about it for ever. Collective.
+   * @param step_size the first one; the derivative at time 0 is taken in a small part of it
+   * @return sentences for the user about what has been changed, and about displacements that jump
+   */
+  template <int dim>
+  std::vector<std::string> start_with_conditions(const Discretization<dim>     &discretization,
+                                                 const ContactCoordinates<dim> &coordinates,
+                                                 double                         step_size,
+                                                 State                         &state);
 } // namespace signorini
 
 #endif

@@ -51,6 +51,8 @@ namespace signorini
     const std::unique_ptr<TimeScheme> scheme;
     unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
+    std::vector<std::string> start_notes; ///< what the user should know about the initial state
+
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;
     MeshChange                        flags; ///< what the latest step wants of the mesh
