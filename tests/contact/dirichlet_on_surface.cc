@@ -88,9 +88,13 @@ TEST(DirichletOnSurface, ObliqueObstacle)
         }
       EXPECT_EQ(dealii::Utilities::MPI::sum(n_oblique, MPI_COMM_WORLD), 3u);
     }
+}
 
-  Scene<3> scene  = held_box({{"0", "-", "0"}});
-  scene.obstacles = {plane<3>("slope", dealii::Point<3>(0., 0., -1.), slope)};
+TEST(DirichletOnSurface, ObliqueObstacleAndMotion)
+{
+  const dealii::Tensor<1, 3> slope({0.1, 0., 1.});
+  Scene<3>                   scene = held_box({{"0", "-", "0"}});
+  scene.obstacles                  = {plane<3>("slope", dealii::Point<3>(0., 0., -1.), slope)};
   EXPECT_EQ(ContactProblem<3>(scene).surface.n_global_nodes(), 6u) << "the normal is prescribed";
   scene.bodies[0].dirichlet[0].expressions = {{"0.1*t", "-", "-"}};
   try
