@@ -52,10 +52,12 @@ namespace signorini
         Anything(),
         "Folder for all results, relative to the current one. It is made if it does not exist.");
       prm.declare_entry("Mapping",
-                        name_of(CellGeometry::linear),
-                        choices_of<CellGeometry>(),
+                        name_of(MappingChoice::automatic),
+                        choices_of<MappingChoice>(),
                         "linear: cells with straight edges, isoparametric; curved: quadratic "
-                        "cells, which follow round shapes more closely.");
+                        "cells, which follow round shapes more closely; automatic: curved if a "
+                        "body is round and the mesh changes, as cells with straight edges keep the "
+                        "facets of the first mesh, however fine they become; else linear.");
     }
 
     void declare_contact(dealii::ParameterHandler &prm, const std::vector<PairName> &pairs)

@@ -9,6 +9,7 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
@@ -73,6 +74,18 @@ namespace signorini
                                            "without mass, with a small step size.");
     }
 
+    template <int dim>
+    CellGeometry cell_geometry(const MappingChoice choice, const Scene<dim> &scene)
+    {
+      const bool needs_curves = scene.adaptivity.any()
+                                && std::any_of(scene.bodies.begin(),
+                                               scene.bodies.end(),
+                                               [](const auto &body) { return body.is_round(); });
+      if (choice == MappingChoice::curved || (choice == MappingChoice::automatic && needs_curves))
+        return CellGeometry::curved;
+      return CellGeometry::linear;
+    }
+
     /**
      * All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on
      * where it lies.
@@ -123,7 +136,6 @@ namespace signorini
     Scene<dim> scene;
     scene.file_name        = file_name;
     scene.output_directory = in.text("Output directory");
-    scene.mapping          = in.choice<CellGeometry>("Mapping");
     scene.time             = parse_time(in.section("Time"));
     scene.step_sizes       = parse_step_sizes(in.section("Time"), scene.time);
     for (const std::string &name : names.bodies)
@@ -134,6 +146,7 @@ namespace signorini
     scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);
     check_dirichlet(in.section("Bodies"), scene);
     scene.adaptivity = parse_adaptivity(in.section("Adaptivity"), scene.time, scene.bodies);
+    scene.mapping    = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);
     parse_probes(in.section("Probes"), names.probes, scene);
     scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);
     scene.solver         = parse_solver(in.section("Solver"));

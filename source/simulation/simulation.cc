@@ -226,14 +226,12 @@ namespace signorini
            << " nodes of the contact surface have a prescribed normal displacement, and take no "
               "part in contact\n";
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
-        && std::any_of(
-          scene.bodies.begin(), scene.bodies.end(), [](const BodyDescription<dim> &body) {
-            return body.shape == BodyShape::ball || body.shape == BodyShape::cylinder
-                   || body.cap_radius > 0.;
-          }))
+        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
+             return body.is_round();
+           }))
       text << "  warning: on a mesh that changes, a round body keeps the facets of its initial "
               "`Refinements`, however fine the mesh becomes.\n"
-              "           Set `Mapping = curved`.\n";
+              "           Set `Mapping = curved`, or leave the choice to `Mapping = automatic`.\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
            << perturbation_of_velocities() << " of themselves\n";

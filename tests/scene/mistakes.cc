@@ -44,7 +44,7 @@ TEST(Mistakes, TopLevelAndTime)
     {{"Dimension", "4", {"2 (plane strain) or 3"}},
      {"Dimension", "three", {"must be"}},
      {"Output directory", "", {"is empty", "Name a folder"}},
-     {"Mapping", "curvd", {"Did you mean `curved`?", "Valid: linear, curved"}},
+     {"Mapping", "curvd", {"Did you mean `curved`?", "Valid: automatic, linear, curved"}},
      {"Time/Scheme", "contact-stabilised", {"Did you mean `contact-stabilized`?", "newmark"}},
      {"Time/Mass", "lumpd", {"Did you mean `lumped`?"}},
      {"Time/Step size", "0", {"must be positive"}},

@@ -28,6 +28,24 @@ namespace
   }
 } // namespace
 
+// Cells with straight edges would keep the facets of the first mesh.
+TEST(Reading, RoundBodiesAreCurvedOnAMeshThatChanges)
+{
+  const std::vector<Override> changing = {{"Adaptivity/Indicator", "kelly"},
+                                          {"Adaptivity/Maximum level", "4"}},
+                              box      = {{"Bodies/ball/Shape", "box"}},
+                              linear   = {{"Mapping", "linear"}};
+  const auto mapping = [&](std::vector<Override> overrides, const std::vector<Override> &more) {
+    overrides.insert(overrides.end(), more.begin(), more.end());
+    return read(overrides).mapping;
+  };
+  EXPECT_EQ(mapping({}, {}), CellGeometry::linear) << "a mesh that stays";
+  EXPECT_EQ(mapping(changing, {}), CellGeometry::curved);
+  EXPECT_EQ(mapping(changing, box), CellGeometry::linear);
+  EXPECT_EQ(mapping(changing, linear), CellGeometry::linear) << "as it is said";
+  EXPECT_EQ(mapping({}, {{"Mapping", "curved"}}), CellGeometry::curved);
+}
+
 TEST(Reading, TimeAndTopLevel)
 {
   const Scene<3> scene = read();

@@ -13,7 +13,9 @@ import math
 import check_history
 
 BALL = ["Mapping=curved", "Bodies/ball/Refinements=2"]
-DISTANCE = BALL + [
+#: A round body on a mesh that changes has curved cells by default.
+DISTANCE = [
+    "Bodies/ball/Refinements=2",
     "Adaptivity/Indicator=distance",
     "Adaptivity/Maximum level=3",
     "Adaptivity/Distance=0.06",

@@ -108,6 +108,12 @@ namespace signorini
       body_force; ///< force per *mass* (f of the paper's rho f), expressions in x, y, z, t
     std::vector<BoundaryCondition<dim>> dirichlet; ///< prescribed displacement
     std::vector<BoundaryCondition<dim>> traction;  ///< prescribed stress vector
+
+    /** Whether cells with straight edges are only an approximation of the shape. */
+    bool is_round() const
+    {
+      return shape == BodyShape::ball || shape == BodyShape::cylinder || cap_radius > 0.;
+    }
   };
 } // namespace signorini
 

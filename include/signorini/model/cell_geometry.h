@@ -4,8 +4,6 @@
 #ifndef signorini_model_cell_geometry_h
 #define signorini_model_cell_geometry_h
 
-#include <signorini/base/enum_names.h>
-
 namespace signorini
 {
   /** The maps from the reference cell to the cells of the mesh. */
@@ -13,13 +11,6 @@ namespace signorini
   {
     linear, ///< straight edges, isoparametric
     curved  ///< quadratic, along the manifolds of round shapes
-  };
-
-  template <>
-  struct EnumNames<CellGeometry>
-  {
-    static constexpr EnumName<CellGeometry> table[] = {{CellGeometry::linear, "linear"},
-                                                       {CellGeometry::curved, "curved"}};
   };
 } // namespace signorini
 

@@ -4,6 +4,7 @@
 #ifndef signorini_scene_scene_h
 #define signorini_scene_scene_h
 
+#include <signorini/base/enum_names.h>
 #include <signorini/model/adaptivity_parameters.h>
 #include <signorini/model/body_description.h>
 #include <signorini/model/cell_geometry.h>
@@ -19,6 +20,22 @@
 
 namespace signorini
 {
+  /** What `Mapping` says. */
+  enum class MappingChoice
+  {
+    automatic, ///< by the bodies, and whether the mesh changes
+    linear,
+    curved
+  };
+
+  template <>
+  struct EnumNames<MappingChoice>
+  {
+    static constexpr EnumName<MappingChoice> table[] = {{MappingChoice::automatic, "automatic"},
+                                                        {MappingChoice::linear, "linear"},
+                                                        {MappingChoice::curved, "curved"}};
+  };
+
   /**
    * All that a scene file says, checked. Plain data: built by read_scene(), and taken apart by the
    * simulation: nobody else sees it.
@@ -28,7 +45,7 @@ namespace signorini
   {
     std::string                        file_name;
     std::string                        output_directory;
-    CellGeometry                       mapping = CellGeometry::linear;
+    CellGeometry                       mapping = CellGeometry::linear; ///< as it has been chosen
     TimeParameters                     time;
     AdaptivityParameters               adaptivity;
     std::vector<BodyDescription<dim>>  bodies;
