@@ -247,21 +247,23 @@ namespace signorini
 
 
   template <int dim>
-  double ContactSurface<dim>::largest_sliding(const Vector &displacement,
-                                              const Vector &contact_force) const
+  std::vector<double> ContactSurface<dim>::largest_sliding(const Vector &displacement,
+                                                           const Vector &contact_force) const
   {
     AssertDimension(contact_force.locally_owned_size(), displacement.locally_owned_size());
+    std::vector<double> largest(descriptions.size(), 0.);
     if (!node_coupling->any())
-      return 0.;
+      return largest;
     const auto sliding = relative_tangential(displacement);
-    double     largest = 0.;
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
         const ContactNode<dim> &node = contact_nodes[k];
         if (!node.partners.empty() && is_pressed(node.normal_force(contact_force)))
-          largest = std::max(largest, sliding[k].norm() / std::pow(node.weight, 1. / (dim - 1)));
+          largest[node.pair] =
+            std::max(largest[node.pair], sliding[k].norm() / std::pow(node.weight, 1. / (dim - 1)));
       }
-    return Utilities::MPI::max(largest, discretization.communicator());
+    Utilities::MPI::max(largest, discretization.communicator(), largest);
+    return largest;
   }
 
 

@@ -125,7 +125,7 @@ namespace signorini
 
   template <int dim>
   void ObstacleContact<dim>::add_closest(const unsigned int                        pair,
-                                         std::map<unsigned int, ContactNode<dim>> &closest) const
+                                         std::map<unsigned int, ContactNode<dim>> &closest)
   {
     const PairDescription &description = pairs[pair];
     Vector                 area = discretization.make_vector(), outward = area;
@@ -135,6 +135,7 @@ namespace signorini
         const double weight = area.local_element(dim * node);
         if (!(weight > 0.))
           continue;
+        surface_nodes[node]          = description.slave;
         const Point<dim> &position   = discretization.node_positions()[node];
         const auto        projection = obstacles[description.obstacle].shape->project(position);
         double            facing     = 0.;
@@ -195,19 +196,21 @@ namespace signorini
 
 
   template <int dim>
-  double ObstacleContact<dim>::geometric_penetration(const Vector &displacement) const
+  std::vector<double> ObstacleContact<dim>::geometric_penetration(const Vector &displacement) const
   {
-    double deepest = 0.;
-    for (const ContactNode<dim> &contact_node : contact_nodes)
+    std::vector<double> deepest(discretization.mesh().bodies().size(), 0.);
+    for (const auto &[node, body] : surface_nodes)
       {
-        Point<dim> position = contact_node.position;
+        Point<dim> position = discretization.node_positions()[node];
         for (unsigned int c = 0; c < dim; ++c)
-          position[c] += displacement.local_element(dim * contact_node.node + c);
+          position[c] += displacement.local_element(dim * node + c);
         for (const PairDescription &pair : pairs)
-          if (!pair.of_two_bodies() && pair.slave == pairs[contact_node.pair].slave)
-            deepest = std::max(deepest, -obstacles[pair.obstacle].shape->project(position).gap);
+          if (!pair.of_two_bodies() && pair.slave == body)
+            deepest[body] =
+              std::max(deepest[body], -obstacles[pair.obstacle].shape->project(position).gap);
       }
-    return Utilities::MPI::max(deepest, discretization.communicator());
+    Utilities::MPI::max(deepest, discretization.communicator(), deepest);
+    return deepest;
   }
 
 

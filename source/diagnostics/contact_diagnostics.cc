@@ -6,6 +6,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   template <int dim>
@@ -41,8 +43,10 @@ namespace signorini
     summary.max_slip        = dealii::Utilities::MPI::max(summary.max_slip, communicator);
     summary.max_tension     = dealii::Utilities::MPI::max(summary.max_tension, communicator);
     summary.max_penetration = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
-    summary.geometric_penetration = surface.geometric_penetration(state.displacement);
-    summary.sliding = surface.largest_sliding(state.displacement, state.contact_force);
+    summary.n_nodes         = surface.n_global_nodes();
+    summary.depths          = surface.geometric_penetration(state.displacement);
+    summary.geometric_penetration = *std::max_element(summary.depths.begin(), summary.depths.end());
+    summary.slidings = surface.largest_sliding(state.displacement, state.contact_force);
     for (double &component : summary.resultant)
       component = dealii::Utilities::MPI::sum(component, communicator);
     return summary;

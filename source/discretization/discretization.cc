@@ -77,6 +77,22 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<unsigned int> Discretization<dim>::bodies_of_nodes() const
+  {
+    const auto               &partitioner = *elastic_matrices.pattern.partitioner;
+    std::vector<unsigned int> result(elastic_matrices.pattern.n_owned,
+                                     numbers::invalid_unsigned_int);
+    for (const auto &cell : numbering.active_cell_iterators())
+      if (cell->is_locally_owned())
+        for (const unsigned int v : cell->vertex_indices())
+          if (const auto dof = cell->vertex_dof_index(v, 0);
+              partitioner.in_local_range(dof) && !hanging_nodes.is_constrained(dof))
+            result[partitioner.global_to_local(dof) / dim] = cell->material_id();
+    return result;
+  }
+
+
+  template <int dim>
   Vector Discretization<dim>::interpolate(
     const std::vector<std::array<std::string, dim>> &expressions_by_body,
     const double                                     time) const

@@ -56,9 +56,11 @@ namespace signorini
                         n_quadrature_points() + extra_points<dim>(geometry))
   {
     make_triangulation(descriptions, cells);
+    extents.assign(descriptions.size(), 0.);
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       for (unsigned int c = 0; c < dim; ++c)
-        largest_extent = std::max(largest_extent, bounding_box(b).side_length(c));
+        extents[b] = std::max(extents[b], bounding_box(b).side_length(c));
+    largest_extent = *std::max_element(extents.begin(), extents.end());
     update();
   }
 

@@ -163,6 +163,16 @@ namespace signorini
   }
 
 
+  void RunLog::warning(const std::string &text)
+  {
+    if (!first_process)
+      return;
+    close_line();
+    log << "  warning: " << text << '\n' << std::flush;
+    std::cerr << "signorini: warning: " << text << std::endl;
+  }
+
+
   std::ostream &RunLog::stream()
   {
     close_line();

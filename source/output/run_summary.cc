@@ -12,6 +12,8 @@ namespace signorini
 {
   namespace
   {
+    constexpr unsigned int few_steps = 8; ///< of a contact: hardly more than its ends
+
     double energy_of_motion(const HistoryRow &row)
     {
       return row.energy.kinetic + row.energy.elastic;
@@ -51,11 +53,15 @@ namespace signorini
     most_sticking       = std::max(most_sticking, contact.n_stick);
     most_slipping       = std::max(most_slipping, contact.n_slip);
     largest_penetration = std::max(largest_penetration, contact.max_penetration);
-    deepest             = std::max(deepest, contact.geometric_penetration);
-    farthest_sliding    = std::max(farthest_sliding, contact.sliding);
     largest_slip        = contact.max_slip;
+    work_contact += row.booking.contact + row.booking.predictor;
+    phase         = contact.n_active > 0 ? phase + 1 : 0;
+    longest_phase = std::max(longest_phase, phase);
     if (contact.n_active == 0)
       return;
+    ++n_contact_steps;
+    if (contact.normal_force > largest_contact.normal_force)
+      largest_contact = contact;
     if (first_contact < 0.)
       first_contact = row.state.time;
     last_contact = row.state.time;
@@ -85,28 +91,50 @@ namespace signorini
   }
 
 
-  std::string RunSummary::warnings() const
+  std::vector<std::string> RunSummary::warnings() const
   {
-    std::ostringstream text;
-    text << std::setprecision(4);
+    std::vector<std::string> result;
+    const auto               say = [&](const auto &...parts) {
+      std::ostringstream text;
+      text << std::setprecision(3);
+      (text << ... << parts);
+      result.push_back(text.str());
+    };
     if (largest_residual > 1e-6 * largest_energy)
-      text << "  warning: a step changed the energy by " << largest_residual / largest_energy
-           << " of it without an explanation. "
-           << (subject.own_tolerance.empty()
-                 ? "The solver was not accurate enough, or the\n"
-                   "           scheme is at fault: do not trust this run, and report it.\n"
-                 : "Reduce `" + subject.own_tolerance + "` or the step size.\n");
-    if (deepest > 1e-2 * subject.body_size)
-      text << "  warning: by the true geometry a contact node was " << deepest
-           << " deep in an obstacle. Contact is linearised about the\n"
-           << "           initial configuration, with one obstacle per node: do not trust motion "
-              "along a curved obstacle or in a corner.\n";
-    if (farthest_sliding > 1.)
-      text << "  warning: bodies in contact slid along each other by " << farthest_sliding
-           << " times the size of a face. The faces that meet are\n"
-           << "           chosen once, in the initial configuration: do not trust the places where "
-              "forces act after that.\n";
-    return text.str();
+      say("a step changed the energy by ",
+          largest_residual / largest_energy,
+          " of it without an explanation. ",
+          subject.own_tolerance.empty()
+            ? "The solver was not accurate enough, or the scheme is at fault: do not trust this "
+              "run, and report it."
+            : "Reduce `" + subject.own_tolerance + "` or the step size.");
+    if (n_common_impulses > 0)
+      say("in ",
+          n_common_impulses,
+          " steps the equations of the impulses of single nodes were not solved; the common factor "
+          "of `Time/Impulses = common` was taken instead. The energy is right, the share of each "
+          "node is not.");
+    const unsigned int few_nodes = subject.dimension == 3 ? 9 : 4;
+    if (largest_contact.n_active < few_nodes
+        && 2 * largest_contact.n_active < largest_contact.n_nodes)
+      say("at the largest force only ",
+          largest_contact.n_active,
+          " of ",
+          largest_contact.n_nodes,
+          " contact nodes carried it. Force and duration of such a contact may be wrong by 30 %: "
+          "refine the mesh where the bodies touch (`Local refinements`, section Adaptivity).");
+    if (first_contact >= 0. && phase == 0 && longest_phase < few_steps)
+      say("the longest contact lasted ",
+          longest_phase,
+          longest_phase == 1 ? " step" : " steps",
+          ". Force and impulse need some twenty: reduce `Time/Step size`.");
+    if (relative(-work_contact) > 0.1)
+      say("contact took ",
+          100. * relative(-work_contact),
+          " % of the energy, in ",
+          n_contact_steps,
+          " steps with contact. What the scheme takes becomes less with smaller steps and cells.");
+    return result;
   }
 
 
@@ -127,7 +155,11 @@ namespace signorini
            << 100. * relative(standard_change) << " %)\n";
     if (first_contact >= 0.)
       text << "  contact           from " << first_contact << " to " << last_contact
-           << ", largest force " << force_variation.largest() << ", impulse " << impulse << "\n"
+           << ", largest force " << force_variation.largest() << ", impulse " << impulse
+           << "\n                    in " << n_contact_steps << " steps, "
+           << largest_contact.n_active << " of " << largest_contact.n_nodes
+           << " nodes at the largest force; took " << 100. * relative(-work_contact) + 0.
+           << " % of the energy\n"
            << "  oscillation       total variation of the force over twice its maximum: "
            << force_variation.measure() << "\n"
            << "  penetration       " << largest_penetration << " at most\n";
@@ -140,12 +172,6 @@ namespace signorini
     if (n_impulse_solves > 0)
       text << "  impulses          of single nodes in " << n_impulse_solves << " steps, "
            << static_cast<double>(n_impulse_iterations) / n_impulse_solves << " iterations each\n";
-    if (n_common_impulses > 0)
-      text << "  warning: in " << n_common_impulses
-           << " of these steps the equations of the single nodes were not solved; the common "
-              "factor of\n"
-           << "           `Time/Impulses = common` was taken instead. The energy is right, the "
-              "share of each node is not.\n";
-    return text.str() + warnings();
+    return text.str();
   }
 } // namespace signorini

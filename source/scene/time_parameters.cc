@@ -53,6 +53,14 @@ namespace signorini
                       Double(),
                       "The run ends here, in units of time; with fixed steps after End time / Step "
                       "size of them (rounded to the nearest integer). Must be given.");
+    prm.declare_entry(
+      "Stop on warning",
+      "false",
+      Bool(),
+      "End the run, with exit status 1 and its last state written, at the step with "
+      "which the result begins to be doubtful: a body that turns by more than 3 "
+      "degrees, is strained by more than 5 %, is deeper in an obstacle than 1 % of "
+      "its size, or slides along another by more than a face.");
     declare_step_sizes(prm);
   }
 
@@ -62,7 +70,8 @@ namespace signorini
     TimeParameters time;
     time.scheme = in.text("Scheme");
     parse_scheme_parameters(in, time);
-    time.start = in.choice<StartKind>("Start");
+    time.start           = in.choice<StartKind>("Start");
+    time.stop_on_warning = in.flag("Stop on warning");
     for (const std::string key : {"Step size", "End time"})
       if (!in.given(key))
         in.fail(key, "is missing. Give a positive number, in units of time.");

@@ -40,10 +40,10 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<std::string> start_with_conditions(const Discretization<dim>     &discretization,
-                                                 const ContactCoordinates<dim> &coordinates,
-                                                 const double                   step_size,
-                                                 State                         &state)
+  Remarks start_with_conditions(const Discretization<dim>     &discretization,
+                                const ContactCoordinates<dim> &coordinates,
+                                const double                   step_size,
+                                State                         &state)
   {
     // One-sided difference of third order: exact for the motions that people write, and before time
     // 0 a condition need not exist.
@@ -75,29 +75,30 @@ namespace signorini
     const MPI_Comm communicator = discretization.communicator();
     jump                        = dealii::Utilities::MPI::max(jump, communicator);
     change                      = dealii::Utilities::MPI::max(change, communicator);
-    std::vector<std::string> notes;
-    const auto               say = [&](const double value, const std::string &sentence) {
+    Remarks    remarks;
+    const auto up_to = [](const double value) {
       std::ostringstream text;
-      text << std::setprecision(3) << sentence << value;
-      notes.push_back(text.str());
+      text << " by up to " << std::setprecision(3) << value << ".";
+      return text.str();
     };
     // The difference has a round-off of 1e-14 of the positions.
     if (change * step_size > 1e-11 * discretization.mesh().body_size())
-      say(change,
-          "note: prescribed nodes start with the velocity of their condition, which differs from "
-          "the initial velocity of their body by up to ");
+      remarks.notes.push_back("prescribed nodes start with the velocity of their condition, which "
+                              "differs from the initial velocity of their body"
+                              + up_to(change));
     if (jump > 1e-9 * discretization.mesh().body_size())
-      say(jump,
-          "warning: the first step brings prescribed nodes suddenly to where their conditions want "
-          "them. `Start = equilibrium` begins with them there, at rest. They move by up to ");
-    return notes;
+      remarks.warnings.push_back("The first step moves prescribed nodes suddenly to where their "
+                                 "conditions want them. With `Start = equilibrium` they begin "
+                                 "there, at rest. They move"
+                                 + up_to(jump));
+    return remarks;
   }
 
 
-  template std::vector<std::string>
-  start_with_conditions(const Discretization<2> &, const ContactCoordinates<2> &, double, State &);
-  template std::vector<std::string>
-  start_with_conditions(const Discretization<3> &, const ContactCoordinates<3> &, double, State &);
   template State initial_state(const Discretization<2> &);
   template State initial_state(const Discretization<3> &);
+  template Remarks
+  start_with_conditions(const Discretization<2> &, const ContactCoordinates<2> &, double, State &);
+  template Remarks
+  start_with_conditions(const Discretization<3> &, const ContactCoordinates<3> &, double, State &);
 } // namespace signorini

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/finite_elements/largest_strains.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/observation.h>
 
@@ -11,6 +12,19 @@
 
 namespace signorini
 {
+  namespace
+  {
+    template <typename Described>
+    std::vector<std::string> names_of(const std::vector<Described> &descriptions)
+    {
+      std::vector<std::string> names;
+      for (const Described &description : descriptions)
+        names.push_back(description.name);
+      return names;
+    }
+  } // namespace
+
+
   template <int dim>
   Observation<dim>::Observation(const Scene<dim> &scene, MeshedScene<dim> &meshed)
     : scene(scene)
@@ -25,7 +39,9 @@ namespace signorini
     , run_summary({has_friction(scene.pairs),
                    scene.time.mass.has_massless_contact_nodes(),
                    scheme_info(scene.time.scheme).own_tolerance,
-                   meshed.discretization.mesh().body_size()})
+                   dim})
+    , body_motion(meshed.discretization)
+    , validity(names_of(scene.bodies), names_of(scene.pairs))
     , velocity_zigzags(probes.size())
     , clock(meshed.discretization.communicator(), false)
   {
@@ -55,15 +71,16 @@ namespace signorini
   template <int dim>
   void Observation<dim>::change_mesh(MeshedScene<dim> &new_meshed, const State &state)
   {
-    meshed = &new_meshed;
-    probes = make_probes(scene, *meshed);
+    meshed      = &new_meshed;
+    body_motion = BodyMotion<dim>(meshed->discretization);
+    probes      = make_probes(scene, *meshed);
     ledger.transfer(state, meshed->load(state.time));
     run_summary.change_mesh(meshed->discretization.mesh().triangulation().n_global_active_cells());
   }
 
 
   template <int dim>
-  void Observation<dim>::observe(const State &state, const StepReport &report)
+  std::vector<std::string> Observation<dim>::observe(const State &state, const StepReport &report)
   {
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
@@ -71,6 +88,28 @@ namespace signorini
                      + " is not a finite number. Check the loads, velocities and material "
                        "constants of the scene.");
     run_summary.add(write(state, report, booking));
+    return validity.judge(validity_reading(state));
+  }
+
+
+  template <int dim>
+  ValidityReading Observation<dim>::validity_reading(const State &state)
+  {
+    const auto     &discretization = meshed->discretization;
+    ValidityReading reading;
+    reading.time     = state.time;
+    reading.rotation = body_motion.rotation(state.displacement);
+    reading.sliding  = contact_now.slidings;
+    for (unsigned int body = 0; body < scene.bodies.size(); ++body)
+      reading.depth.push_back(contact_now.depths[body] / discretization.mesh().body_size(body));
+    // All cells are visited only when the strain may have grown by a tenth.
+    if (const double elastic = ledger.current().elastic; elastic > 1.2 * energy_of_strains)
+      {
+        strains           = largest_strains(discretization, state.displacement);
+        energy_of_strains = elastic;
+      }
+    reading.strain = strains;
+    return reading;
   }
 
 
@@ -151,6 +190,16 @@ namespace signorini
            << " %, velocity " << 100. * latest_errors.relative_velocity
            << " % (relative, in space and time)\n";
     return text.str();
+  }
+
+
+  template <int dim>
+  std::vector<std::string> Observation<dim>::warnings() const
+  {
+    std::vector<std::string> result = run_summary.warnings();
+    for (const std::string &sentence : validity.summary())
+      result.push_back(sentence);
+    return result;
   }
 
 

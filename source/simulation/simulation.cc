@@ -38,7 +38,10 @@ namespace signorini
   std::string Simulation<dim>::validate()
   {
     prepare();
-    return scene.file_name + ": the scene is in order.\n" + description();
+    std::string text = scene.file_name + ": the scene is in order.\n" + description();
+    for (const std::string &warning : warnings())
+      text += "  warning: " + warning + "\n";
+    return text;
   }
 
 
@@ -50,6 +53,8 @@ namespace signorini
     remove_earlier_results(scene.output_directory, mesh.communicator());
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
+    for (const std::string &warning : warnings())
+      log.warning(warning);
 
     FieldOutput<dim> fields(scene.output_directory, mesh.communicator());
     Observation<dim> observation(scene, *meshed);
@@ -62,10 +67,13 @@ namespace signorini
       scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
     while (!stepping->finished(state))
       {
-        const StepReport report = advance(*stepping, observation);
+        const StepReport         report = advance(*stepping, observation);
+        std::vector<std::string> news;
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          observation.observe(state, report);
+          news = observation.observe(state, report);
+          for (const std::string &warning : news)
+            log.warning(warning);
           meshed->system.set_energy(observation.energy_of_motion());
           log.progress(state.step,
                        scene.step_sizes.is_variable() ? 0 : scene.time.n_steps(),
@@ -75,6 +83,8 @@ namespace signorini
                        observation.relative_energy_change(),
                        observation.contact().n_active);
         }
+        if (scene.time.stop_on_warning && !news.empty())
+          stop(news.front(), fields);
         if (writes_fields(state.step, stepping->finished(state)))
           {
             TimerOutput::Scope scope(timer, "field output");
@@ -89,6 +99,8 @@ namespace signorini
     timer.print_wall_time_statistics(mesh.communicator());
     log.message(stepping->summary() + observation.summary() + meshed->system.cost_summary()
                 + timer_table.str());
+    for (const std::string &warning : observation.warnings())
+      log.warning(warning);
     log.finish();
   }
 
@@ -176,12 +188,10 @@ namespace signorini
                  meshed->discretization, meshed->surface, meshed->coordinates, scene.solver)
           .find(state, meshed->load(0.));
       });
-    start_notes = meshed->dirichlet.check_shared_nodes(scene.time.end_time);
-    for (std::string &note : start_notes)
-      note = "note: " + note;
-    for (const std::string &note : start_with_conditions(
-           meshed->discretization, meshed->coordinates, scene.time.step_size, state))
-      start_notes.push_back(note);
+    start_remarks = start_with_conditions(
+      meshed->discretization, meshed->coordinates, scene.time.step_size, state);
+    for (const std::string &note : meshed->dirichlet.check_shared_nodes(scene.time.end_time))
+      start_remarks.notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);
     meshed->system.apply_stiffness(state.internal_force, state.displacement);
   }
@@ -218,28 +228,45 @@ namespace signorini
          << "\n  contact nodes     " << meshed->surface.n_global_nodes() << "\n  Courant number    "
          << mesh.courant_number(scene.time.step_size) << "\n  processes         "
          << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
-    if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
-      text << "  warning: Contact/Pairs names a pair, but no node can come into contact: none "
-              "faces its obstacle, or all of them are prescribed\n";
     if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
       text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
            << " nodes of the contact surface have a prescribed normal displacement, and take no "
               "part in contact\n";
-    if (mesh_control.any() && scene.mapping != CellGeometry::curved
-        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
-             return body.is_round();
-           }))
-      text << "  warning: on a mesh that changes, a round body keeps the facets of its initial "
-              "`Refinements`, however fine the mesh becomes.\n"
-              "           Set `Mapping = curved`, or leave the choice to `Mapping = automatic`.\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
            << perturbation_of_velocities() << " of themselves\n";
     for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
-    for (const std::string &note : start_notes)
-      text << "  " << note << "\n";
+    for (const std::string &note : start_remarks.notes)
+      text << "  note: " << note << "\n";
     return text.str();
+  }
+
+
+  template <int dim>
+  std::vector<std::string> Simulation<dim>::warnings() const
+  {
+    std::vector<std::string> result = start_remarks.warnings;
+    if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
+      result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
+                       "its obstacle, or all of them are prescribed.");
+    if (mesh_control.any() && scene.mapping != CellGeometry::curved
+        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
+             return body.is_round();
+           }))
+      result.push_back("On a mesh that changes, a round body keeps the facets of its initial "
+                       "`Refinements`, however fine the mesh becomes. Set `Mapping = curved`, or "
+                       "leave the choice to `Mapping = automatic`.");
+    return result;
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::stop(const std::string &warning, FieldOutput<dim> &fields)
+  {
+    if (scene.output.vtu)
+      fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
+    throw RunError("`Time/Stop on warning`: " + warning);
   }
 
 

@@ -14,24 +14,6 @@ namespace signorini
 {
   namespace
   {
-    /** The body of each owned node, none of hanging ones. */
-    template <int dim>
-    std::vector<unsigned int> bodies_of_nodes(const Discretization<dim> &discretization)
-    {
-      const auto               &partitioner = *discretization.matrices().pattern.partitioner;
-      std::vector<unsigned int> result(discretization.matrices().pattern.n_owned,
-                                       dealii::numbers::invalid_unsigned_int);
-      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
-        if (cell->is_locally_owned())
-          for (const unsigned int v : cell->vertex_indices())
-            if (const auto dof = cell->vertex_dof_index(v, 0);
-                partitioner.in_local_range(dof)
-                && !discretization.hanging_node_constraints().is_constrained(dof))
-              result[partitioner.global_to_local(dof) / dim] = cell->material_id();
-      return result;
-    }
-
-
     /** Translations, then rotations about the axes through the origin. */
     template <int dim>
     dealii::Tensor<1, dim> rigid_motion(const unsigned int which, const dealii::Point<dim> &x)
@@ -56,7 +38,7 @@ namespace signorini
                               const ContactCoordinates<dim> &coordinates)
     : discretization(discretization)
   {
-    const std::vector<unsigned int> bodies = bodies_of_nodes(discretization);
+    const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
     for (unsigned int body = 0; body < discretization.mesh().bodies().size(); ++body)
       {
         const std::size_t first = modes.size();

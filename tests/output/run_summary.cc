@@ -29,7 +29,10 @@ namespace
     RunSummary summary(subject);
     summary.start(row);
     summary.add(row);
-    return summary.warnings();
+    std::string all;
+    for (const std::string &warning : summary.warnings())
+      all += warning + "\n";
+    return all;
   }
 } // namespace
 
@@ -79,13 +82,39 @@ TEST(RunSummary, WarnsOfWhatIsDoubtful)
   EXPECT_NE(warnings_of(unexplained, subject).find("Reduce `Reference tolerance`"),
             std::string::npos);
 
-  HistoryRow deep                    = pressed(state);
-  deep.contact.geometric_penetration = 0.02;
-  EXPECT_NE(warnings_of(deep).find("deep in an obstacle"), std::string::npos);
-  subject.body_size = 10.;
-  EXPECT_EQ(warnings_of(deep, subject), "");
+  HistoryRow pole       = pressed(state);
+  pole.contact.n_nodes  = 30;
+  pole.contact.n_active = 8;
+  EXPECT_NE(warnings_of(pole).find("only 8 of 30 contact nodes"), std::string::npos);
+  subject           = {};
+  subject.dimension = 2;
+  EXPECT_EQ(warnings_of(pole, subject), "");
+  pole.contact.n_nodes = 12;
+  EXPECT_EQ(warnings_of(pole), "") << "most of a small flat face";
 
-  HistoryRow far      = pressed(state);
-  far.contact.sliding = 1.1;
-  EXPECT_NE(warnings_of(far).find("slid along each other"), std::string::npos);
+  HistoryRow lossy      = pressed(state);
+  lossy.booking.contact = -0.15;
+  EXPECT_EQ(warnings_of(lossy), "");
+  lossy.booking.predictor = -0.1;
+  EXPECT_NE(warnings_of(lossy).find("contact took 12.5 % of the energy, in 1 steps"),
+            std::string::npos);
+}
+
+// A contact of a few steps is judged when it has ended, not when the run ends in the middle of it.
+TEST(RunSummary, WarnsOfAContactOfAFewSteps)
+{
+  const State state;
+  HistoryRow  row   = pressed(state);
+  HistoryRow  apart = row;
+  apart.contact     = {};
+  for (const unsigned int n_steps : {1, 7, 8})
+    {
+      RunSummary summary({});
+      summary.start(apart);
+      for (unsigned int step = 0; step < n_steps; ++step)
+        summary.add(row);
+      EXPECT_TRUE(summary.warnings().empty());
+      summary.add(apart);
+      EXPECT_EQ(summary.warnings().size(), n_steps < 8 ? 1u : 0u) << n_steps;
+    }
 }

@@ -67,21 +67,23 @@ namespace signorini
     std::vector<double> distance(const Vector &displacement) const;
 
     /**
-     * Largest depth of a displaced contact node in *any* obstacle of its body, by the true
-     * geometry, on all processes; 0 if there is none. The condition of the steps is linearised
+     * For each body the largest depth of a displaced node of its surface in *any* obstacle of the
+     * body, by the true geometry; 0 if there is none. The condition of the steps is linearised
      * about the reference configuration, with one obstacle per node; this is what it misses.
+     * Collective.
      */
-    double geometric_penetration(const Vector &displacement) const
+    std::vector<double> geometric_penetration(const Vector &displacement) const
     {
       return obstacle_contact.geometric_penetration(displacement);
     }
 
     /**
-     * Largest tangential displacement of a node relative to the other body while it carries a
-     * contact force, in units of the size of its surroundings, on all processes. Above 1 the node
-     * presses on faces that are no longer opposite. Collective.
+     * For each pair of two bodies the largest tangential displacement of a node relative to the
+     * other body while it carries a contact force, in units of the size of its surroundings, on all
+     * processes. Above 1 the node presses on faces that are no longer opposite. Collective.
      */
-    double largest_sliding(const Vector &displacement, const Vector &contact_force) const;
+    std::vector<double> largest_sliding(const Vector &displacement,
+                                        const Vector &contact_force) const;
 
     /**
      * Check that nothing overlaps at the start.

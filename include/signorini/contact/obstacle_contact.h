@@ -42,10 +42,11 @@ namespace signorini
     unsigned int n_oblique_nodes() const { return n_oblique; }
 
     /**
-     * Largest depth of a displaced contact node in *any* obstacle of its body, on all processes; 0
-     * if there is none.
+     * For each body the largest depth of a displaced node of its contact boundaries in *any*
+     * obstacle of the body, whether the node has faced it at the start or not; 0 if there is none.
+     * The same on all processes. Collective.
      */
-    double geometric_penetration(const Vector &displacement) const;
+    std::vector<double> geometric_penetration(const Vector &displacement) const;
 
     /**
      * @throws UserError naming pair, depth and place, if a slave surface penetrates its obstacle
@@ -58,6 +59,7 @@ namespace signorini
     const std::vector<PairDescription>    pairs;
     const std::vector<NamedObstacle<dim>> obstacles;
     std::vector<ContactNode<dim>>         contact_nodes;
+    std::map<unsigned int, unsigned int>  surface_nodes; ///< owned ones, with their body
     unsigned int                          n_left_to_dirichlet = 0, n_oblique = 0;
 
     void check_that_they_rest(const DirichletConditions<dim>                      &dirichlet,
@@ -66,7 +68,7 @@ namespace signorini
                               std::vector<Complaint> &complaints) const;
 
     /** Enter the nodes of a pair that have no closer obstacle yet. */
-    void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest) const;
+    void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest);
     /**
      * Area and averaged outward normal (times area) per node for one pair; `normal` has dim,
      * `area` one entry per node.

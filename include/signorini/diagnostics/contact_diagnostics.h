@@ -15,14 +15,16 @@ namespace signorini
     double                normal_force   = 0.; ///< sum of |normal nodal forces|
     double                friction_force = 0.; ///< sum of |tangential nodal forces|
     std::array<double, 3> resultant{}; ///< of the forces on the slave surfaces, friction among them
+    unsigned int          n_nodes  = 0;  ///< contact nodes
     unsigned int          n_active = 0;  ///< nodes that carry a contact force
     unsigned int          n_stick  = 0;  ///< of these, with friction
     unsigned int          n_slip   = 0;  ///< of these, with friction
     double                max_slip = 0.; ///< longest way that a node has slid along the other side
     double max_penetration         = 0.; ///< largest violation of u.nu <= g, 0 if there is none
     double geometric_penetration   = 0.; ///< the same by the true geometry, with all obstacles
-    double sliding     = 0.; ///< of bodies on each other, see ContactSurface::largest_sliding()
-    double max_tension = 0.; ///< largest nodal force of the wrong sign
+    std::vector<double> depths;   ///< of each body, see ContactSurface::geometric_penetration()
+    std::vector<double> slidings; ///< of each pair, see ContactSurface::largest_sliding()
+    double              max_tension = 0.; ///< largest nodal force of the wrong sign
   };
 
   template <int dim>

@@ -56,6 +56,9 @@ namespace signorini
     /** Positions of the local nodes of the pattern, ghosts included. */
     const std::vector<dealii::Point<dim>> &node_positions() const { return positions; }
 
+    /** The body of each owned node; an invalid number for hanging ones. */
+    std::vector<unsigned int> bodies_of_nodes() const;
+
     /** A vector of zeros. */
     Vector make_vector() const { return Vector(elastic_matrices.pattern.partitioner); }
 

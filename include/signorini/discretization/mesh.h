@@ -63,8 +63,11 @@ namespace signorini
     /** Box around the coarse mesh of a body; the same on all processes. */
     dealii::BoundingBox<dim> bounding_box(unsigned int body) const;
 
-    /** Largest extent of a body: the unit of length for tolerances. */
+    /** Largest extent of any body: the unit of length for tolerances. */
     double body_size() const { return largest_extent; }
+
+    /** Largest extent of a body. */
+    double body_size(const unsigned int body) const { return extents[body]; }
 
     /** About the lowest one: the speed of the slowest pressure wave over body_size(). */
     double lowest_frequency() const;
@@ -80,6 +83,7 @@ namespace signorini
     MeshGeometry<dim>                       geometry;
     CellMatrices<dim>                       matrices_of_cells;
     double                                  largest_extent = 0.;
+    std::vector<double>                     extents; ///< of each body
     mutable FunctionCache<dim>              functions;
 
     /**

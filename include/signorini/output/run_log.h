@@ -41,6 +41,12 @@ namespace signorini
     void message(const std::string &text);
 
     /**
+     * What makes results doubtful: a line in the log and on the error stream of the first process,
+     * also of a quiet run.
+     */
+    void warning(const std::string &text);
+
+    /**
      * State of the run after a step. The time left is estimated from the time since this log was
      * begun.
      * @param n_steps  of the whole run, 0 if that is not known

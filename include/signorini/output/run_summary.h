@@ -8,6 +8,7 @@
 #include <signorini/output/history.h>
 
 #include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -18,7 +19,7 @@ namespace signorini
     bool        massless_contact_nodes = false;
     std::string own_tolerance =
       {}; ///< the key with which the scheme controls its own error, if any
-    double body_size = 1.;
+    unsigned int dimension = 3;
   };
 
   /**
@@ -51,22 +52,24 @@ namespace signorini
     /** Energy balance, contact and oscillation. */
     std::string text() const;
 
-    /** What makes the results doubtful; empty if nothing does. */
-    std::string warnings() const;
+    /** What makes the results doubtful, a sentence each; none if nothing does. */
+    std::vector<std::string> warnings() const;
 
   private:
     const RunSubject subject;
     TotalVariation   force_variation;
 
     double initial_energy = 0., largest_energy = 0., change = 0., largest_change = 0.,
-           largest_residual = 0., largest_penetration = 0., deepest = 0., farthest_sliding = 0.,
-           impulse = 0., work_friction = 0., transferred = 0., largest_slip = 0.;
+           largest_residual = 0., largest_penetration = 0., work_contact = 0., impulse = 0.,
+           work_friction = 0., transferred = 0., largest_slip = 0.;
     double        standard_change = 0.; ///< change of the total energy with the consistent mass
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
     /** Of laursen-love, per node. */
-    unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
-    double       first_contact = -1., last_contact = -1.;
+    unsigned int   n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
+    double         first_contact = -1., last_contact = -1.;
+    unsigned int   n_contact_steps = 0, phase = 0, longest_phase = 0; ///< steps with contact
+    ContactSummary largest_contact;                                   ///< at the largest force
 
     /** The energy that changes are compared with. */
     double scale() const;

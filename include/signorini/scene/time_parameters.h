@@ -45,9 +45,10 @@ namespace signorini
     std::string      scheme = scheme_table().front().name;
     SchemeParameters parameters; ///< of single schemes
     MassParameters   mass;
-    StartKind        start     = StartKind::given;
-    double           step_size = 0.; ///< tau > 0
-    double           end_time  = 0.; ///< T > 0
+    StartKind        start           = StartKind::given;
+    double           step_size       = 0.;    ///< tau > 0
+    double           end_time        = 0.;    ///< T > 0
+    bool             stop_on_warning = false; ///< end the run when its result begins to be doubtful
 
     /** T/tau rounded to the nearest integer, at least one. */
     unsigned int n_steps() const;

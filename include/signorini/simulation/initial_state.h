@@ -25,18 +25,24 @@ namespace signorini
   template <int dim>
   State initial_state(const Discretization<dim> &discretization);
 
+  /** Sentences for the user. */
+  struct Remarks
+  {
+    std::vector<std::string> notes, warnings;
+  };
+
   /**
    * Prescribed nodes start with the velocity of their condition, whatever the body's initial
    * velocity is: schemes that take the velocity from displacements, v_new = 2 d/tau - v, would
    * otherwise alternate about it for ever. Collective.
    * @param step_size the first one; the derivative at time 0 is taken in a small part of it
-   * @return sentences for the user about what has been changed, and about displacements that jump
+   * @return what has been changed, and that displacements jump
    */
   template <int dim>
-  std::vector<std::string> start_with_conditions(const Discretization<dim>     &discretization,
-                                                 const ContactCoordinates<dim> &coordinates,
-                                                 double                         step_size,
-                                                 State                         &state);
+  Remarks start_with_conditions(const Discretization<dim>     &discretization,
+                                const ContactCoordinates<dim> &coordinates,
+                                double                         step_size,
+                                State                         &state);
 } // namespace signorini
 
 #endif

@@ -4,7 +4,9 @@
 #ifndef signorini_simulation_observation_h
 #define signorini_simulation_observation_h
 
+#include <signorini/diagnostics/body_motion.h>
 #include <signorini/diagnostics/oscillation.h>
+#include <signorini/diagnostics/validity.h>
 #include <signorini/output/history.h>
 #include <signorini/output/run_summary.h>
 #include <signorini/simulation/meshed_scene.h>
@@ -28,7 +30,8 @@ namespace signorini
     /** Go on with what was built on a changed mesh, and with the state on it. */
     void change_mesh(MeshedScene<dim> &meshed, const State &state);
 
-    void observe(const State &state, const StepReport &report);
+    /** @return what begins to be doubtful with this step, see Validity */
+    std::vector<std::string> observe(const State &state, const StepReport &report);
 
     const ContactSummary &contact() const { return contact_now; }
 
@@ -45,6 +48,9 @@ namespace signorini
     /** The run in words, when it has ended. */
     std::string summary() const;
 
+    /** What makes its results doubtful, a sentence each. */
+    std::vector<std::string> warnings() const;
+
   private:
     const Scene<dim>       &scene;
     MeshedScene<dim>       *meshed;
@@ -55,6 +61,10 @@ namespace signorini
     ContactSummary          contact_now;
     Momentum                initial_momentum;
     RunSummary              run_summary;
+    BodyMotion<dim>         body_motion;
+    Validity                validity;
+    std::vector<double>     strains; ///< of the bodies, when they were last evaluated
+    double                  energy_of_strains = 0.; ///< elastic, at that time
     std::vector<Zigzag>     velocity_zigzags;
     dealii::Timer           clock;
     ProductCount
@@ -65,6 +75,8 @@ namespace signorini
     HistoryRow write(const State &state, const StepReport &report, const EnergyBooking &booking);
     /** With the consistent mass, whatever the mass of the scheme. */
     double standard_kinetic_energy(const State &state) const;
+    /** What the method takes to be small. */
+    ValidityReading validity_reading(const State &state);
     /** Products since the last observation. */
     ProductCount                   products_of_step() const;
     static std::vector<Probe<dim>> make_probes(const Scene<dim>       &scene,

@@ -6,6 +6,7 @@
 
 #include <signorini/output/field_output.h>
 #include <signorini/output/run_log.h>
+#include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/mesh_control.h>
 #include <signorini/simulation/observation.h>
 #include <signorini/step_size/time_stepping.h>
@@ -51,7 +52,7 @@ namespace signorini
     const std::unique_ptr<TimeScheme> scheme;
     unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
-    std::vector<std::string> start_notes; ///< what the user should know about the initial state
+    Remarks start_remarks; ///< about the initial state
 
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;
@@ -73,6 +74,10 @@ namespace signorini
     void        adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
     bool        writes_fields(unsigned int step, bool is_last) const;
     std::string description() const;
+    /** What is doubtful before the first step, a sentence each. */
+    std::vector<std::string> warnings() const;
+    /** Write the last state and end the run. @throws RunError */
+    [[noreturn]] void stop(const std::string &warning, FieldOutput<dim> &fields);
   };
 } // namespace signorini
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_diagnostics_validity_h
+#define signorini_diagnostics_validity_h
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace signorini
+{
+  /** What the method takes to be small, at one time. In the order of bodies and of pairs. */
+  struct ValidityReading
+  {
+    double              time = 0.;
+    std::vector<double> depth;    ///< of bodies in obstacles by the true geometry, over their sizes
+    std::vector<double> rotation; ///< of bodies, radians
+    std::vector<double> strain;   ///< of bodies, the largest principal one
+    std::vector<double> sliding;  ///< of bodies in pairs on each other, in sizes of a face
+  };
+
+  /**
+   * Watches whether the run is still within what the method can do: linear strains, contact that is
+   * linearised about the initial configuration. What is exceeded is said once, when it begins, and
+   * again at the end with the largest value.
+   */
+  class Validity
+  {
+  public:
+    Validity(const std::vector<std::string> &bodies, const std::vector<std::string> &pairs);
+
+    /** @return what begins to be doubtful, a sentence each with the time */
+    std::vector<std::string> judge(const ValidityReading &reading);
+
+    /** All that has been doubtful: since when, how much at most, and what not to trust. */
+    std::vector<std::string> summary() const;
+
+    /** Turns by more than this make linear strains wrong: radians. */
+    static double rotation_limit();
+
+  private:
+    struct Limit;
+    struct Doubt
+    {
+      double since, largest;
+    };
+
+    const std::vector<std::string>                       bodies, pairs;
+    std::map<std::pair<std::size_t, std::size_t>, Doubt> doubts; ///< by limit, then body or pair
+
+    static const std::vector<Limit> &limits();
+    std::string sentence(const Limit &limit, std::size_t subject, double value) const;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/diagnostics/body_motion.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Sums of tensors over all processes, all at once. */
+    template <typename T>
+    void sum_over_processes(std::vector<T> &tensors, const MPI_Comm communicator)
+    {
+      if (tensors.empty())
+        return;
+      const ArrayView<double> all(tensors.front().begin_raw(),
+                                  tensors.size() * T::n_independent_components);
+      Utilities::MPI::sum(ArrayView<const double>(all), communicator, all);
+    }
+  } // namespace
+
+
+  template <int dim>
+  BodyMotion<dim>::BodyMotion(const Discretization<dim> &discretization)
+    : communicator(discretization.communicator())
+  {
+    const unsigned int n_bodies = discretization.mesh().bodies().size();
+    const auto        &pattern  = discretization.matrices().pattern;
+
+    Vector along_x = discretization.make_vector(), mass = along_x;
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      along_x.local_element(dim * node) = 1.;
+    discretization.matrices().apply_standard_mass(mass, along_x);
+
+    const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
+    std::vector<Tensor<1, dim + 1>> first_moments(n_bodies); // the mass behind them
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      if (bodies[node] < n_bodies)
+        {
+          const double weight = mass.local_element(dim * node);
+          for (unsigned int c = 0; c < dim; ++c)
+            first_moments[bodies[node]][c] += weight * discretization.node_positions()[node][c];
+          first_moments[bodies[node]][dim] += weight;
+          points.push_back({node, bodies[node], weight, {}});
+        }
+    sum_over_processes(first_moments, communicator);
+
+    std::vector<Tensor<2, n_axes>> inertia(n_bodies);
+    for (MassPoint &point : points)
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          point.arm[c] = discretization.node_positions()[point.node][c]
+                         - first_moments[point.body][c] / first_moments[point.body][dim];
+        for (unsigned int i = 0; i < n_axes; ++i)
+          {
+            inertia[point.body][i][i] += point.mass * point.arm.norm_square();
+            if constexpr (dim == 3)
+              for (unsigned int j = 0; j < n_axes; ++j)
+                inertia[point.body][i][j] -= point.mass * point.arm[i] * point.arm[j];
+          }
+      }
+    sum_over_processes(inertia, communicator);
+    for (const auto &tensor : inertia)
+      inverse_inertia.push_back(invert(tensor));
+  }
+
+
+  template <int dim>
+  typename BodyMotion<dim>::Moment BodyMotion<dim>::moment(const Tensor<1, dim> &arm,
+                                                           const Tensor<1, dim> &vector)
+  {
+    if constexpr (dim == 3)
+      return cross_product_3d(arm, vector);
+    else
+      {
+        Moment result;
+        result[0] = arm[0] * vector[1] - arm[1] * vector[0];
+        return result;
+      }
+  }
+
+
+  template <int dim>
+  std::vector<double> BodyMotion<dim>::rotation(const Vector &displacement) const
+  {
+    std::vector<Moment> moments(inverse_inertia.size());
+    for (const MassPoint &point : points)
+      {
+        Tensor<1, dim> u;
+        for (unsigned int c = 0; c < dim; ++c)
+          u[c] = displacement.local_element(dim * point.node + c);
+        moments[point.body] += point.mass * moment(point.arm, u);
+      }
+    sum_over_processes(moments, communicator);
+    std::vector<double> angles;
+    for (std::size_t body = 0; body < moments.size(); ++body)
+      angles.push_back((inverse_inertia[body] * moments[body]).norm());
+    return angles;
+  }
+
+
+  template class BodyMotion<2>;
+  template class BodyMotion<3>;
+} // namespace signorini

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/diagnostics/validity.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr double degree = 3.14159265358979324 / 180.;
+
+    std::string number(const double value)
+    {
+      std::ostringstream text;
+      text.precision(3);
+      text << value;
+      return text.str();
+    }
+  } // namespace
+
+
+  struct Validity::Limit
+  {
+    std::vector<double> ValidityReading::*values;
+    bool                                  of_pairs;
+    double                                largest; ///< that is still small
+    double                                unit;    ///< in which it is told
+    std::string                           has_happened, consequence;
+  };
+
+
+  const std::vector<Validity::Limit> &Validity::limits()
+  {
+    static const std::vector<Limit> table = {
+      {&ValidityReading::depth,
+       false,
+       0.01,
+       0.01,
+       " % of its size deep in an obstacle, by the true geometry",
+       "Contact is linearised about the initial configuration, with one obstacle per node: do not "
+       "trust motion along a curved obstacle, in a corner or past an edge."},
+      {&ValidityReading::rotation,
+       false,
+       rotation_limit(),
+       degree,
+       " degrees turned",
+       "Strains are linear: what turns by an angle grows by one over its cosine and resists. Do "
+       "not "
+       "trust shape, energy and contact of this body; end the run earlier, or let it turn less."},
+      {&ValidityReading::strain,
+       false,
+       0.05,
+       0.01,
+       " % strained at one place",
+       "Strains are linear, and so is Hooke's law: the error is about as large. A slower impact, a "
+       "lower load or a stiffer material stays within them."},
+      {&ValidityReading::sliding,
+       true,
+       1.,
+       1.,
+       " times the size of a face displaced along each other while in contact",
+       "The faces that meet are chosen once, in the initial configuration: do not trust the places "
+       "where forces act after that."}};
+    return table;
+  }
+
+
+  double Validity::rotation_limit()
+  {
+    return 3. * degree;
+  }
+
+
+  Validity::Validity(const std::vector<std::string> &bodies, const std::vector<std::string> &pairs)
+    : bodies(bodies)
+    , pairs(pairs)
+  {
+  }
+
+
+  std::string
+  Validity::sentence(const Limit &limit, const std::size_t subject, const double value) const
+  {
+    return (limit.of_pairs ? "the bodies of the pair '" + pairs[subject] + "' are "
+                           : "the body '" + bodies[subject] + "' is ")
+           + number(value / limit.unit) + limit.has_happened;
+  }
+
+
+  std::vector<std::string> Validity::judge(const ValidityReading &reading)
+  {
+    std::vector<std::string> news;
+    for (std::size_t l = 0; l < limits().size(); ++l)
+      {
+        const Limit &limit  = limits()[l];
+        const auto  &values = reading.*limit.values;
+        for (std::size_t subject = 0; subject < values.size(); ++subject)
+          {
+            if (!(values[subject] > limit.largest))
+              continue;
+            const auto [doubt, is_new] =
+              doubts.insert({{l, subject}, {reading.time, values[subject]}});
+            doubt->second.largest = std::max(doubt->second.largest, values[subject]);
+            if (is_new)
+              news.push_back("at time " + number(reading.time) + " "
+                             + sentence(limit, subject, values[subject]) + ". "
+                             + limit.consequence);
+          }
+      }
+    return news;
+  }
+
+
+  std::vector<std::string> Validity::summary() const
+  {
+    std::vector<std::string> result;
+    for (const auto &[what, doubt] : doubts)
+      {
+        const Limit &limit = limits()[what.first];
+        result.push_back("since time " + number(doubt.since) + " "
+                         + sentence(limit, what.second, doubt.largest) + " (the most of the run). "
+                         + limit.consequence);
+      }
+    return result;
+  }
+} // namespace signorini

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Results outside what the method can do are warned about while the run goes on, with the time, the
+body and the remedy, also by a quiet run; and the summary judges what mesh and step can carry."""
+
+import math
+import pathlib
+import subprocess
+
+import check_history
+
+#: A disc that spins at 2 rad/s above a floor, beside another one that rests.
+SPINNING = """
+set Dimension = 2
+subsection Time
+  set Step size = 5e-3
+  set End time  = 0.2
+end
+subsection Bodies
+  set Names = spinner, other
+  subsection spinner
+    set Shape            = ball
+    set Centre           = 0, 3
+    set Radius           = 1
+    set Refinements      = 2
+    set Young's modulus  = 5e4
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = -2*(y - 3); 2*x
+  end
+  subsection other
+    set Shape            = ball
+    set Centre           = 5, 3
+    set Radius           = 1
+    set Refinements      = 1
+    set Young's modulus  = 5e4
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = spinner : floor, other : floor
+end
+"""
+
+#: A square that falls on a ball with its side turned away at first: it faces nothing.
+BEHIND = """
+set Dimension = 2
+subsection Time
+  set Step size = 1e-2
+  set End time  = 0.4
+end
+subsection Bodies
+  set Names = square
+  subsection square
+    set Shape            = box
+    set Lower corner     = -0.1, 2
+    set Upper corner     = 0.1, 2.2
+    set Repetitions      = 2, 2
+    set Young's modulus  = 500
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 0; -10
+  end
+end
+subsection Obstacles
+  set Names = ball
+  subsection ball
+    set Shape  = sphere
+    set Centre = 0, 0
+    set Radius = 1
+  end
+end
+subsection Contact
+  set Pairs = square[3] : ball
+end
+"""
+
+
+class Warnings(check_history.SceneTest):
+    def run_quietly(self, name, scene, overrides=()):
+        """(result, folder) of a quiet run."""
+        folder = pathlib.Path(check_history.settings["folder"]) / name
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "scene_in.prm").write_text(scene, encoding="utf-8")
+        command = [check_history.settings["executable"], str(folder / "scene_in.prm"), "--quiet"]
+        for override in [f"Output directory={folder / 'output'}", *overrides]:
+            command += ["--set", override]
+        result = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+        return result, folder / "output"
+
+    def expect_warning(self, text, *parts):
+        lines = [line for line in text.splitlines() if "warning: " in line]
+        self.assertTrue(
+            any(all(part in line for part in parts) for line in lines), f"{parts}\n{text}"
+        )
+
+    def test_a_body_that_turns(self):
+        """3 degrees are reached after 0.0262 units of time, in the sixth step; the disc that rests
+        is not blamed."""
+        result, folder = self.run_quietly("turns", SPINNING)
+        self.assertEqual((result.returncode, result.stdout), (0, ""), result.stderr)
+        self.expect_warning(result.stderr, "at time 0.03 ", "'spinner'", "degrees turned")
+        self.expect_warning(result.stderr, "since time 0.03 ", "the most of the run")
+        self.assertNotIn("'other'", result.stderr)
+        log = (folder / "log.txt").read_text(encoding="utf-8")
+        self.expect_warning(log, "at time 0.03 ", "'spinner'")
+        degrees = float(
+            next(line for line in log.splitlines() if "the most of" in line)
+            .split("'spinner' is ")[1]
+            .split()[0]
+        )
+        self.expect_close(degrees, math.degrees(2 * 0.2), 0.01, "2 rad/s for 0.2")
+
+    def test_a_run_may_stop_at_its_first_warning(self):
+        result, folder = self.run_quietly("stops", SPINNING, ["Time/Stop on warning=true"])
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("Stop on warning", result.stderr)
+        history = check_history.read_table(folder / "history.csv")
+        self.assertAlmostEqual(history["time"][-1], 0.03)
+        self.assertEqual(len(list(folder.glob("*.pvd"))), 2)
+        self.assertIn('timestep="0.03', (folder / "volume.pvd").read_text(encoding="utf-8"))
+
+    def test_nodes_that_face_no_obstacle_are_watched(self):
+        """The upper side has no contact node, and is a radius deep when the run ends."""
+        result, _ = self.run_quietly("behind", BEHIND)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.expect_warning(result.stderr, "no node can come into contact")
+        self.expect_warning(result.stderr, "'square'", "deep in an obstacle", "linearised")
+
+    def test_a_mesh_that_is_too_coarse_for_its_contact(self):
+        """One node of a coarse ball carries the contact; a step that is too long leaves it a few
+        steps."""
+        result, folder = self.run_quietly(
+            "coarse",
+            check_history.scene_file("geometry_a").read_text(encoding="utf-8"),
+            [
+                "Bodies/ball/Refinements=1",
+                "Time/Step size=0.05",
+                "Time/End time=1.5",
+                "Bodies/ball/Initial velocity=0;0;-0.3",
+            ],
+        )
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.expect_warning(result.stderr, "only 1 of ", "Local refinements")
+
+
+if __name__ == "__main__":
+    check_history.main()
