@@ -14,7 +14,12 @@ namespace signorini
     prm.declare_entry("VTU every",
                       "0",
                       Integer(),
-                      "Write fields every so many steps; 0: only of the first and the last step.");
+                      "Write fields every so many steps; 0: as often as `VTU states` says.");
+    prm.declare_entry("VTU states",
+                      "20",
+                      Integer(),
+                      "Without `VTU every`: write fields of so many states, evenly spread over the "
+                      "time of the run, besides the initial one; 1: of the last one only.");
     prm.declare_entry("History every",
                       "1",
                       Integer(),
@@ -26,6 +31,7 @@ namespace signorini
     OutputParameters output;
     output.vtu           = in.flag("VTU");
     output.vtu_every     = in.integer("VTU every", 0, SectionReader::unlimited);
+    output.vtu_states    = in.integer("VTU states", 1, SectionReader::unlimited);
     output.history_every = in.integer("History every", 1, SectionReader::unlimited);
     return output;
   }

@@ -11,6 +11,7 @@
 #include <signorini/system/static_equilibrium.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace signorini
 {
@@ -60,7 +61,7 @@ namespace signorini
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
     meshed->system.set_energy(observation.energy_of_motion());
-    if (writes_fields(0, false))
+    if (writes_fields(0.))
       fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
 
     const auto stepping = make_time_stepping(
@@ -85,7 +86,7 @@ namespace signorini
         }
         if (scene.time.stop_on_warning && !news.empty())
           stop(news.front(), fields);
-        if (writes_fields(state.step, stepping->finished(state)))
+        if (writes_fields(stepping->fraction_done(state)))
           {
             TimerOutput::Scope scope(timer, "field output");
             observation.pause_clock();
@@ -198,12 +199,14 @@ namespace signorini
 
 
   template <int dim>
-  bool Simulation<dim>::writes_fields(const unsigned int step, const bool is_last) const
+  bool Simulation<dim>::writes_fields(const double fraction)
   {
     if (!scene.output.vtu)
       return false;
-    return step == 0 || is_last
-           || (scene.output.vtu_every > 0 && step % scene.output.vtu_every == 0);
+    if (scene.output.vtu_every > 0)
+      return fraction >= 1. || state.step % scene.output.vtu_every == 0;
+    const int interval = static_cast<int>(scene.output.vtu_states * std::min(fraction, 1.) + 1e-9);
+    return std::exchange(latest_interval, interval) != interval;
   }
 
 

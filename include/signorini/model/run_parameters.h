@@ -44,8 +44,9 @@ namespace signorini
   /** Section `Output`. */
   struct OutputParameters
   {
-    /** Write fields every so many steps; 0: only the first and the last. */
+    /** Write fields every so many steps; 0: see `vtu_states`. */
     unsigned int vtu_every     = 0;
+    unsigned int vtu_states    = 20; ///< number of states, evenly in time, besides the initial one
     bool         vtu           = true;
     unsigned int history_every = 1;
   };

@@ -58,6 +58,7 @@ namespace signorini
     MeshControl<dim>                  mesh_control;
     MeshChange                        flags; ///< what the latest step wants of the mesh
     bool                              mesh_has_just_changed = true; ///< since the latest step
+    int latest_interval = -1; ///< of time, in which fields were written
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();
@@ -71,8 +72,9 @@ namespace signorini
     StepReport advance(TimeStepping &stepping, Observation<dim> &observation);
     StepReport advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */
-    void        adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
-    bool        writes_fields(unsigned int step, bool is_last) const;
+    void adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
+    /** Whether it is time to. @param fraction of the run that is done */
+    bool        writes_fields(double fraction);
     std::string description() const;
     /** What is doubtful before the first step, a sentence each. */
     std::vector<std::string> warnings() const;
