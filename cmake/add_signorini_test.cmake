@@ -22,6 +22,15 @@ function(signorini_add_test_executable name)
     UNITY_BUILD ${SIGNORINI_UNITY} UNITY_BUILD_BATCH_SIZE 0)
 endfunction()
 
+# signorini_set_test_environment(<test>)
+#   One thread per process, OpenMPI as root, and a folder for its session of their own: programs of
+#   one process that start at the same time without a daemon would make the same one, and one fails.
+function(signorini_set_test_environment test)
+  set_tests_properties(${test} PROPERTIES ENVIRONMENT
+    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMP_NUM_THREADS=1;\
+OMPI_MCA_orte_tmpdir_base=${CMAKE_BINARY_DIR}/Testing/mpi/${test}")
+endfunction()
+
 function(signorini_add_test name)
   cmake_parse_arguments(TEST "" "TIMEOUT;EXECUTABLE" "SUITES;RANKS;LABELS" ${ARGN})
   if(NOT TEST_RANKS)
@@ -48,7 +57,7 @@ function(signorini_add_test name)
       add_test(NAME ${test} COMMAND mpirun --oversubscribe -np ${ranks} ${command})
     endif()
     set_tests_properties(${test} PROPERTIES
-      LABELS "${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${ranks}
-      ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMP_NUM_THREADS=1")
+      LABELS "${TEST_LABELS}" TIMEOUT ${TEST_TIMEOUT} PROCESSORS ${ranks})
+    signorini_set_test_environment(${test})
   endforeach()
 endfunction()

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/complaints.h>
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/contact/contact_frame.h>
 
+#include <cmath>
 #include <set>
 
 namespace signorini
@@ -183,10 +185,18 @@ namespace signorini
   std::vector<double> ContactCoordinates<dim>::dirichlet_values(const double time) const
   {
     std::vector<double> values;
+    if (!dirichlet.any())
+      return values;
     values.reserve(prescribed.size());
+    std::vector<std::string> not_numbers;
     for (const DirichletSource &source : dirichlet_sources)
-      values.push_back(source.direction
-                       * dirichlet.value(source.condition, source.point, source.component, time));
+      {
+        values.push_back(source.direction
+                         * dirichlet.value(source.condition, source.point, source.component, time));
+        if (!std::isfinite(values.back()))
+          not_numbers.push_back(dirichlet.name(source.condition));
+      }
+    throw_if_any_is_no_number(not_numbers, time, dirichlet.communicator());
     return values;
   }
 

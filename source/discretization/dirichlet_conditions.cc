@@ -64,6 +64,14 @@ namespace signorini
 
 
   template <int dim>
+  std::string DirichletConditions<dim>::name(const unsigned int condition) const
+  {
+    return "Bodies/" + mesh.bodies()[places[condition].first].name + "/Dirichlet on the boundary "
+           + std::to_string(places[condition].second);
+  }
+
+
+  template <int dim>
   std::vector<std::string> DirichletConditions<dim>::check_shared_nodes(const double end_time) const
   {
     const auto boundaries = [&](const Shared &node) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/complaints.h>
 #include <signorini/base/expressions.h>
 #include <signorini/discretization/loads.h>
 
@@ -9,9 +10,21 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    bool is_number(const double value)
+    {
+      return std::isfinite(value);
+    }
+  } // namespace
+
 
   const Vector &VectorInTime::at(const double                   time,
                                  const bool                     depends_on_time,
@@ -77,20 +90,24 @@ namespace signorini
   {
     // Body forces by nodal interpolation and the consistent mass: exact for constants, second order
     // otherwise.
-    Vector result = discretization.make_vector();
-    if (body_force.any())
+    Vector                   result = discretization.make_vector();
+    std::vector<std::string> not_numbers; ///< what is not a finite number now
+    if (body_force.any())                 // what is no number there is refused by the interpolation
       discretization.matrices().apply_mass(result, body_force.at(time));
     const auto &bodies = discretization.mesh().bodies();
     for (unsigned int b = 0; b < bodies.size(); ++b)
       for (const auto &condition : bodies[b].traction)
-        add_traction(b, condition, time, result);
+        if (!add_traction(b, condition, time, result))
+          not_numbers.push_back("Bodies/" + bodies[b].name + "/Traction on the boundary "
+                                + std::to_string(condition.boundary_id));
     result.compress(VectorOperation::add);
+    throw_if_any_is_no_number(not_numbers, time, discretization.communicator());
     return result;
   }
 
 
   template <int dim>
-  void Loads<dim>::add_traction(const unsigned int            body,
+  bool Loads<dim>::add_traction(const unsigned int            body,
                                 const BoundaryCondition<dim> &condition,
                                 const double                  time,
                                 Vector                       &forces) const
@@ -105,6 +122,7 @@ namespace signorini
     dealii::Vector<double>               local(dofs.size()), traction(dim);
     auto                                &function = mesh.function(condition.expressions);
     function.set_time(time);
+    bool all_are_numbers = true;
     for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned() && cell->material_id() == body)
         for (const unsigned int f : cell->face_indices())
@@ -115,6 +133,8 @@ namespace signorini
               for (const unsigned int q : fe_values.quadrature_point_indices())
                 {
                   function.vector_value(fe_values.quadrature_point(q), traction);
+                  all_are_numbers =
+                    all_are_numbers && std::all_of(traction.begin(), traction.end(), is_number);
                   for (unsigned int v = 0; v < scalar_fe.n_dofs_per_cell(); ++v)
                     for (unsigned int c = 0; c < dim; ++c)
                       local[dim * v + c] +=
@@ -124,6 +144,7 @@ namespace signorini
               discretization.hanging_node_constraints().distribute_local_to_global(
                 local, dofs, forces);
             }
+    return all_are_numbers;
   }
 
 

@@ -37,7 +37,10 @@ namespace signorini
       text << in.rdbuf();
       if (text.str().find('\0') != std::string::npos)
         refuse(file_name, "it is not a text file. Name a .prm file.");
-      return text.str();
+      // Some editors begin a file with the mark of its byte order.
+      const std::string mark = "\xef\xbb\xbf";
+      return text.str().compare(0, mark.size(), mark) == 0 ? text.str().substr(mark.size())
+                                                           : text.str();
     }
 
     /** Collects statements line by line and keeps track of the open sections. */

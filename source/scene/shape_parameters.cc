@@ -14,6 +14,8 @@ namespace signorini
 {
   namespace
   {
+    constexpr double smallest_radius = 1e-8; ///< of a ball or a cylinder
+
     // 12 refinements make 8^12 = 7e10 cells of one cell in 3d: a slip of the keyboard rather than
     // an intention.
     constexpr unsigned int max_refinements = 12;
@@ -53,6 +55,11 @@ namespace signorini
     {
       body.centre = in.point<dim>("Centre");
       body.radius = in.positive_number("Radius", "it is a length");
+      // The meshes of round bodies are made with an absolute tolerance of 1e-10.
+      if (body.radius < smallest_radius)
+        in.fail("Radius",
+                "is smaller than 1e-8, for which no mesh can be made. Choose a larger unit of "
+                "length, for the other quantities, too.");
       if (body.shape == BodyShape::ball)
         return;
       if (dim == 2)
@@ -168,6 +175,10 @@ namespace signorini
               "0.2 - z, or use `Refinements`.");
     if (!body.refine_where.empty())
       check_expression<dim>(in, "Refine where", body.refine_where, {centre_of(body)}, "h");
+    if (!body.refine_where.empty() && !in.given("Local refinements"))
+      in.fail("Refine where",
+              "selects cells, but `Local refinements` does not say how often to refine them. Give "
+              "it a number, or remove this key.");
   }
 
   template void declare_shape<2>(dealii::ParameterHandler &);

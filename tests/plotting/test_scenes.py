@@ -8,7 +8,6 @@ friction, off centre and on changing meshes reach their contact. The default out
 test_scenes.py EXECUTABLE FOLDER
 """
 
-import os
 import pathlib
 import re
 import shutil
@@ -31,15 +30,6 @@ N_STEPS = 12
 settings = {"executable": "", "folder": ""}
 
 
-def environment():
-    return dict(
-        os.environ,
-        OMPI_ALLOW_RUN_AS_ROOT="1",
-        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMP_NUM_THREADS="1",
-    )
-
-
 def value_of(scene, key):
     """The number that a scene gives to a key."""
     return float(re.search(rf"set {key}\s*=\s*(\S+)", scene)[1])
@@ -49,7 +39,6 @@ class Scenes(unittest.TestCase):
     def call(self, command):
         result = subprocess.run(
             [str(part) for part in command],
-            env=environment(),
             capture_output=True,
             text=True,
             timeout=600,

@@ -88,6 +88,8 @@ TEST(Mistakes, ShapesAndMaterial)
      {"Bodies/ball/File", "ball.msh", {"`Shape = ball`", "Set `Shape = file`"}},
      {"Bodies/ball/Radius", "0", {"must be positive"}},
      {"Bodies/ball/Radius", "-1", {"must be positive"}},
+     {"Bodies/ball/Radius", "9e-9", {"no mesh", "larger unit"}},
+     {"Bodies/ball/Refine where", "0.2 - z", {"`Local refinements` does not say"}},
      {"Bodies/ball/Centre", "0, 1", {"must be 3 numbers", "commas"}},
      {"Bodies/ball/Centre", "0, 0, 1e-400", {"too small"}},
      {"Bodies/ball/Centre", "0; 0; 1", {"must be 3 numbers", "commas"}},

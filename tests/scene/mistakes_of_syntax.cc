@@ -70,6 +70,13 @@ TEST(Syntax, Lines)
   expect_refusal("include nowhere.prm\n", {"line 1", "nowhere.prm", "no such file"});
 }
 
+// Some editors put the mark of the byte order in front of the first line.
+TEST(Syntax, MarkOfTheByteOrder)
+{
+  const TemporaryFile file("\xef\xbb\xbf" + correct_scene());
+  EXPECT_EQ(read_scene<3>(file.name, {}).output_directory, "output/test");
+}
+
 TEST(Syntax, MissingTimes)
 {
   expect_refusal(assignment("Bodies/Names", "ball") + assignment("Bodies/ball/Radius", "1"),

@@ -128,6 +128,24 @@ class Conditions(check_history.SceneTest):
         for part in ("Bodies/block/Dirichlet", "boundaries 2 and 0", "(0 0)", "in x", "(-)"):
             self.assertIn(part, message)
 
+    def test_what_becomes_no_number_is_named(self):
+        """With key, boundary and time, on one and two processes; what was computed stays."""
+        for key, value in (
+            ("Dirichlet", "0: 0; 0*sqrt(abs(t-0.105)-0.001)"),
+            ("Traction", "1: 0; sqrt(abs(t-0.105)-0.001)"),
+        ):
+            for processes in (1, 2):
+                with self.subTest(key=key, processes=processes):
+                    with self.assertRaises(AssertionError) as failure:
+                        check_history.Run(
+                            PULLED_BAR, "number", [f"Bodies/bar/{key}={value}"], processes
+                        )
+                    message = str(failure.exception)
+                    self.assertIn("exit status 1", message)
+                    self.assertIn(f"{key}", message)
+                    self.assertIn("is not a finite number at the time 0.10", message)
+                    self.assertEqual(message.count("the run failed"), 1)
+
     def test_a_moving_condition_oblique_to_an_obstacle_is_refused(self):
         message = self.refusal("moving", BLOCK, ["Bodies/block/Dirichlet=2: 0.1*t; -"])
         for part in ("Bodies/block/Dirichlet", "'slope'", "in x", "changes in time"):

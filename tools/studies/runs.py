@@ -8,6 +8,7 @@ import dataclasses
 import os
 import pathlib
 import subprocess
+import tempfile
 import time
 
 from .definition import Study
@@ -74,9 +75,12 @@ def run(executable, task):
     task.folder.mkdir(parents=True, exist_ok=True)
     clear(task.folder)
     try:
-        result = subprocess.run(
-            command, capture_output=True, text=True, env=environment, check=False
-        )
+        # Programs that start at the same time need folders of their own for their sessions.
+        with tempfile.TemporaryDirectory() as session:
+            environment["OMPI_MCA_orte_tmpdir_base"] = session
+            result = subprocess.run(
+                command, capture_output=True, text=True, env=environment, check=False
+            )
     except OSError as error:
         return fail(task, f"{executable}: {error.strerror}")
     if result.returncode != 0:

@@ -25,6 +25,16 @@ namespace signorini
    * @throws UserError if there is any complaint
    */
   void throw_worst(const std::vector<Complaint> &complaints, MPI_Comm communicator);
+
+  /**
+   * What the expressions of a scene give at a time of the run must be numbers: ends the run alike
+   * on all processes. Collective.
+   * @param not_numbers keys whose values on this process are not finite
+   * @throws RunError naming one of them, the same on all processes, and the time
+   */
+  void throw_if_any_is_no_number(const std::vector<std::string> &not_numbers,
+                                 double                          time,
+                                 MPI_Comm                        communicator);
 } // namespace signorini
 
 #endif

@@ -93,7 +93,10 @@ namespace signorini
      */
     Vector normal_reaction(const ActiveSet &statuses, const Vector &residual) const;
 
-    /** Displacements prescribed at a time, in the order of dirichlet_entries(). */
+    /**
+     * Displacements prescribed at a time, in the order of dirichlet_entries(). Collective.
+     * @throws RunError naming condition and time, if one is not a finite number
+     */
     std::vector<double> dirichlet_values(double time) const;
 
     /** Frames of the owned contact nodes and prescribed nodes. */

@@ -28,6 +28,14 @@ namespace signorini
     /** Prescribed components by owned node. */
     const std::map<unsigned int, Components> &nodes() const { return prescribed; }
 
+    /** Whether there are any conditions, on any process. */
+    bool any() const { return !places.empty(); }
+
+    /** Body, key and boundary of a condition, for the user. */
+    std::string name(unsigned int condition) const;
+
+    MPI_Comm communicator() const { return mesh.communicator(); }
+
     /** Whether the displacement that a condition prescribes for a component depends on time. */
     bool moves(const unsigned int condition, const unsigned int component) const
     {

@@ -66,8 +66,11 @@ namespace signorini
     VectorInTime               values;
 
     Vector assemble(double time);
-    /** Add the nodal forces of a condition on the surface of a body. */
-    void add_traction(unsigned int                  body,
+    /**
+     * Add the nodal forces of a condition on the surface of a body.
+     * @return whether all tractions on this process are finite numbers
+     */
+    bool add_traction(unsigned int                  body,
                       const BoundaryCondition<dim> &condition,
                       double                        time,
                       Vector                       &forces) const;

@@ -24,7 +24,7 @@ namespace signorini
     double newmark_beta        = 0.5;  ///< khenous-laborde-renard: at least 1/4
     double newmark_gamma       = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
     double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
-    bool impulses_per_node = true; ///< laursen-love: each contact node gets back what it has lost
+    bool   impulses_per_node = true; ///< laursen-love: each contact node gets back what it has lost
     /** Schemes with a predictor: sticking nodes have no tangential velocity. */
     bool stop_sticking_nodes = true;
   };
