@@ -11,15 +11,11 @@ namespace signorini
 
   namespace
   {
-    /** Sums of tensors over all processes, all at once. */
     template <typename T>
     void sum_over_processes(std::vector<T> &tensors, const MPI_Comm communicator)
     {
-      if (tensors.empty())
-        return;
-      const ArrayView<double> all(tensors.front().begin_raw(),
-                                  tensors.size() * T::n_independent_components);
-      Utilities::MPI::sum(ArrayView<const double>(all), communicator, all);
+      for (T &tensor : tensors)
+        tensor = Utilities::MPI::sum(tensor, communicator);
     }
   } // namespace
 
