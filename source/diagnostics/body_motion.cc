@@ -11,11 +11,12 @@ namespace signorini
 
   namespace
   {
+    /** Each entry becomes its sum over all processes. */
     template <typename T>
-    void sum_over_processes(std::vector<T> &tensors, const MPI_Comm communicator)
+    void sum_over_processes(std::vector<T> &values, const MPI_Comm communicator)
     {
-      for (T &tensor : tensors)
-        tensor = Utilities::MPI::sum(tensor, communicator);
+      for (T &value : values)
+        value = Utilities::MPI::sum(value, communicator);
     }
   } // namespace
 
@@ -33,24 +34,26 @@ namespace signorini
     discretization.matrices().apply_standard_mass(mass, along_x);
 
     const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
-    std::vector<Tensor<1, dim + 1>> first_moments(n_bodies); // the mass behind them
+    std::vector<Tensor<1, dim>>     first_moments(n_bodies);
+    std::vector<double>             masses(n_bodies, 0.);
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (bodies[node] < n_bodies)
         {
           const double weight = mass.local_element(dim * node);
           for (unsigned int c = 0; c < dim; ++c)
             first_moments[bodies[node]][c] += weight * discretization.node_positions()[node][c];
-          first_moments[bodies[node]][dim] += weight;
+          masses[bodies[node]] += weight;
           points.push_back({node, bodies[node], weight, {}});
         }
     sum_over_processes(first_moments, communicator);
+    sum_over_processes(masses, communicator);
 
     std::vector<Tensor<2, n_axes>> inertia(n_bodies);
     for (MassPoint &point : points)
       {
         for (unsigned int c = 0; c < dim; ++c)
           point.arm[c] = discretization.node_positions()[point.node][c]
-                         - first_moments[point.body][c] / first_moments[point.body][dim];
+                         - first_moments[point.body][c] / masses[point.body];
         for (unsigned int i = 0; i < n_axes; ++i)
           {
             inertia[point.body][i][i] += point.mass * point.arm.norm_square();
