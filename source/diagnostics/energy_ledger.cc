@@ -30,6 +30,7 @@ namespace signorini
     booking.contact   = report.work_contact;
     booking.predictor = report.work_predictor;
     booking.friction  = report.work_friction;
+    booking.damping   = report.work_damping;
     booking.scheme    = report.work_scheme;
     booking.external  = report.work_dirichlet;
     if (load != nullptr)
@@ -41,7 +42,7 @@ namespace signorini
         booking.external -= 0.5 * (change * last_displacement + change * state.displacement);
       }
     booking.residual = now.total() - last.total() - booking.contact - booking.predictor
-                       - booking.friction - booking.scheme - booking.external;
+                       - booking.friction - booking.damping - booking.scheme - booking.external;
     booking.transfer = std::exchange(transferred, 0.); // `last` contains it
     last             = now;
     remember(state, load);

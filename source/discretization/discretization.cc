@@ -59,6 +59,8 @@ namespace signorini
   void Discretization<dim>::assemble(const MassChange &change)
   {
     assemble_matrices(*this, elastic_matrices, change);
+    if (all_cells.is_damped())
+      assign_damping();
 
     // Positions travel to the ghosts as a vector does.
     Vector places = make_vector();
@@ -89,6 +91,23 @@ namespace signorini
               partitioner.in_local_range(dof) && !hanging_nodes.is_constrained(dof))
             result[partitioner.global_to_local(dof) / dim] = cell->material_id();
     return result;
+  }
+
+
+  template <int dim>
+  void Discretization<dim>::assign_damping()
+  {
+    Vector                          bodies(elastic_matrices.pattern.partitioner);
+    const std::vector<unsigned int> of_owned_nodes = bodies_of_nodes();
+    for (unsigned int node = 0; node < of_owned_nodes.size(); ++node)
+      if (of_owned_nodes[node] != numbers::invalid_unsigned_int)
+        bodies.local_element(dim * node) = of_owned_nodes[node];
+    bodies.update_ghost_values();
+    elastic_matrices.damping.resize(elastic_matrices.pattern.n_local);
+    for (unsigned int node = 0; node < elastic_matrices.pattern.n_local; ++node)
+      elastic_matrices.damping[node] =
+        all_cells.bodies()[static_cast<unsigned int>(bodies.local_element(dim * node))]
+          .material.damping;
   }
 
 

@@ -9,14 +9,14 @@ namespace signorini
   namespace
   {
     /**
-     * y += (A + mass_weight M) x in one pass over the upper triangle: each block acts once as it is
-     * and once transposed. What is wanted is known at compile time, so that a missing matrix is not
-     * even read.
+     * y += (A + weight M) x, with a weight per row, in one pass over the upper triangle: each block
+     * acts once as it is and once transposed. What is wanted is known at compile time, so that a
+     * missing matrix is not even read.
      */
-    template <int dim, bool with_mass, bool with_stiffness>
+    template <int dim, bool with_mass, bool with_stiffness, typename Weight>
     void multiply(const ElasticMatrices<dim> &matrices,
                   const double               *mass,
-                  const double                mass_weight,
+                  const Weight               &weight_of,
                   const double               *x,
                   double                     *y)
     {
@@ -25,8 +25,9 @@ namespace signorini
         {
           if (pattern.is_empty(row))
             continue;
-          const Lanes<double> x_row = load(x + 4 * row);
-          Lanes<double>       sum   = load(y + 4 * row);
+          const double        mass_weight = weight_of(row);
+          const Lanes<double> x_row       = load(x + 4 * row);
+          Lanes<double>       sum         = load(y + 4 * row);
           for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
             {
               const unsigned int column = pattern.columns[k];
@@ -51,12 +52,10 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticMatrices<dim>::apply(Vector       &destination,
-                                   const Vector &source,
-                                   const double  mass_factor,
-                                   const double  stiffness_factor) const
+  void
+  ElasticMatrices<dim>::apply(Vector &destination, const Vector &source, const MatrixSum &sum) const
   {
-    apply_with(mass, destination, source, mass_factor, stiffness_factor);
+    apply_with(mass, destination, source, sum);
   }
 
 
@@ -64,16 +63,17 @@ namespace signorini
   void ElasticMatrices<dim>::apply_with(const std::vector<double> &mass_values,
                                         Vector                    &destination,
                                         const Vector              &source,
-                                        const double               mass_factor,
-                                        const double               stiffness_factor) const
+                                        const MatrixSum           &sum) const
   {
     AssertDimension(source.locally_owned_size(), dim * pattern.n_owned);
     AssertDimension(destination.locally_owned_size(), dim * pattern.n_owned);
     AssertDimension(mass_values.size(), pattern.columns.size());
     Assert(&destination != &source,
            dealii::ExcMessage("The result must not overwrite its source."));
-    AssertIsFinite(mass_factor);
-    AssertIsFinite(stiffness_factor);
+    AssertIsFinite(sum.mass);
+    AssertIsFinite(sum.stiffness);
+    Assert(sum.stiffness > 0. || sum.damping == 0.,
+           dealii::ExcMessage("Without A, C has a function of its own."));
     const bool had_ghosts = source.has_ghost_elements();
     if (!had_ghosts)
       source.update_ghost_values();
@@ -85,68 +85,98 @@ namespace signorini
       source.zero_out_ghost_values();
     padded_destination.assign(4 * pattern.n_owned, 0.);
 
-    double factor = stiffness_factor;
-    if (stiffness_factor == 0.)
+    const bool   is_damped = sum.damping > 0. && !damping.empty();
+    const double factor    = sum.stiffness == 0. ? sum.mass : sum.stiffness;
+    const auto   run       = [&](auto with_mass, auto with_stiffness, const auto &weight_of) {
+      multiply<dim, with_mass, with_stiffness>(
+        *this, mass_values.data(), weight_of, padded_source.data(), padded_destination.data());
+    };
+    const std::true_type  yes;
+    const std::false_type no;
+    if (sum.stiffness == 0.)
       {
-        multiply<dim, true, false>(
-          *this, mass_values.data(), 1., padded_source.data(), padded_destination.data());
-        factor = mass_factor;
+        run(yes, no, [](unsigned int) { return 1.; });
         ++count.mass;
       }
-    else if (mass_factor == 0.)
+    else if (is_damped)
       {
-        multiply<dim, false, true>(
-          *this, mass_values.data(), 0., padded_source.data(), padded_destination.data());
+        run(yes, yes, [&](const unsigned int row) {
+          const MatrixSum here = at_node(row, sum);
+          return here.mass / here.stiffness;
+        });
+        ++count.combined;
+      }
+    else if (sum.mass == 0.)
+      {
+        run(no, yes, [](unsigned int) { return 0.; });
         ++count.stiffness;
       }
     else
       {
-        const double mass_weight = mass_factor / stiffness_factor;
-        multiply<dim, true, true>(
-          *this, mass_values.data(), mass_weight, padded_source.data(), padded_destination.data());
+        run(yes, yes, [weight = sum.mass / sum.stiffness](unsigned int) { return weight; });
         ++count.combined;
       }
 
     destination.zero_out_ghost_values();
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        destination.local_element(dim * node + c) = factor * padded_destination[4 * node + c];
+      {
+        const double scale = is_damped ? at_node(node, sum).stiffness : factor;
+        for (unsigned int c = 0; c < dim; ++c)
+          destination.local_element(dim * node + c) = scale * padded_destination[4 * node + c];
+      }
   }
 
 
   template <int dim>
   void ElasticMatrices<dim>::apply_mass(Vector &destination, const Vector &source) const
   {
-    apply(destination, source, 1., 0.);
+    apply(destination, source, {1., 0.});
   }
 
 
   template <int dim>
   void ElasticMatrices<dim>::apply_standard_mass(Vector &destination, const Vector &source) const
   {
-    apply_with(standard_mass.empty() ? mass : standard_mass, destination, source, 1., 0.);
+    apply_with(standard_mass.empty() ? mass : standard_mass, destination, source, {1., 0.});
   }
 
 
   template <int dim>
   void ElasticMatrices<dim>::apply_stiffness(Vector &destination, const Vector &source) const
   {
-    apply(destination, source, 0., 1.);
+    apply(destination, source, {0., 1.});
+  }
+
+
+  template <int dim>
+  void ElasticMatrices<dim>::apply_damping(Vector &destination, const Vector &source) const
+  {
+    Vector of_mass(source);
+    apply_mass(of_mass, source);
+    apply_stiffness(destination, source);
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      {
+        const RayleighDamping here = damping.empty() ? RayleighDamping() : damping[node];
+        for (unsigned int i = dim * node; i < dim * (node + 1); ++i)
+          destination.local_element(i) =
+            here.mass * of_mass.local_element(i) + here.stiffness * destination.local_element(i);
+      }
   }
 
 
   template <int dim>
   typename ElasticMatrices<dim>::Block
-  ElasticMatrices<dim>::combined_block(const unsigned int position,
-                                       const double       mass_factor,
-                                       const double       stiffness_factor) const
+  ElasticMatrices<dim>::combined_block(const unsigned int node,
+                                       const unsigned int position,
+                                       const MatrixSum   &sum) const
   {
     AssertIndexRange(position, mass.size());
-    Block block = stiffness[position];
+    const MatrixSum here  = at_node(node, sum);
+    Block           block = stiffness[position];
     for (double &entry : block)
-      entry *= stiffness_factor;
+      entry *= here.stiffness;
     for (unsigned int c = 0; c < dim; ++c)
-      block[dim * c + c] += mass_factor * mass[position];
+      block[dim * c + c] += here.mass * mass[position];
     return block;
   }
 
@@ -156,7 +186,7 @@ namespace signorini
   {
     Vector ones(pattern.partitioner), sums(pattern.partitioner);
     ones = 1.;
-    apply(sums, ones, 1., 0.);
+    apply(sums, ones, {1., 0.});
     sums.update_ghost_values();
     for (unsigned int node = 0; node < pattern.n_local; ++node)
       for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)

@@ -23,14 +23,14 @@ namespace signorini
      */
     template <int dim, int n>
     Tensor<2, n> matrix_block(const ElasticMatrices<dim> &matrices,
+                              const unsigned int          node,
                               const unsigned int          k,
-                              const double                a,
-                              const double                b)
+                              const MatrixSum            &sum)
     {
       if constexpr (n == 1)
-        return to_tensor<1>(std::array<double, 1>{{a * matrices.mass[k]}});
+        return to_tensor<1>(std::array<double, 1>{{sum.mass * matrices.mass[k]}});
       else
-        return to_tensor<dim>(matrices.combined_block(k, a, b));
+        return to_tensor<dim>(matrices.combined_block(node, k, sum));
     }
   } // namespace
 
@@ -38,8 +38,7 @@ namespace signorini
   template <int dim, int block_size>
   IncompleteCholesky<dim, block_size>::IncompleteCholesky(
     const ElasticMatrices<dim>      &matrices,
-    const double                     mass_factor,
-    const double                     stiffness_factor,
+    const MatrixSum                 &sum,
     const std::vector<unsigned int> &eliminate_last)
     : pattern(matrices.pattern)
     // For all processes: the exchange of overlapping parts is collective, even if one process has
@@ -51,9 +50,8 @@ namespace signorini
     , work(4 * pattern.n_local, 0.f)
     , ghosted(pattern.partitioner)
   {
-    Assert(mass_factor >= 0. && stiffness_factor >= 0. && mass_factor + stiffness_factor > 0.,
-           dealii::ExcMessage("Only positive definite matrices have a factor."));
-    Assert(block_size == dim || stiffness_factor == 0.,
+    Assert(sum.is_positive(), dealii::ExcMessage("Only positive definite matrices have a factor."));
+    Assert(block_size == dim || (sum.stiffness == 0. && sum.damping == 0.),
            dealii::ExcMessage("The blocks of the stiffness are full."));
     Assert(std::is_sorted(eliminate_last.begin(), eliminate_last.end()),
            dealii::ExcMessage("The nodes that come last must be ascending."));
@@ -71,7 +69,7 @@ namespace signorini
     // Without fill a pivot may become indefinite at large Courant numbers; a larger diagonal cures
     // that (Manteuffel 1980).
     double shift = 0.;
-    while (!factor(matrices, mass_factor, stiffness_factor, shift))
+    while (!factor(matrices, sum, shift))
       {
         shift = shift == 0. ? 1e-3 : 4. * shift;
         if (shift > 1e3)
@@ -145,13 +143,11 @@ namespace signorini
 
   template <int dim, int block_size>
   bool IncompleteCholesky<dim, block_size>::factor(const ElasticMatrices<dim> &matrices,
-                                                   const double                mass_factor,
-                                                   const double                stiffness_factor,
+                                                   const MatrixSum            &sum,
                                                    const double                shift)
   {
     const auto diagonal_block = [&](const unsigned int node) {
-      return matrix_block<dim, block_size>(
-        matrices, pattern.row_start[node], mass_factor, stiffness_factor);
+      return matrix_block<dim, block_size>(matrices, node, pattern.row_start[node], sum);
     };
     // One common scale keeps single precision away from overflow and underflow in any system of
     // units.
@@ -168,9 +164,8 @@ namespace signorini
       {
         for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
           {
-            const auto block = scale
-                               * matrix_block<dim, block_size>(
-                                 matrices, origins[a].position, mass_factor, stiffness_factor);
+            const auto block =
+              scale * matrix_block<dim, block_size>(matrices, order[i], origins[a].position, sum);
             row[columns[a]]    = to_block(origins[a].transposed ? transpose(block) : block);
             in_row[columns[a]] = 1;
           }

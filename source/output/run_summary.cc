@@ -43,6 +43,8 @@ namespace signorini
     largest_energy   = std::max(largest_energy, energy_of_motion(row));
     largest_residual = std::max(largest_residual, std::abs(row.booking.residual));
     work_friction += row.booking.friction;
+    work_damping += row.booking.damping;
+    work_scheme += row.booking.scheme;
     transferred += row.booking.transfer;
     n_impulse_solves += row.report.impulse_iterations > 0;
     n_impulse_iterations += row.report.impulse_iterations;
@@ -155,6 +157,10 @@ namespace signorini
       text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells
            << " and " << most_cells << " cells; this changed the energy by "
            << 100. * relative(transferred) << " %\n";
+    if (work_damping != 0. || std::abs(work_scheme) > 1e-9 * scale())
+      text << "  damping           changed the energy by "
+           << without_round_off(100. * relative(work_scheme)) << " % (of the scheme) and "
+           << without_round_off(100. * relative(work_damping)) << " % (of the bodies)\n";
     if (subject.massless_contact_nodes)
       text << "                    (with the mass of the scheme; with the consistent one it "
               "changed by "

@@ -116,8 +116,7 @@ namespace signorini
   template <int dim>
   std::map<types::global_dof_index, BlockRow<dim>>
   import_rows(const ElasticMatrices<dim>                 &matrices,
-              const double                                mass_factor,
-              const double                                stiffness_factor,
+              const MatrixSum                            &sum,
               const std::vector<types::global_dof_index> &nodes)
   {
     const NodePattern &pattern      = matrices.pattern;
@@ -143,10 +142,10 @@ namespace signorini
             const auto         row = rows.find(node), mirrored = rows.find(column);
             if (row != rows.end())
               row->second.emplace_back(partitioner.local_to_global(dim * column) / dim,
-                                       matrices.combined_block(k, mass_factor, stiffness_factor));
+                                       matrices.combined_block(node, k, sum));
             if (column != node && mirrored != rows.end())
               {
-                auto block = matrices.combined_block(k, mass_factor, stiffness_factor);
+                auto block = matrices.combined_block(node, k, sum);
                 Eigen::Map<Eigen::Matrix<double, dim, dim>>(block.data()).transposeInPlace();
                 mirrored->second.emplace_back(partitioner.local_to_global(dim * node) / dim, block);
               }
@@ -170,12 +169,10 @@ namespace signorini
                                                           const ContactCoordinates<3> &);
   template std::map<types::global_dof_index, BlockRow<2>>
   import_rows(const ElasticMatrices<2> &,
-              double,
-              double,
+              const MatrixSum &,
               const std::vector<types::global_dof_index> &);
   template std::map<types::global_dof_index, BlockRow<3>>
   import_rows(const ElasticMatrices<3> &,
-              double,
-              double,
+              const MatrixSum &,
               const std::vector<types::global_dof_index> &);
 } // namespace signorini

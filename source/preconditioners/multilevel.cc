@@ -39,8 +39,7 @@ namespace signorini
   template <int dim>
   Multilevel<dim>::Multilevel(const ElasticMatrices<dim>    &matrices,
                               const ContactCoordinates<dim> &coordinates,
-                              const double                   mass_factor,
-                              const double                   stiffness_factor)
+                              const MatrixSum               &sum)
     : coordinates(coordinates)
     , cartesian(matrices.pattern.partitioner)
   {
@@ -56,22 +55,26 @@ namespace signorini
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int d = 0; d < dim; ++d)
               {
-                action(dof(node, c), dof(pattern.columns[k], d), k, dim * d + c);
+                action(dof(node, c), dof(pattern.columns[k], d), node, k, dim * d + c);
                 if (pattern.columns[k] != node && pattern.columns[k] < pattern.n_owned)
-                  action(dof(pattern.columns[k], d), dof(node, c), k, dim * d + c);
+                  action(dof(pattern.columns[k], d), dof(node, c), node, k, dim * d + c);
               }
     };
     DynamicSparsityPattern sparsity(owned.size(), owned.size(), owned);
-    for_each_entry([&](const auto row, const auto column, unsigned int, unsigned int) {
-      sparsity.add(row, column);
-    });
+    for_each_entry(
+      [&](const auto row, const auto column, unsigned int, unsigned int, unsigned int) {
+        sparsity.add(row, column);
+      });
     for (const auto row : owned)
       sparsity.add(row, row);
     matrix.reinit(trilinos_pattern(sparsity, owned, cartesian.get_mpi_communicator()));
-    for_each_entry(
-      [&](const auto row, const auto column, const unsigned int k, const unsigned int entry) {
-        matrix.set(row, column, matrices.combined_block(k, mass_factor, stiffness_factor)[entry]);
-      });
+    for_each_entry([&](const auto         row,
+                       const auto         column,
+                       const unsigned int node,
+                       const unsigned int k,
+                       const unsigned int entry) {
+      matrix.set(row, column, matrices.combined_block(node, k, sum)[entry]);
+    });
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (pattern.is_empty(node)) // a hanging node
         for (unsigned int c = 0; c < dim; ++c)

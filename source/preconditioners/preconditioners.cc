@@ -52,19 +52,17 @@ namespace signorini
     public:
       ContactIncompleteCholesky(const ElasticMatrices<dim>    &matrices,
                                 const ContactCoordinates<dim> &coordinates,
-                                const double                   mass_factor,
-                                const double                   stiffness_factor)
+                                const MatrixSum               &sum)
         : coordinates(coordinates)
         , relative(block_size == dim && coordinates.coupling().any()
-                     ? relative_matrix(matrices, coordinates, mass_factor, stiffness_factor)
+                     ? relative_matrix(matrices, coordinates, sum)
                      : ElasticMatrices<dim>())
         , is_relative(relative.pattern.partitioner != nullptr)
         , frames(coordinates.node_frames(),
                  coordinates.contact_nodes(),
                  (is_relative ? relative : matrices).pattern.partitioner)
         , factor(is_relative ? relative : matrices,
-                 is_relative ? 0. : mass_factor,
-                 is_relative ? 1. : stiffness_factor,
+                 is_relative ? MatrixSum{0., 1.} : sum,
                  frames.contact_nodes())
         , turned(matrices.pattern.partitioner)
       {
@@ -142,20 +140,16 @@ namespace signorini
   make_preconditioner(const PreconditionerKind       kind,
                       const ElasticMatrices<dim>    &matrices,
                       const ContactCoordinates<dim> &coordinates,
-                      const double                   mass_factor,
-                      const double                   stiffness_factor)
+                      const MatrixSum               &sum)
   {
     if (kind == PreconditionerKind::jacobi)
-      return std::make_unique<Jacobi>(
-        StepOperator<dim>(matrices, coordinates, mass_factor, stiffness_factor),
-        Vector(matrices.pattern.partitioner));
+      return std::make_unique<Jacobi>(StepOperator<dim>(matrices, coordinates, sum),
+                                      Vector(matrices.pattern.partitioner));
     if (kind == PreconditionerKind::ml)
-      return std::make_unique<Multilevel<dim>>(
-        matrices, coordinates, mass_factor, stiffness_factor);
+      return std::make_unique<Multilevel<dim>>(matrices, coordinates, sum);
     Assert(kind == PreconditionerKind::incomplete_cholesky,
            dealii::ExcMessage("`automatic` is to be decided before: choose_preconditioner()"));
-    return std::make_unique<ContactIncompleteCholesky<dim, dim>>(
-      matrices, coordinates, mass_factor, stiffness_factor);
+    return std::make_unique<ContactIncompleteCholesky<dim, dim>>(matrices, coordinates, sum);
   }
 
 
@@ -164,7 +158,8 @@ namespace signorini
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
                            const ContactCoordinates<dim> &coordinates)
   {
-    return std::make_unique<ContactIncompleteCholesky<dim, 1>>(matrices, coordinates, 1., 0.);
+    return std::make_unique<ContactIncompleteCholesky<dim, 1>>(
+      matrices, coordinates, MatrixSum{1., 0.});
   }
 
 
@@ -173,8 +168,7 @@ namespace signorini
     PreconditionerKind,                                                                            \
     const ElasticMatrices<dim> &,                                                                  \
     const ContactCoordinates<dim> &,                                                               \
-    double,                                                                                        \
-    double);                                                                                       \
+    const MatrixSum &);                                                                            \
   template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(                         \
     const ElasticMatrices<dim> &, const ContactCoordinates<dim> &);
   INSTANTIATE(2)

@@ -96,30 +96,28 @@ namespace signorini
     {
     public:
       InterfaceBlocks(const ElasticMatrices<dim>                  &matrices,
-                      const double                                 mass_factor,
-                      const double                                 stiffness_factor,
+                      const MatrixSum                             &sum,
                       const std::vector<unsigned int>             &new_node,
                       const Utilities::MPI::Partitioner           &partitioner,
                       const std::map<unsigned int, LocalRow<dim>> &contact_rows,
                       const std::vector<types::global_dof_index>  &new_ghosts)
       {
         const NodePattern &pattern = matrices.pattern;
-        const auto         block   = [&](const unsigned int k) {
-          return SmallMatrix<dim>(Eigen::Map<const SmallMatrix<dim>>(
-            matrices.combined_block(k, mass_factor, stiffness_factor).data()));
+        const auto         block   = [&](const unsigned int node, const unsigned int k) {
+          return SmallMatrix<dim>(
+            Eigen::Map<const SmallMatrix<dim>>(matrices.combined_block(node, k, sum).data()));
         };
         for (unsigned int node = 0; node < pattern.n_local; ++node)
           for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
             {
               const unsigned int i = new_node[node], j = new_node[pattern.columns[k]];
               if (contact_rows.count(i) > 0)
-                of_contact_nodes[i][j] = block(k);
+                of_contact_nodes[i][j] = block(node, k);
               if (contact_rows.count(j) > 0)
-                of_contact_nodes[j][i] = block(k).transpose();
+                of_contact_nodes[j][i] = block(node, k).transpose();
             }
 
-        for (const auto &[node, row] :
-             import_rows(matrices, mass_factor, stiffness_factor, new_ghosts))
+        for (const auto &[node, row] : import_rows(matrices, sum, new_ghosts))
           {
             const unsigned int i = partitioner.global_to_local(dim * node) / dim;
             for (const auto &[column, entries] : row)
@@ -183,8 +181,7 @@ namespace signorini
      */
     template <int dim>
     ElasticMatrices<dim> merged_matrix(const ElasticMatrices<dim>      &matrices,
-                                       const double                     mass_factor,
-                                       const double                     stiffness_factor,
+                                       const MatrixSum                 &sum,
                                        const std::vector<unsigned int> &new_node,
                                        SparseBlocks<dim>                additions,
                                        const NodePattern               &sizes)
@@ -215,7 +212,7 @@ namespace signorini
                 for (; next != row.end() && next->first < column; ++next)
                   push(next->first, next->second);
                 SmallMatrix<dim> block = Eigen::Map<const SmallMatrix<dim>>(
-                  matrices.combined_block(k, mass_factor, stiffness_factor).data());
+                  matrices.combined_block(source, k, sum).data());
                 if (next != row.end() && next->first == column)
                   block += (next++)->second;
                 push(column, block);
@@ -234,8 +231,7 @@ namespace signorini
   template <int dim>
   ElasticMatrices<dim> relative_matrix(const ElasticMatrices<dim>    &matrices,
                                        const ContactCoordinates<dim> &coordinates,
-                                       const double                   mass_factor,
-                                       const double                   stiffness_factor)
+                                       const MatrixSum               &sum)
   {
     const NodePattern &old         = matrices.pattern;
     const auto         rows        = gather_contact_rows<dim>(old, coordinates);
@@ -263,7 +259,7 @@ namespace signorini
       }
 
     const InterfaceBlocks<dim> interface(
-      matrices, mass_factor, stiffness_factor, new_node, *partitioner, contact_rows, new_ghosts);
+      matrices, sum, new_node, *partitioner, contact_rows, new_ghosts);
     SparseBlocks<dim> additions = relative_part<dim>(interface.of_contact_nodes, contact_rows);
     for (const auto &[i, blocks] : interface.beyond)
       for (const auto &[j, block] : blocks)
@@ -273,13 +269,12 @@ namespace signorini
     pattern.partitioner = partitioner;
     pattern.n_owned     = old.n_owned;
     pattern.n_local = (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
-    return merged_matrix<dim>(
-      matrices, mass_factor, stiffness_factor, new_node, std::move(additions), pattern);
+    return merged_matrix<dim>(matrices, sum, new_node, std::move(additions), pattern);
   }
 
 
   template ElasticMatrices<2>
-  relative_matrix(const ElasticMatrices<2> &, const ContactCoordinates<2> &, double, double);
+  relative_matrix(const ElasticMatrices<2> &, const ContactCoordinates<2> &, const MatrixSum &);
   template ElasticMatrices<3>
-  relative_matrix(const ElasticMatrices<3> &, const ContactCoordinates<3> &, double, double);
+  relative_matrix(const ElasticMatrices<3> &, const ContactCoordinates<3> &, const MatrixSum &);
 } // namespace signorini

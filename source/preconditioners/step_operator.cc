@@ -12,16 +12,13 @@ namespace signorini
   template <int dim>
   StepOperator<dim>::StepOperator(const ElasticMatrices<dim>    &matrices,
                                   const ContactCoordinates<dim> &coordinates,
-                                  const double                   mass_factor,
-                                  const double                   stiffness_factor)
+                                  const MatrixSum               &sum)
     : matrices(matrices)
     , coordinates(coordinates)
-    , mass_factor(mass_factor)
-    , stiffness_factor(stiffness_factor)
+    , sum(sum)
     , cartesian(matrices.pattern.partitioner)
   {
-    Assert(mass_factor >= 0. && stiffness_factor >= 0. && mass_factor + stiffness_factor > 0.,
-           dealii::ExcMessage("The matrix of a step is positive definite."));
+    Assert(sum.is_positive(), dealii::ExcMessage("The matrix of a step is positive definite."));
   }
 
 
@@ -30,7 +27,7 @@ namespace signorini
   {
     cartesian.copy_locally_owned_data_from(source);
     coordinates.displacement_to_cartesian(cartesian);
-    matrices.apply(destination, cartesian, mass_factor, stiffness_factor);
+    matrices.apply(destination, cartesian, sum);
     coordinates.force_to_contact(destination);
   }
 
@@ -57,7 +54,7 @@ namespace signorini
       if (pattern.is_empty(node))
         return Block(Block::Identity());
       return Block(Eigen::Map<const Block>(
-        matrices.combined_block(pattern.row_start[node], mass_factor, stiffness_factor).data()));
+        matrices.combined_block(node, pattern.row_start[node], sum).data()));
     };
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       {

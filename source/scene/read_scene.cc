@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/expressions.h>
+#include <signorini/base/spelling.h>
 #include <signorini/prm/apply_statements.h>
 #include <signorini/prm/check_expressions.h>
 #include <signorini/scene/read_scene.h>
@@ -57,6 +58,22 @@ namespace signorini
                                        "does not fit `Time/Start = equilibrium`, where the loads "
                                        "determine the displacement. Remove this key, or set "
                                        "`Time/Start = given`.");
+    }
+
+    template <int dim>
+    void check_damping(const SectionReader &in, const Scene<dim> &scene)
+    {
+      if (scheme_info(scene.time.scheme).damping)
+        return;
+      for (const BodyDescription<dim> &body : scene.bodies)
+        if (body.material.damping.any())
+          in.section(body.name).fail(
+            "Damping",
+            "is not known to `Time/Scheme = " + scene.time.scheme
+              + "`. Set `Damping = 0, 0`, or "
+                "take one of "
+              + join(schemes_where([](const SchemeInfo &info) { return info.damping; }), ", ")
+              + ".");
     }
 
     template <int dim>
@@ -144,6 +161,7 @@ namespace signorini
     for (const std::string &name : names.obstacles)
       scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
     scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);
+    check_damping(in.section("Bodies"), scene);
     check_dirichlet(in.section("Bodies"), scene);
     scene.adaptivity = parse_adaptivity(in.section("Adaptivity"), scene.time, scene.bodies);
     scene.mapping    = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);

@@ -10,6 +10,8 @@ namespace signorini
 {
   namespace
   {
+    constexpr const char *automatic = "automatic";
+
     /** "Of a and b": the schemes for which a condition holds. */
     template <typename Condition>
     std::string names(const Condition &condition)
@@ -128,7 +130,8 @@ namespace signorini
         in.fail("HHT alpha",
                 "must lie between -1/3 and 0. Beyond, the method is not stable or not of second "
                 "order.");
-      if (!(parameters.spectral_radius >= 0. && parameters.spectral_radius <= 1.))
+      const double rho = parameters.spectral_radius.value_or(1.);
+      if (!(rho >= 0. && rho <= 1.))
         in.fail("Spectral radius", "must lie between 0 and 1. Above 1 the method is not stable.");
       if (!(parameters.reference_tolerance >= 1e-12 && parameters.reference_tolerance <= 1e-2))
         in.fail("Reference tolerance", "must lie between 1e-12 and 1e-2.");
@@ -152,9 +155,18 @@ namespace signorini
         prm.declare_entry(key, value, Double(), "Of " + with_parameter(key) + ": " + text);
       };
     declare("HHT alpha", "-0.1", "damping, between -1/3 (most) and 0 (none; no unit).");
-    declare("Spectral radius",
-            "0.8",
-            "at infinite frequency, between 0 (most damping) and 1 (none; no unit).");
+    prm.declare_entry(
+      "Spectral radius",
+      automatic,
+      Anything(),
+      "Of " + with_parameter("Spectral radius")
+        + ": the factor by which amplitudes of motions that are much faster than a step change in "
+          "each, between 0 (most damping) and 1 (none; no unit). automatic: 0.8 for "
+        + names([](const SchemeInfo &info) {
+            return info.has_parameter("Spectral radius") && !info.damping;
+          })
+        + "; for " + names([](const SchemeInfo &info) { return info.damps_unresolved; })
+        + " 1 up to Courant number 50 of the smallest cells and 0.9 from 100 on; else 1.");
     declare("Reference tolerance",
             "1e-8",
             "accepted relative error per step of the integrator, between 1e-12 and 1e-2.");
@@ -185,9 +197,13 @@ namespace signorini
 
   void parse_scheme_parameters(const SectionReader &in, TimeParameters &time)
   {
-    SchemeParameters &parameters   = time.parameters;
-    parameters.hht_alpha           = in.number("HHT alpha");
-    parameters.spectral_radius     = in.number("Spectral radius");
+    SchemeParameters &parameters = time.parameters;
+    parameters.hht_alpha         = in.number("HHT alpha");
+    if (in.text("Spectral radius") != automatic
+        && !dealii::Patterns::Double().match(in.text("Spectral radius")))
+      in.fail("Spectral radius", "must be a number between 0 and 1, or `automatic`.");
+    if (in.text("Spectral radius") != automatic)
+      parameters.spectral_radius = in.number("Spectral radius");
     parameters.reference_tolerance = in.number("Reference tolerance");
     parameters.newmark_beta        = in.number("Newmark beta");
     parameters.newmark_gamma       = in.number("Newmark gamma");

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/backward_euler.h>
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -15,7 +15,7 @@ namespace signorini
     system.add_load(b, tau * tau, end_time);
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({tau * tau, b, gap, state, tau, tau * tau}, solution);
+    system.solve({tau * tau, tau, b, gap, state, tau, tau * tau}, solution);
     const Vector &d = solution.increment;
 
     Vector r = solution.contact_reaction;
@@ -34,12 +34,13 @@ namespace signorini
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / (tau * tau), r);
     report.work_friction    = friction.work;
-    State end               = trapezoidal_rule::end_of_step(
-      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end =
+      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
 
     Vector mass_times_change = end.momentum, stiffness_times_d = end.internal_force;
     mass_times_change -= state.momentum;
     stiffness_times_d -= state.internal_force;
+    report.work_damping = damping_work(system, d, tau);
     report.work_scheme =
       load_excess * d - 0.5 * (mass_times_change * velocity_change + stiffness_times_d * d);
     swap(state, end);

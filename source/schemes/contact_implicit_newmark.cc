@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/contact_implicit_newmark.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -10,10 +9,10 @@ namespace signorini
   ContactImplicitNewmark::advance(DynamicalSystem &system, State &state, const double tau)
   {
     // (33): (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r
-    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const Vector            b        = rule.right_hand_side(system, state, tau);
     const NormalGap         gap      = system.normal_gap(state.displacement);
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const IncrementSolution solution = rule.solve(system, state, tau, b, gap);
     // (34): v_new - v = 2/tau (d - tau v)
-    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
+    return rule.finish_implicit(system, state, tau, solution);
   }
 } // namespace signorini

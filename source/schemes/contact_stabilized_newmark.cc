@@ -2,9 +2,10 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/contact_stabilized_newmark.h>
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
+#include <signorini/schemes/projected_predictor.h>
 #include <signorini/schemes/stop_held_nodes.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -15,46 +16,46 @@ namespace signorini
     const NormalGap gap = system.normal_gap(state.displacement);
 
     // (36): p = tau v + c, the L2 projection of the free increment
-    const auto    predictor = trapezoidal_rule::project_predictor(system, state, tau, gap);
+    const auto    predictor = project_predictor(system, state, tau, gap);
     const Vector &p = predictor.increment, &mass_c = predictor.mass_correction;
     report.predictor = predictor.effort;
 
     // (37): (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r
-    Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
+    Vector b = rule.right_hand_side(system, state, tau);
     b += mass_c;
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const IncrementSolution solution = rule.solve(system, state, tau, b, gap);
     const Vector           &d        = solution.increment;
 
-    Vector r = solution.contact_reaction;
-    r *= 2. / (tau * tau);
+    const double weight = rule.reaction_weight(tau);
+    Vector       r      = solution.contact_reaction;
+    r *= weight;
 
     // (38): v_new = v + 2/tau (d - p)
-    Vector velocity_change = d;
-    velocity_change -= p;
+    const Vector change_by_rule = rule.velocity_change(d, p, tau);
 
     // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Prescribed nodes that accelerate react
     // to the projection, too; their part of the second term is work from outside, and only the rest
     // has a sign.
-    const double projection_work = -2. / (tau * tau) * (mass_c * velocity_change);
-    const double dirichlet_work =
-      -2. / (tau * tau) * (dirichlet_part(system, mass_c) * velocity_change);
+    const double projection_work = -(mass_c * change_by_rule) / tau;
+    const double dirichlet_work  = -(dirichlet_part(system, mass_c) * change_by_rule) / tau;
 
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_predictor = projection_work - dirichlet_work;
-    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau) + dirichlet_work;
+    report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
 
-    velocity_change *= 2. / tau;
-    FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
-    report.work_friction    = friction.work;
+    Vector         velocity_change = change_by_rule;
+    FrictionOfStep friction        = friction_of_step(state.friction, solution, weight, r);
+    report.work_friction           = friction.work;
     if (stop_sticking_nodes && friction.state.any())
       {
         const ActiveSet sticking = staying_nodes(system, gap, solution, false, true);
         report.work_friction +=
           stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
       }
-    State end = trapezoidal_rule::end_of_step(
-      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end =
+      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, state, end, d, change_by_rule, report);
     swap(state, end);
     return report;
   }

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/acceleration.h>
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/generalized_alpha.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -14,8 +14,9 @@ namespace signorini
     const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
     const NormalGap   gap    = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    system.solve({rule.stiffness_factor(tau), b, gap, state, tau, 1. / rule.reaction_weight(tau)},
-                 solution);
+    system.solve(
+      {rule.stiffness_factor(tau), 0., b, gap, state, tau, 1. / rule.reaction_weight(tau)},
+      solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r *= rule.reaction_weight(tau);
@@ -30,7 +31,7 @@ namespace signorini
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_dirichlet = rule.reaction_weight(tau) * (solution.dirichlet_reaction * d);
-    State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end             = end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = rule.work(system, state, end, a, d);
     swap(state, end);

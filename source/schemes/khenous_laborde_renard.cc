@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/acceleration.h>
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/khenous_laborde_renard.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -48,7 +48,8 @@ namespace signorini
     b.add(scale, new_load, -scale, state.internal_force);
 
     IncrementSolution solution;
-    system.solve({scale, b, system.normal_gap(state.displacement), state, tau, scale}, solution);
+    system.solve({scale, 0., b, system.normal_gap(state.displacement), state, tau, scale},
+                 solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r /= scale;
@@ -73,7 +74,7 @@ namespace signorini
     report.work_dirichlet =
       (1. - gamma) * (condition * d) + gamma / scale * (solution.dirichlet_reaction * d);
 
-    State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
 
     // What the rule does to the energy: the mean velocity is not d/tau, and forces are not means of

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/laursen_chawla.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 #include <limits>
 
@@ -16,8 +15,8 @@ namespace signorini
     for (double &bound : bounds)
       bound = bound <= touching ? 0. : std::numeric_limits<double>::infinity();
 
-    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, bounds);
-    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
+    const Vector            b        = rule.right_hand_side(system, state, tau);
+    const IncrementSolution solution = rule.solve(system, state, tau, b, bounds);
+    return rule.finish_implicit(system, state, tau, solution);
   }
 } // namespace signorini

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/laursen_love.h>
 #include <signorini/schemes/node_impulses.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 #include <cmath>
 
@@ -21,12 +21,12 @@ namespace signorini
                              const NormalGap         &gap,
                              const Vector            &velocity,
                              const Vector            &r,
-                             const double             tau,
+                             const double             weight,
                              StepReport              &report)
     {
       std::vector<double> compression = solution.normal_reaction;
       for (double &force : compression)
-        force *= -2. / (tau * tau);
+        force *= -weight;
       NodeImpulses nodes =
         solve_node_impulses(system, {compression, gap, system.relative_normal(velocity)});
       report.impulse_iterations = nodes.iterations;
@@ -42,27 +42,30 @@ namespace signorini
 
   StepReport LaursenLove::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
+    const Vector            b        = rule.right_hand_side(system, state, tau);
     const NormalGap         gap      = system.normal_gap(state.displacement);
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, gap);
+    const IncrementSolution solution = rule.solve(system, state, tau, b, gap);
     const Vector           &d        = solution.increment;
 
-    Vector r = solution.contact_reaction;
-    r *= 2. / (tau * tau);
-    Vector velocity_change = d;
-    velocity_change.sadd(2. / tau, -2., state.velocity);
+    Vector       r      = solution.contact_reaction;
+    const double weight = rule.reaction_weight(tau);
+    r *= weight;
+    Vector free_increment = state.velocity;
+    free_increment *= tau;
+    const Vector change_by_rule  = rule.velocity_change(d, free_increment, tau);
+    Vector       velocity_change = change_by_rule;
 
     StepReport report;
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
-    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau);
+    report.work_dirichlet = rule.dirichlet_work(solution, tau);
 
     if (r.linfty_norm() > 0.)
       {
         Vector velocity = state.velocity; // v*, without impulses
         velocity += velocity_change;
         const Vector impulses =
-          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, tau, report)
+          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, weight, report)
                          : r; // up to a factor
 
         // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*
@@ -83,10 +86,11 @@ namespace signorini
         report.work_contact += alpha * (alpha * kappa / 2. - omega);
         r.add(alpha / tau, impulses);
       }
-    FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
+    FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
     report.work_friction    = friction.work;
-    State end               = trapezoidal_rule::end_of_step(
-      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end =
+      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, state, end, d, change_by_rule, report);
     swap(state, end);
     return report;
   }

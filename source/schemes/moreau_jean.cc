@@ -2,7 +2,6 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/moreau_jean.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 #include <limits>
 
@@ -15,12 +14,13 @@ namespace signorini
     const double    touching = touching_distance(system.length());
     for (std::size_t k = 0; k < bounds.size(); ++k)
       {
-        const double half_step = tau / 2. * approach[k];
+        // The new velocity is zero where d.nu = (1 - theta) tau v.nu.
+        const bool touches = bounds[k] - tau / 2. * approach[k] <= touching;
         bounds[k] =
-          bounds[k] - half_step <= touching ? half_step : std::numeric_limits<double>::infinity();
+          touches ? (1. - rule.theta) * tau * approach[k] : std::numeric_limits<double>::infinity();
       }
-    const Vector            b        = trapezoidal_rule::right_hand_side(system, state, tau);
-    const IncrementSolution solution = trapezoidal_rule::solve(system, state, tau, b, bounds);
-    return trapezoidal_rule::finish_implicit(system, state, tau, solution);
+    const Vector            b        = rule.right_hand_side(system, state, tau);
+    const IncrementSolution solution = rule.solve(system, state, tau, b, bounds);
+    return rule.finish_implicit(system, state, tau, solution);
   }
 } // namespace signorini

@@ -1,44 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/newmark.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
   StepReport Newmark::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    // b = tau M v - tau^2/2 A u + tau^2/4 r_n
-    Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
-    b.add(tau * tau / 4., state.contact_force);
+    // b = tau M v - theta tau^2 (A u - f_theta - (1 - theta) r_n)
+    const double theta = rule.theta;
+    Vector       b     = rule.right_hand_side(system, state, tau);
+    b.add(theta * (1. - theta) * tau * tau, state.contact_force);
 
     const NormalGap   gap = system.normal_gap(state.displacement);
     IncrementSolution solution;
-    // Only half of the new force enters the balance, hence the factor 4 rather than 2.
-    system.solve({tau * tau / 4., b, gap, state, tau, tau * tau / 4.}, solution);
+    // Only theta of the new force enters the balance, hence its square.
+    const double factor = theta * theta * tau * tau;
+    system.solve({factor, theta * tau, b, gap, state, tau, factor}, solution);
     const Vector &d = solution.increment;
 
     Vector r = solution.contact_reaction;
-    r *= 4. / (tau * tau);
+    r /= factor;
 
     StepReport report;
     report.corrector    = solution.effort;
-    report.work_contact = 0.5 * (state.contact_force * d + r * d);
+    report.work_contact = (1. - theta) * (state.contact_force * d) + theta * (r * d);
     if (state.friction.any())
       {
-        report.work_friction = 0.5 * (state.friction.force * d);
+        report.work_friction = (1. - theta) * (state.friction.force * d);
         report.work_contact -= report.work_friction;
       }
-    FrictionOfStep friction = friction_of_step(state.friction, solution, 4. / (tau * tau), r);
-    report.work_friction += 0.5 * friction.work;
-    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau);
+    FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / factor, r);
+    report.work_friction += theta * friction.work;
+    report.work_dirichlet = rule.dirichlet_work(solution, tau);
 
-    // v_new - v = 2/tau (d - tau v)
-    Vector velocity_change = d;
-    velocity_change.sadd(2. / tau, -2., state.velocity);
-    State end = trapezoidal_rule::end_of_step(
-      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    Vector free_increment = state.velocity;
+    free_increment *= tau;
+    const Vector velocity_change = rule.velocity_change(d, free_increment, tau);
+    State        end =
+      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, state, end, d, velocity_change, report);
     swap(state, end);
     return report;
   }

@@ -3,9 +3,9 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/schemes/acceleration.h>
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/fixed_point.h>
 #include <signorini/schemes/nonsmooth_generalized_alpha.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 #include <algorithm>
 #include <limits>
@@ -71,7 +71,7 @@ namespace signorini
           bounds[k] =
             fixed_bounds[k] - rule.beta * tau / rule.gamma * epsilon * current.local_element(k);
       system.solve(
-        {rule.stiffness_factor(tau), right_hand_side, bounds, state, tau, tau * tau / 2.},
+        {rule.stiffness_factor(tau), 0., right_hand_side, bounds, state, tau, tau * tau / 2.},
         solution);
       effort.add(solution.effort);
       jump_of_contact(system, solution, tau, jump);
@@ -138,7 +138,7 @@ namespace signorini
     report.work_contact   = r * d;
     report.work_dirichlet = weight * (solution.dirichlet_reaction * d)
                             + (1. / tau - weight * tau / 2.) * dirichlet_impulse_work;
-    State end = trapezoidal_rule::end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = rule.work(system, state, end, a, d);
     swap(state, end);

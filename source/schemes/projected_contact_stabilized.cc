@@ -1,51 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/projected_contact_stabilized.h>
+#include <signorini/schemes/projected_predictor.h>
 #include <signorini/schemes/stop_held_nodes.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
+  ProjectedContactStabilized::Motion ProjectedContactStabilized::move(DynamicalSystem &system,
+                                                                      const State     &state,
+                                                                      const double     tau,
+                                                                      const NormalGap &gap) const
+  {
+    Motion       motion;
+    NormalGap    bounds = gap;
+    SolveReport  predictors, correctors;
+    const Vector free_right_hand_side = rule.right_hand_side(system, state, tau);
+    do
+      {
+        motion.predictor = project_predictor(system, state, tau, bounds);
+        predictors.add(motion.predictor.effort);
+        Vector b = free_right_hand_side;
+        b += motion.predictor.mass_correction;
+        // Friction belongs to all of the normal force, r + M c / tau^2.
+        Vector projection_reaction = motion.predictor.mass_correction;
+        projection_reaction *= rule.theta;
+        motion.solution = rule.solve(system, state, tau, b, gap, &projection_reaction);
+        correctors.add(motion.solution.effort);
+      }
+    while (lift_bounds_stopped_in_vain(
+      system, motion.predictor, motion.solution.increment, gap, bounds));
+    motion.predictor.effort = predictors;
+    motion.solution.effort  = correctors;
+    return motion;
+  }
+
+
   StepReport
   ProjectedContactStabilized::advance(DynamicalSystem &system, State &state, const double tau)
   {
-    StepReport      report;
-    const NormalGap gap = system.normal_gap(state.displacement);
-
-    const auto    predictor = trapezoidal_rule::project_predictor(system, state, tau, gap);
-    const Vector &p = predictor.increment, &c = predictor.correction,
-                 &mass_c = predictor.mass_correction;
-    report.predictor     = predictor.effort;
-
-    Vector b = trapezoidal_rule::right_hand_side(system, state, tau);
-    b += mass_c;
-    // Friction belongs to all of the normal force, r + M c / tau^2.
-    Vector projection_reaction = mass_c;
-    projection_reaction *= 0.5;
-    const IncrementSolution solution =
-      trapezoidal_rule::solve(system, state, tau, b, gap, &projection_reaction);
-    const Vector &d = solution.increment;
+    StepReport               report;
+    const NormalGap          gap      = system.normal_gap(state.displacement);
+    const Motion             motion   = move(system, state, tau, gap);
+    const IncrementSolution &solution = motion.solution;
+    const Vector            &p = motion.predictor.increment, &c = motion.predictor.correction,
+                 &mass_c = motion.predictor.mass_correction, &d = solution.increment;
 
     // Prescribed nodes react to the projection, too; what they do is work from outside.
     const Vector dirichlet_force = dirichlet_part(system, mass_c);
     const double projection_work = (mass_c * p - 0.5 * (mass_c * c)) / (tau * tau);
     const double dirichlet_work  = dirichlet_force * p / (tau * tau);
 
-    Vector r = solution.contact_reaction;
-    r *= 2. / (tau * tau);
+    const double weight = rule.reaction_weight(tau);
+    Vector       r      = solution.contact_reaction;
+    r *= weight;
+    report.predictor      = motion.predictor.effort;
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_predictor = projection_work - dirichlet_work;
-    report.work_dirichlet = trapezoidal_rule::dirichlet_work(solution, tau) + dirichlet_work;
+    report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
 
     r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), dirichlet_force);
 
     // v_new - v = c/tau + 2/tau (d - p)
-    Vector velocity_change = d;
-    velocity_change -= p;
-    velocity_change.sadd(2. / tau, 1. / tau, c);
+    const Vector change_by_rule  = rule.velocity_change(d, p, tau);
+    Vector       velocity_change = change_by_rule;
+    velocity_change.add(1. / tau, c);
 
     // A neighbour that p stops pulls p of a held node below its gap, and leaves v_new.nu =
     // -p.nu/tau there.
@@ -53,10 +75,11 @@ namespace signorini
     report.work_predictor +=
       stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
 
-    FrictionOfStep friction = friction_of_step(state.friction, solution, 2. / (tau * tau), r);
+    FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
     report.work_friction    = friction.work;
-    State end               = trapezoidal_rule::end_of_step(
-      system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    State end =
+      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, state, end, d, change_by_rule, report);
     swap(state, end);
     return report;
   }

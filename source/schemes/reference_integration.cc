@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/reference_integration.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
 
@@ -177,8 +177,8 @@ namespace signorini
 
     StepReport report;
     report.corrector = equation.effort;
-    State end        = trapezoidal_rule::end_of_step(
-      system, state, tau, increment, velocity_change, std::move(contact_force));
+    State end =
+      end_of_step(system, state, tau, increment, velocity_change, std::move(contact_force));
     swap(state, end);
     return report;
   }

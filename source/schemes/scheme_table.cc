@@ -19,6 +19,7 @@
 #include <signorini/schemes/scheme_table.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini
 {
@@ -44,10 +45,31 @@ namespace signorini
       return info;
     }
 
-    template <typename Scheme>
-    Made make(const SchemeParameters &)
+    ThetaRule theta_rule(const SchemeParameters &parameters)
     {
-      return std::make_unique<Scheme>();
+      return ThetaRule::with_spectral_radius(parameters.spectral_radius.value_or(1.));
+    }
+
+    template <typename Scheme>
+    Made make_with_rule(const SchemeParameters &parameters)
+    {
+      return std::make_unique<Scheme>(theta_rule(parameters));
+    }
+
+    AlphaRule alpha_rule(const SchemeParameters &parameters)
+    {
+      return AlphaRule::with_spectral_radius(parameters.spectral_radius.value_or(0.8));
+    }
+
+    /** The schemes of ThetaRule. */
+    SchemeInfo
+    with_theta_rule(const std::string &name, const EnergyLaw energy, const std::string &summary)
+    {
+      SchemeInfo info       = common(name, energy, summary);
+      info.damping          = true;
+      info.damps_unresolved = energy == EnergyLaw::dissipates;
+      info.keys             = {"Spectral radius"};
+      return info;
     }
 
     void refuse_massless_nodes(SchemeInfo &info, const std::string &why)
@@ -69,7 +91,7 @@ namespace signorini
 
     SchemeInfo contact_stabilized()
     {
-      SchemeInfo info = common(
+      SchemeInfo info = with_theta_rule(
         "contact-stabilized",
         EnergyLaw::dissipates,
         "Newmark with a predictor that respects the contact condition; smooth contact forces");
@@ -77,7 +99,8 @@ namespace signorini
       refuse_massless_nodes(info,
                             ": its predictor stops the mass of contact nodes, and they have none");
       info.make = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes);
+        return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes,
+                                                          theta_rule(parameters));
       };
       return info;
     }
@@ -90,7 +113,8 @@ namespace signorini
       info.summary    = "contact-stabilized whose projection acts on the velocity, too: nodes that "
                         "stay in contact have no normal velocity";
       info.make       = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes);
+        return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes,
+                                                            theta_rule(parameters));
       };
       return info;
     }
@@ -98,35 +122,36 @@ namespace signorini
 
     SchemeInfo contact_implicit()
     {
-      SchemeInfo info = common("contact-implicit",
-                               EnergyLaw::dissipates,
-                               "Newmark without a predictor; contact forces oscillate");
+      SchemeInfo info = with_theta_rule("contact-implicit",
+                                        EnergyLaw::dissipates,
+                                        "Newmark without a predictor; contact forces oscillate");
       info.friction   = true;
-      info.make       = make<ContactImplicitNewmark>;
+      info.make       = make_with_rule<ContactImplicitNewmark>;
       return info;
     }
 
 
     SchemeInfo laursen_chawla()
     {
-      SchemeInfo info = common("laursen-chawla",
-                               EnergyLaw::conserves,
-                               "contact as a condition of persistency; allows penetration");
-      info.friction   = true;
-      info.make       = make<LaursenChawla>;
+      SchemeInfo info =
+        with_theta_rule("laursen-chawla",
+                        EnergyLaw::conserves,
+                        "contact as a condition of persistency; allows penetration");
+      info.friction = true;
+      info.make     = make_with_rule<LaursenChawla>;
       return info;
     }
 
 
     SchemeInfo laursen_love()
     {
-      SchemeInfo info = common(
+      SchemeInfo info = with_theta_rule(
         "laursen-love", EnergyLaw::conserves, "gives lost energy back by impulses; no penetration");
       info.friction = info.impulses = true;
       refuse_massless_nodes(
         info, ": impulses on contact nodes without mass have no effect that is finite");
       info.make = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<LaursenLove>(parameters.impulses_per_node);
+        return std::make_unique<LaursenLove>(parameters.impulses_per_node, theta_rule(parameters));
       };
       return info;
     }
@@ -152,24 +177,24 @@ namespace signorini
 
     SchemeInfo hager_hueeber_wohlmuth()
     {
-      SchemeInfo info = common("hager-hueeber-wohlmuth",
-                               EnergyLaw::conserves,
-                               "laursen-chawla with contact nodes without mass");
+      SchemeInfo info = with_theta_rule("hager-hueeber-wohlmuth",
+                                        EnergyLaw::conserves,
+                                        "laursen-chawla with contact nodes without mass");
       need_massless_nodes(info);
       info.friction = info.macro_elements = true;
-      info.make                           = make<HagerHueeberWohlmuth>;
+      info.make                           = make_with_rule<HagerHueeberWohlmuth>;
       return info;
     }
 
 
     SchemeInfo newmark()
     {
-      SchemeInfo info = common(
+      SchemeInfo info = with_theta_rule(
         "newmark", EnergyLaw::none, "the classical scheme with contact; gains energy at impact");
       info.friction         = true;
       info.balance          = StepBalance::both_ends;
       info.force_before_end = "0"; // forces of both ends act, each with its own elastic forces
-      info.make             = make<Newmark>;
+      info.make             = make_with_rule<Newmark>;
       return info;
     }
 
@@ -199,8 +224,7 @@ namespace signorini
       info.parameter        = "Spectral radius";
       info.keys             = {info.parameter};
       info.make             = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<GeneralizedAlpha>(
-          AlphaRule::with_spectral_radius(parameters.spectral_radius));
+        return std::make_unique<GeneralizedAlpha>(alpha_rule(parameters));
       };
       return info;
     }
@@ -215,8 +239,7 @@ namespace signorini
       refuse_massless_nodes(info, needs_accelerations);
       info.keys = {"Spectral radius"};
       info.make = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<NonsmoothGeneralizedAlpha>(
-          AlphaRule::with_spectral_radius(parameters.spectral_radius));
+        return std::make_unique<NonsmoothGeneralizedAlpha>(alpha_rule(parameters));
       };
       return info;
     }
@@ -229,18 +252,22 @@ namespace signorini
       info.friction         = true;
       info.balance          = StepBalance::end;
       info.force_before_end = "0";
-      info.make             = make<BackwardEuler>;
+      info.make             = [](const SchemeParameters &) -> Made {
+        return std::make_unique<BackwardEuler>();
+      };
+      info.damping = true;
       return info;
     }
 
 
     SchemeInfo moreau_jean()
     {
-      SchemeInfo info = common("moreau-jean",
-                               EnergyLaw::none,
-                               "contact as a condition of velocities; penetrates; for comparison");
+      SchemeInfo info =
+        with_theta_rule("moreau-jean",
+                        EnergyLaw::none,
+                        "contact as a condition of velocities; penetrates; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
-      info.make = make<MoreauJean>;
+      info.make = make_with_rule<MoreauJean>;
       return info;
     }
 
@@ -264,6 +291,13 @@ namespace signorini
       return info;
     }
   } // namespace
+
+
+  double automatic_spectral_radius(const double courant_number)
+  {
+    const double into_damping = std::log2(std::max(courant_number, 1.) / 50.);
+    return 1. - 0.1 * std::clamp(into_damping, 0., 1.);
+  }
 
 
   const std::vector<SchemeInfo> &scheme_table()

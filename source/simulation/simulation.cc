@@ -11,11 +11,35 @@
 #include <signorini/system/static_equilibrium.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace signorini
 {
   using namespace dealii;
+
+  namespace
+  {
+    /**
+     * Settle what is automatic. A mesh that changes counts with the smallest cells that it may
+     * get, so that the scheme is one and the same throughout the run.
+     */
+    template <int dim>
+    SchemeParameters with_spectral_radius(const Scene<dim> &scene, const Mesh<dim> &mesh)
+    {
+      SchemeParameters parameters = scene.time.parameters;
+      if (parameters.spectral_radius || !scheme_info(scene.time.scheme).damps_unresolved)
+        return parameters;
+      double    courant_number = mesh.courant_number(scene.time.step_size);
+      const int finest         = mesh.triangulation().n_global_levels() - 1;
+      if (scene.adaptivity.any())
+        courant_number *=
+          std::exp2(std::max(0, static_cast<int>(scene.adaptivity.maximum_level) - finest));
+      parameters.spectral_radius = automatic_spectral_radius(courant_number);
+      return parameters;
+    }
+  } // namespace
+
 
   template <int dim>
   Simulation<dim>::Simulation(const Scene<dim> &scene,
@@ -26,7 +50,8 @@ namespace signorini
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
-    , scheme(make_time_scheme(scene.time.scheme, scene.time.parameters))
+    , scheme_parameters(with_spectral_radius(scene, mesh))
+    , scheme(make_time_scheme(scene.time.scheme, scheme_parameters))
     , mesh_control(mesh,
                    scene.adaptivity,
                    {scheme_info(scene.time.scheme).balance, scene.time.step_size},
@@ -220,6 +245,10 @@ namespace signorini
     else
       text << scene.time.n_steps() << " steps of ";
     text << scene.time.step_size << "\n";
+    if (!scene.time.parameters.spectral_radius
+        && scheme_parameters.spectral_radius.value_or(1.) < 1.)
+      text << "  spectral radius   " << *scheme_parameters.spectral_radius
+           << ", because the smallest cells are much faster than a step\n";
     if (n_equilibrium_steps > 0)
       text << "  start             equilibrium, found in " << n_equilibrium_steps
            << " proximal steps\n";

@@ -40,6 +40,7 @@ namespace signorini
                       static_cast<unsigned int>(coordinates.dirichlet_entries().size()),
                       discretization.communicator())
                     > 0)
+    , is_damped(discretization.mesh().is_damped())
     , loads(loads)
     , parameters(parameters)
     , timer(timer)
@@ -68,6 +69,14 @@ namespace signorini
   {
     dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
     discretization.matrices().apply_stiffness(destination, source);
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::apply_damping(Vector &destination, const Vector &velocity) const
+  {
+    dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
+    discretization.matrices().apply_damping(destination, velocity);
   }
 
 
@@ -149,7 +158,8 @@ namespace signorini
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem,
                                         IncrementSolution      &solution)
   {
-    StepMatrix<dim> &matrix = step_matrices.get(problem.stiffness_factor, problem.step_size);
+    StepMatrix<dim> &matrix =
+      step_matrices.get(problem.stiffness_factor, problem.damping_factor, problem.step_size);
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;

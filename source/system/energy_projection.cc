@@ -42,9 +42,9 @@ namespace signorini
     {
       // Far below the lowest frequency of any body that keeps its shape.
       const double mass_factor = std::pow(1e-4 * discretization.mesh().lowest_frequency(), 2);
-      const StepOperator<dim> matrix(discretization.matrices(), coordinates, mass_factor, 1.);
+      const StepOperator<dim> matrix(discretization.matrices(), coordinates, {mass_factor, 1.});
       const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
-        PreconditionerKind::jacobi, discretization.matrices(), coordinates, mass_factor, 1.);
+        PreconditionerKind::jacobi, discretization.matrices(), coordinates, {mass_factor, 1.});
       PrimalDualActiveSet solver(limits);
       coordinates.force_to_contact(right_hand_side);
       const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);

@@ -36,7 +36,8 @@ namespace signorini
   {
     if (mass)
       return;
-    mass = std::make_unique<StepOperator<dim>>(discretization.matrices(), coordinates, 1., 0.);
+    mass = std::make_unique<StepOperator<dim>>(
+      discretization.matrices(), coordinates, MatrixSum{1., 0.});
     preconditioner = make_mass_preconditioner(discretization.matrices(), coordinates);
   }
 

@@ -17,13 +17,12 @@ namespace signorini
     : discretization(discretization)
     , surface(surface)
     , coordinates(coordinates)
-    , stiffness(discretization.matrices(), coordinates, 0., 1.)
+    , stiffness(discretization.matrices(), coordinates, {0., 1.})
     // The surface alone is left: a small problem, and its diagonal is known without a factor.
     , preconditioner(make_preconditioner(PreconditionerKind::jacobi,
                                          discretization.matrices(),
                                          coordinates,
-                                         0.,
-                                         1.))
+                                         {0., 1.}))
     , solver(parameters.limits)
     , active(surface.nodes().size(), 0)
   {

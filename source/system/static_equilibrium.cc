@@ -29,7 +29,7 @@ namespace signorini
                       const double                   sigma)
         : parameters(parameters)
         , coordinates(coordinates)
-        , matrix(discretization.matrices(), coordinates, sigma, 1.)
+        , matrix(discretization.matrices(), coordinates, {sigma, 1.})
         , solver(parameters.limits)
         , prescribed(coordinates.dirichlet_values(0.))
         , bound_tolerance(1e-12 * discretization.mesh().body_size())
@@ -39,7 +39,7 @@ namespace signorini
           kind = choose_preconditioner(discretization.mesh().courant_number(1. / std::sqrt(sigma)),
                                        maximum_steps);
         preconditioner =
-          make_preconditioner(kind, discretization.matrices(), coordinates, sigma, 1.);
+          make_preconditioner(kind, discretization.matrices(), coordinates, {sigma, 1.});
       }
 
       /**

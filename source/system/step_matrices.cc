@@ -30,14 +30,16 @@ namespace signorini
 
 
   template <int dim>
-  StepMatrix<dim> &StepMatrices<dim>::get(const double stiffness_factor, const double step_size)
+  StepMatrix<dim> &StepMatrices<dim>::get(const double stiffness_factor,
+                                          const double damping_factor,
+                                          const double step_size)
   {
     Assert(stiffness_factor >= 0., dealii::ExcMessage("M + s A is definite with s >= 0."));
     Assert(step_size > 0., dealii::ExcMessage("A step goes forward in time."));
     ++uses;
     const auto known =
       std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
-        return matrix.stiffness_factor == stiffness_factor;
+        return matrix.sum.stiffness == stiffness_factor && matrix.sum.damping == damping_factor;
       });
     if (known != recent.end())
       recent.splice(recent.begin(), recent, known);
@@ -45,14 +47,15 @@ namespace signorini
       {
         if (recent.size() == n_kept)
           recent.pop_back();
-        recent.push_front({stiffness_factor,
-                           std::make_unique<StepOperator<dim>>(
-                             discretization.matrices(), coordinates, 1., stiffness_factor),
-                           nullptr,
-                           {},
-                           PreconditionerKind::automatic,
-                           uses,
-                           0});
+        const MatrixSum sum{1., stiffness_factor, damping_factor};
+        recent.push_front(
+          {sum,
+           std::make_unique<StepOperator<dim>>(discretization.matrices(), coordinates, sum),
+           nullptr,
+           {},
+           PreconditionerKind::automatic,
+           uses,
+           0});
       }
     StepMatrix<dim> &matrix = recent.front();
     if (uses - matrix.last_use > forget_age)
@@ -78,8 +81,8 @@ namespace signorini
     if (kind == matrix.kind)
       return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-    matrix.preconditioner = make_preconditioner(
-      kind, discretization.matrices(), coordinates, 1., matrix.stiffness_factor);
+    matrix.preconditioner =
+      make_preconditioner(kind, discretization.matrices(), coordinates, matrix.sum);
     matrix.kind = kind;
     ++built;
   }

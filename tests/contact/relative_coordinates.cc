@@ -216,7 +216,7 @@ namespace
   void expect_energy(const TwoBodies<dim> &bodies)
   {
     const auto             &discretization = bodies.discretization;
-    const StepOperator<dim> matrix(discretization.matrices(), bodies.coordinates, 2., 0.3);
+    const StepOperator<dim> matrix(discretization.matrices(), bodies.coordinates, {2., 0.3});
     const Vector u = irregular_field(discretization, 3.), v = irregular_field(discretization, 7.);
     Vector       w = u, z = v, product = u;
     bodies.coordinates.displacement_to_contact(w);

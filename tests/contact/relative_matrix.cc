@@ -63,7 +63,7 @@ namespace
   void expect_exact_diagonal(const Scene<dim> &scene, const double angle)
   {
     const TwoBodies<dim>    bodies(scene, turn<dim>(angle));
-    const StepOperator<dim> matrix(bodies.discretization.matrices(), bodies.coordinates, 2., 0.3);
+    const StepOperator<dim> matrix(bodies.discretization.matrices(), bodies.coordinates, {2., 0.3});
     Vector diagonal = bodies.discretization.make_vector(), unit = diagonal, product = diagonal;
     matrix.diagonal(diagonal);
     const double scale = diagonal.linfty_norm();
@@ -88,8 +88,8 @@ namespace
   {
     const TwoBodies<dim>       bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
     const auto                &matrices = bodies.discretization.matrices();
-    const StepOperator<dim>    product_form(matrices, bodies.coordinates, 2., 0.3);
-    const ElasticMatrices<dim> entries = relative_matrix(matrices, bodies.coordinates, 2., 0.3);
+    const StepOperator<dim>    product_form(matrices, bodies.coordinates, {2., 0.3});
+    const ElasticMatrices<dim> entries = relative_matrix(matrices, bodies.coordinates, {2., 0.3});
 
     const Vector w        = irregular_field(bodies.discretization, 5.);
     Vector       expected = bodies.discretization.make_vector();
@@ -97,7 +97,7 @@ namespace
     Vector v(entries.pattern.partitioner), found(v);
     v.copy_locally_owned_data_from(w);
     bodies.coordinates.rotate_from_frames(v);
-    entries.apply(found, v, 0., 1.);
+    entries.apply(found, v, {0., 1.});
     bodies.coordinates.rotate_to_frames(found);
     const double scale = expected.linfty_norm();
     for (unsigned int i = 0; i < expected.locally_owned_size(); ++i)

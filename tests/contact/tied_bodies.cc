@@ -47,7 +47,7 @@ namespace
                  const double                 stiffness_factor)
   {
     const auto           &matrices = discretization.matrices();
-    const StepOperator<3> matrix(matrices, coordinates, mass_factor, stiffness_factor);
+    const StepOperator<3> matrix(matrices, coordinates, {mass_factor, stiffness_factor});
     const auto            preconditioner =
       preconditioner_name == "mass"
                    ? make_mass_preconditioner(matrices, coordinates)

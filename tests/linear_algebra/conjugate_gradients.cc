@@ -26,7 +26,7 @@ namespace
     }
     void vmult(Vector &destination, const Vector &source) const override
     {
-      matrices.apply(destination, source, a, b);
+      matrices.apply(destination, source, {a, b});
     }
     void diagonal(Vector &) const override { FAIL() << "conjugate gradients need no diagonal"; }
 
@@ -39,7 +39,7 @@ namespace
   {
   public:
     explicit Preconditioner(const SmallBody<dim> &body)
-      : factor(body.matrices, a, b, {})
+      : factor(body.matrices, {a, b}, {})
     {
       for (unsigned int node = 0; node < body.matrices.pattern.n_local; ++node)
         if (body.discretization.node_positions()[node][0] < 1e-12 && !body.is_hanging(node))

@@ -22,7 +22,7 @@ public:
   Vector product(const Vector &x, const double a, const double b) const
   {
     Vector result(x);
-    matrices.apply(result, x, a, b);
+    matrices.apply(result, x, {a, b});
     return result;
   }
 
@@ -141,14 +141,16 @@ TYPED_TEST(ElasticMatricesOf, BlocksAreThoseOfTheProduct)
   constexpr int         dim = TypeParam::value;
   const SmallBody<dim>  serial(make_boxes<dim>(1, 1, true), MPI_COMM_SELF);
   const auto           &pattern = serial.matrices.pattern;
-  const Eigen::MatrixXd K =
-    dense([&](Vector &y, const Vector &x) { serial.matrices.apply(y, x, 2., 0.3); },
-          serial.discretization.make_vector());
+  const Eigen::MatrixXd K       = dense(
+    [&](Vector &y, const Vector &x) {
+      serial.matrices.apply(y, x, {2., 0.3});
+    },
+    serial.discretization.make_vector());
   Eigen::MatrixXd from_blocks = Eigen::MatrixXd::Zero(K.rows(), K.cols());
   for (unsigned int node = 0; node < pattern.n_owned; ++node)
     for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
       {
-        const auto entries = serial.matrices.combined_block(k, 2., 0.3);
+        const auto entries = serial.matrices.combined_block(node, k, {2., 0.3});
         const Eigen::Map<const Eigen::Matrix<double, dim, dim>> block(entries.data());
         const unsigned int row = dim * node, column = dim * pattern.columns[k];
         from_blocks.template block<dim, dim>(row, column) =
@@ -156,4 +158,55 @@ TYPED_TEST(ElasticMatricesOf, BlocksAreThoseOfTheProduct)
         from_blocks.template block<dim, dim>(column, row) = block.transpose();
       }
   EXPECT_LT((from_blocks - K).norm(), 1e-13 * K.norm());
+}
+
+TYPED_TEST(ElasticMatricesOf, DampingIsThatOfEachBody)
+{
+  constexpr int dim                = TypeParam::value;
+  Scene<dim>    scene              = make_boxes<dim>(2, 1, true);
+  scene.bodies[0].material.damping = {0.7, 0.};
+  scene.bodies[1].material.damping = {0.2, 0.05};
+  const SmallBody<dim>        damped(scene, MPI_COMM_WORLD);
+  const ElasticMatrices<dim> &matrices = damped.matrices;
+  const auto                 &pattern  = matrices.pattern;
+
+  const Vector x = damped.some_vector(0.4);
+  Vector       inertia(x), forces(x), expected(x), found(x);
+  matrices.apply_mass(inertia, x);
+  matrices.apply_stiffness(forces, x);
+  for (unsigned int node = 0; node < pattern.n_owned; ++node)
+    {
+      const bool            is_second = damped.discretization.node_positions()[node][0] > 2.5;
+      const RayleighDamping damping   = scene.bodies[is_second].material.damping;
+      for (unsigned int i = dim * node; i < dim * (node + 1); ++i)
+        expected.local_element(i) =
+          damping.mass * inertia.local_element(i) + damping.stiffness * forces.local_element(i);
+    }
+  matrices.apply_damping(found, x);
+  Vector difference = found;
+  difference -= expected;
+  EXPECT_LT(difference.linfty_norm(), 1e-14 * expected.linfty_norm());
+
+  const MatrixSum sum{2., 0.3, 1.7}; // a product with all three, and the blocks of the sum
+  expected *= sum.damping;
+  expected.add(sum.mass, inertia, sum.stiffness, forces);
+  matrices.apply(found, x, sum);
+  difference = found;
+  difference -= expected;
+  EXPECT_LT(difference.linfty_norm(), 1e-14 * expected.linfty_norm());
+
+  const SmallBody<dim>  serial(scene, MPI_COMM_SELF);
+  const auto           &rows = serial.matrices.pattern;
+  const Eigen::MatrixXd K =
+    dense([&](Vector &y, const Vector &v) { serial.matrices.apply(y, v, sum); },
+          serial.discretization.make_vector());
+  for (unsigned int node = 0; node < rows.n_owned; ++node)
+    for (unsigned int k = rows.row_start[node]; k < rows.row_start[node + 1]; ++k)
+      {
+        const auto entries = serial.matrices.combined_block(node, k, sum);
+        const Eigen::Map<const Eigen::Matrix<double, dim, dim>> block(entries.data());
+        const Eigen::MatrixXd                                   of_product =
+          K.template block<dim, dim>(dim * node, dim * rows.columns[k]);
+        EXPECT_LT((block - of_product).norm(), 1e-14 * K.norm());
+      }
 }

@@ -28,8 +28,12 @@ public:
     const double          stiffness_factor = block_size == 1 ? 0. : b;
     const Vector          like             = body.discretization.make_vector();
     const Eigen::MatrixXd K                = dense(
-      [&](Vector &y, const Vector &x) { body.matrices.apply(y, x, a, stiffness_factor); }, like);
-    IncompleteCholesky<dim, block_size> factor(body.matrices, a, stiffness_factor, eliminate_last);
+      [&](Vector &y, const Vector &x) {
+        body.matrices.apply(y, x, {a, stiffness_factor});
+      },
+      like);
+    IncompleteCholesky<dim, block_size> factor(
+      body.matrices, {a, stiffness_factor}, eliminate_last);
     factor.set_held_nodes(held);
     const Eigen::MatrixXd approximate =
       dense([&](Vector &y, const Vector &x) { factor.vmult(y, x); }, like);
@@ -114,7 +118,7 @@ TYPED_TEST(IncompleteCholeskyOf, SymmetricPositiveAndZeroWhereHeld)
   Vector                    Px(x), Py(x);
   for (const double stiffness_factor : {0.01, 1., 1e4}) // up to very large Courant numbers
     {
-      IncompleteCholesky<dim, dim> factor(body.matrices, 1., stiffness_factor, nodes);
+      IncompleteCholesky<dim, dim> factor(body.matrices, {1., stiffness_factor}, nodes);
       factor.set_held_nodes(held);
       factor.vmult(Px, x);
       factor.vmult(Py, y);
@@ -142,7 +146,7 @@ TYPED_TEST(IncompleteCholeskyOf, ReleasedNodesAreAsIfTheyHadNeverBeenHeld)
   const HeldNodes<dim>       held = this->hold_face(body, nodes);
   const Vector               x    = body.some_vector(0.);
   Vector                     before(x), meanwhile(x), after(x);
-  IncompleteCholesky<dim, 1> factor(body.matrices, 1., 0., nodes);
+  IncompleteCholesky<dim, 1> factor(body.matrices, {1., 0.}, nodes);
   factor.vmult(before, x);
   factor.set_held_nodes(held);
   factor.vmult(meanwhile, x);
@@ -159,7 +163,7 @@ TYPED_TEST(IncompleteCholeskyOf, HangingNodesHaveNoInfluence)
 {
   constexpr int                dim = TypeParam::value;
   const SmallBody<dim>         body(make_boxes<dim>(1, 1, true), MPI_COMM_WORLD);
-  IncompleteCholesky<dim, dim> factor(body.matrices, 1., 0.1, {});
+  IncompleteCholesky<dim, dim> factor(body.matrices, {1., 0.1}, {});
   const Vector                 x         = body.some_vector(0.);
   Vector                       y         = x, Px(x), Py(x);
   const unsigned int           n         = body.matrices.pattern.n_owned;

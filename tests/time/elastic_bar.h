@@ -21,7 +21,8 @@ namespace signorini
                      private MassProjections,
                      protected NodalImpulses,
                      private MasslessNodes,
-                     private MovingDirichletConditions
+                     private MovingDirichletConditions,
+                     private ViscousDamping
   {
   public:
     /**
@@ -56,6 +57,7 @@ namespace signorini
     }
 
     Eigen::MatrixXd           mass, stiffness;
+    Eigen::MatrixXd           damping; ///< empty: none
     std::vector<unsigned int> massless;
     std::array<double, 2>     distance = {{0.3, 0.3}};
     std::function<double(double)>
@@ -80,7 +82,10 @@ namespace signorini
         destination.add(factor * load(time));
     }
 
-    Capabilities capabilities() override { return {this, this, this, this}; }
+    Capabilities capabilities() override
+    {
+      return {this, this, this, this, damping.size() > 0 ? this : nullptr};
+    }
 
     NormalGap normal_gap(const Vector &u) const override
     {
@@ -118,8 +123,10 @@ namespace signorini
 
     void solve(const IncrementProblem &problem, IncrementSolution &solution) override
     {
-      const Eigen::MatrixXd K      = mass + problem.stiffness_factor * stiffness;
-      const unsigned int    middle = mass.rows() / 2;
+      Eigen::MatrixXd    K      = mass + problem.stiffness_factor * stiffness;
+      const unsigned int middle = mass.rows() / 2;
+      if (damping.size() > 0)
+        K += problem.damping_factor * damping;
       solution.increment = solution.contact_reaction = solution.dirichlet_reaction = make_vector();
       const double moved =
         motion ? motion(problem.start.time + problem.step_size) - problem.start.displacement(middle)
@@ -148,6 +155,11 @@ namespace signorini
 
   private:
     std::vector<unsigned int> massless_entries() const override { return massless; }
+
+    void apply_damping(Vector &destination, const Vector &velocity) const override
+    {
+      view(destination) = damping * view(velocity);
+    }
 
     /** No test integrates this system with the reference. */
     SolveReport equilibrate_massless(Vector &, const Vector &, Vector &) override

@@ -46,9 +46,9 @@ namespace
     const unsigned int   n           = bodies.surface.nodes().size();
     expect_balance(stack, bodies);
 
-    const StepOperator<dim> matrix(matrices, coordinates, 0., 1.);
+    const StepOperator<dim> matrix(matrices, coordinates, {0., 1.});
     const auto              preconditioner =
-      make_preconditioner(PreconditionerKind::jacobi, matrices, coordinates, 0., 1.);
+      make_preconditioner(PreconditionerKind::jacobi, matrices, coordinates, {0., 1.});
     const Vector exact = stack.exact(bodies);
     Vector load = Loads<dim>(bodies.discretization).at(0.), u = bodies.discretization.make_vector(),
            residual     = u;

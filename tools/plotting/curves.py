@@ -84,6 +84,8 @@ def energy(history):
         ("work_contact", style.VERMILION, "contact forces"),
         ("work_predictor", style.PURPLE, "predictor"),
         ("work_friction", style.SKY, "friction"),
+        ("work_damping", style.BLUE, "damping of bodies"),
+        ("work_scheme", style.GREY, "damping of the scheme"),
         ("work_external", style.GREEN, "external work"),
         ("energy_transfer", style.ORANGE, "new meshes"),
     ):

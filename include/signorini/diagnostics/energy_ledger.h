@@ -26,6 +26,7 @@ namespace signorini
     double contact   = 0.;
     double predictor = 0.;
     double friction  = 0.;
+    double damping   = 0.; ///< viscous, of the bodies
     double scheme    = 0.; ///< by the rule of integration itself: numerical dissipation
     double external  = 0.; ///< work of prescribed nodes, and change of the loads in time:
                            ///< -(f_new - f)'(u + u_new)/2

@@ -81,6 +81,8 @@ namespace signorini
     std::vector<dealii::Point<dim>>   positions;
 
     void assemble(const MassChange &change);
+    /** Give each local node the damping of its body. Collective. */
+    void assign_damping();
   };
 } // namespace signorini
 

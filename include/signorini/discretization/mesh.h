@@ -11,6 +11,8 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   /**
@@ -44,6 +46,14 @@ namespace signorini
 
     /** Material ids of cells are indices of bodies. */
     const std::vector<BodyDescription<dim>> &bodies() const { return descriptions; }
+
+    /** Whether any body has viscous damping. */
+    bool is_damped() const
+    {
+      return std::any_of(descriptions.begin(), descriptions.end(), [](const auto &body) {
+        return body.material.damping.any();
+      });
+    }
 
     Triangulation       &triangulation() { return cells; }
     const Triangulation &triangulation() const { return cells; }

@@ -4,6 +4,7 @@
 #ifndef signorini_linear_algebra_elastic_matrices_h
 #define signorini_linear_algebra_elastic_matrices_h
 
+#include <signorini/base/rayleigh_damping.h>
 #include <signorini/linear_algebra/node_pattern.h>
 
 #include <array>
@@ -19,6 +20,20 @@ namespace signorini
     unsigned long stiffness = 0; ///< products with A
     unsigned long mass      = 0; ///< products with M
     unsigned long combined  = 0; ///< products with M + s A
+  };
+
+  /** The factors of a sum of the mass M, the stiffness A and the damping C. */
+  struct MatrixSum
+  {
+    double mass;
+    double stiffness;
+    double damping = 0.;
+
+    /** Whether the sum is definite, for a body that is held. */
+    bool is_positive() const
+    {
+      return mass >= 0. && stiffness >= 0. && damping >= 0. && mass + stiffness > 0.;
+    }
   };
 
   /**
@@ -39,25 +54,30 @@ namespace signorini
     std::vector<double> mass;      ///< of the time discretisation
     /** The consistent mass where `mass` is a redistributed one; else empty. */
     std::vector<double> standard_mass;
+    /**
+     * Of the body of each local node; empty where no body is damped. C of a body is a sum of its M
+     * and A and needs no matrix of its own.
+     */
+    std::vector<RayleighDamping> damping;
     /** Owned nodes that a redistributed mass leaves without any, ascending. */
     std::vector<unsigned int> massless_nodes;
 
     /**
-     * destination = (mass_factor M + stiffness_factor A) source. Exchanges the ghosts of the
-     * source.
+     * destination = (sum of matrices) source. Exchanges the ghosts of the source. C comes with A
+     * only; for C alone see apply_damping().
      */
-    void apply(Vector       &destination,
-               const Vector &source,
-               double        mass_factor,
-               double        stiffness_factor) const;
+    void apply(Vector &destination, const Vector &source, const MatrixSum &sum) const;
 
     void apply_mass(Vector &destination, const Vector &source) const;
     /** The consistent mass, whatever the time discretisation uses. */
     void apply_standard_mass(Vector &destination, const Vector &source) const;
     void apply_stiffness(Vector &destination, const Vector &source) const;
 
-    /** Entry by entry a M + b A for the block at a position of the pattern. */
-    Block combined_block(unsigned int position, double mass_factor, double stiffness_factor) const;
+    /** C source: two products. */
+    void apply_damping(Vector &destination, const Vector &source) const;
+
+    /** The sum for the block at a position of the row of a node. */
+    Block combined_block(unsigned int node, unsigned int position, const MatrixSum &sum) const;
 
     /** Replace M by the diagonal matrix of its row sums. Collective. */
     void lump_mass();
@@ -79,8 +99,16 @@ namespace signorini
     void apply_with(const std::vector<double> &mass_values,
                     Vector                    &destination,
                     const Vector              &source,
-                    double                     mass_factor,
-                    double                     stiffness_factor) const;
+                    const MatrixSum           &sum) const;
+
+    /** C resolved: the factors of M and A in the row of a local node. */
+    MatrixSum at_node(const unsigned int node, const MatrixSum &sum) const
+    {
+      if (sum.damping == 0. || damping.empty())
+        return {sum.mass, sum.stiffness};
+      return {sum.mass + sum.damping * damping[node].mass,
+              sum.stiffness + sum.damping * damping[node].stiffness};
+    }
   };
 } // namespace signorini
 

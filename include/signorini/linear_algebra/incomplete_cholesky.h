@@ -38,13 +38,11 @@ namespace signorini
   public:
     /**
      * @param matrices         mass and stiffness; only their pattern is needed later
-     * @param mass_factor      a and
-     * @param stiffness_factor b of a M + b A (b = 0 if block_size = 1)
+     * @param sum              what it is the factor of; the mass alone if block_size = 1
      * @param eliminate_last   local nodes (owned and ghosts) that come last, ascending
      */
     IncompleteCholesky(const ElasticMatrices<dim>      &matrices,
-                       double                           mass_factor,
-                       double                           stiffness_factor,
+                       const MatrixSum                 &sum,
                        const std::vector<unsigned int> &eliminate_last);
 
     /** Replace the free directions of the nodes that are (partly) held. */
@@ -90,10 +88,7 @@ namespace signorini
 
     void build_pattern(const std::vector<unsigned int> &eliminate_last);
     /** @return false if a pivot is not positive definite. */
-    bool factor(const ElasticMatrices<dim> &matrices,
-                double                      mass_factor,
-                double                      stiffness_factor,
-                double                      shift);
+    bool factor(const ElasticMatrices<dim> &matrices, const MatrixSum &sum, double shift);
     /** D_p as a block of all directions. */
     dealii::Tensor<2, dim> full_pivot(unsigned int position) const;
     void                   invert_pivot(unsigned int position);

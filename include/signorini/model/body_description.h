@@ -5,6 +5,7 @@
 #define signorini_model_body_description_h
 
 #include <signorini/base/enum_names.h>
+#include <signorini/base/rayleigh_damping.h>
 #include <signorini/model/placement.h>
 
 #include <deal.II/base/point.h>
@@ -21,9 +22,10 @@ namespace signorini
   /** Linear elastic, homogeneous, isotropic material (paper, equation (44)). */
   struct Material
   {
-    double youngs_modulus = 1.; ///< E > 0, force per area
-    double poissons_ratio = 0.; ///< nu in (-1, 1/2); plane strain in 2d
-    double density        = 1.; ///< rho > 0, mass per volume
+    double          youngs_modulus = 1.; ///< E > 0, force per area
+    double          poissons_ratio = 0.; ///< nu in (-1, 1/2); plane strain in 2d
+    double          density        = 1.; ///< rho > 0, mass per volume
+    RayleighDamping damping;
     /** First Lame parameter. */
     double lambda() const
     {

@@ -62,6 +62,7 @@ namespace signorini
     double initial_energy = 0., largest_energy = 0., change = 0., largest_change = 0.,
            largest_residual = 0., largest_penetration = 0., work_contact = 0., impulse = 0.,
            work_friction = 0., transferred = 0., largest_slip = 0.;
+    double        work_damping = 0., work_scheme = 0.;
     double        standard_change = 0.; ///< change of the total energy with the consistent mass
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
     unsigned long fewest_cells = 0, most_cells = 0;

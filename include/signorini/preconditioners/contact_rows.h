@@ -46,8 +46,7 @@ namespace signorini
   template <int dim>
   std::map<dealii::types::global_dof_index, BlockRow<dim>>
   import_rows(const ElasticMatrices<dim>                         &matrices,
-              double                                              mass_factor,
-              double                                              stiffness_factor,
+              const MatrixSum                                    &sum,
               const std::vector<dealii::types::global_dof_index> &nodes);
 } // namespace signorini
 

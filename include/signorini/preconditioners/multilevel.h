@@ -22,8 +22,7 @@ namespace signorini
   public:
     Multilevel(const ElasticMatrices<dim>    &matrices,
                const ContactCoordinates<dim> &coordinates,
-               double                         mass_factor,
-               double                         stiffness_factor);
+               const MatrixSum               &sum);
 
     void set_mask(const Mask &new_mask) override { mask = new_mask; }
     void vmult(Vector &destination, const Vector &source) const override;

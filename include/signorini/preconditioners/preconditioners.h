@@ -30,8 +30,7 @@ namespace signorini
   make_preconditioner(PreconditionerKind             kind,
                       const ElasticMatrices<dim>    &matrices,
                       const ContactCoordinates<dim> &coordinates,
-                      double                         mass_factor,
-                      double                         stiffness_factor);
+                      const MatrixSum               &sum);
 
   /** Incomplete factor of the block-scalar mass. */
   template <int dim>

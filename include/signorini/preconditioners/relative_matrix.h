@@ -26,8 +26,7 @@ namespace signorini
   template <int dim>
   ElasticMatrices<dim> relative_matrix(const ElasticMatrices<dim>    &matrices,
                                        const ContactCoordinates<dim> &coordinates,
-                                       double                         mass_factor,
-                                       double                         stiffness_factor);
+                                       const MatrixSum               &sum);
 } // namespace signorini
 
 #endif

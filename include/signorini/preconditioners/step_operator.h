@@ -19,8 +19,7 @@ namespace signorini
   public:
     StepOperator(const ElasticMatrices<dim>    &matrices,
                  const ContactCoordinates<dim> &coordinates,
-                 double                         mass_factor,
-                 double                         stiffness_factor);
+                 const MatrixSum               &sum);
 
     void vmult(Vector &destination, const Vector &source) const override;
     void diagonal(Vector &destination) const override;
@@ -28,7 +27,7 @@ namespace signorini
   private:
     const ElasticMatrices<dim>    &matrices;
     const ContactCoordinates<dim> &coordinates;
-    const double                   mass_factor, stiffness_factor;
+    const MatrixSum                sum;
     mutable Vector                 cartesian;
     mutable Vector
       known_diagonal; ///< once it was asked for: frictional solvers need it in every step

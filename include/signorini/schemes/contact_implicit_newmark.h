@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_contact_implicit_newmark_h
 #define signorini_schemes_contact_implicit_newmark_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -27,7 +27,15 @@ namespace signorini
   class ContactImplicitNewmark : public TimeScheme
   {
   public:
+    explicit ContactImplicitNewmark(const ThetaRule &rule = ThetaRule())
+      : rule(rule)
+    {
+    }
+
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const ThetaRule rule;
   };
 } // namespace signorini
 

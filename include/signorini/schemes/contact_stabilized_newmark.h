@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_contact_stabilized_newmark_h
 #define signorini_schemes_contact_stabilized_newmark_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -41,8 +41,10 @@ namespace signorini
   class ContactStabilizedNewmark : public TimeScheme
   {
   public:
-    explicit ContactStabilizedNewmark(const bool stop_sticking_nodes = true)
+    explicit ContactStabilizedNewmark(const bool       stop_sticking_nodes = true,
+                                      const ThetaRule &rule                = ThetaRule())
       : stop_sticking_nodes(stop_sticking_nodes)
+      , rule(rule)
     {
     }
 
@@ -56,7 +58,8 @@ namespace signorini
     }
 
   private:
-    const bool stop_sticking_nodes;
+    const bool      stop_sticking_nodes;
+    const ThetaRule rule;
   };
 } // namespace signorini
 

@@ -20,6 +20,8 @@ namespace signorini
    */
   class HagerHueeberWohlmuth : public LaursenChawla
   {
+  public:
+    using LaursenChawla::LaursenChawla;
   };
 } // namespace signorini
 

@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_laursen_chawla_h
 #define signorini_schemes_laursen_chawla_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -26,7 +26,15 @@ namespace signorini
   class LaursenChawla : public TimeScheme
   {
   public:
+    explicit LaursenChawla(const ThetaRule &rule = ThetaRule())
+      : rule(rule)
+    {
+    }
+
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const ThetaRule rule;
   };
 } // namespace signorini
 

@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_laursen_love_h
 #define signorini_schemes_laursen_love_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -36,8 +36,9 @@ namespace signorini
   class LaursenLove : public TimeScheme
   {
   public:
-    explicit LaursenLove(const bool separate_nodes = true)
+    explicit LaursenLove(const bool separate_nodes = true, const ThetaRule &rule = ThetaRule())
       : separate_nodes(separate_nodes)
+      , rule(rule)
     {
     }
 
@@ -51,7 +52,8 @@ namespace signorini
     }
 
   private:
-    const bool separate_nodes;
+    const bool      separate_nodes;
+    const ThetaRule rule;
   };
 } // namespace signorini
 

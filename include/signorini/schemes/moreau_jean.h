@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_moreau_jean_h
 #define signorini_schemes_moreau_jean_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -32,7 +32,15 @@ namespace signorini
   class MoreauJean : public TimeScheme
   {
   public:
+    explicit MoreauJean(const ThetaRule &rule = ThetaRule())
+      : rule(rule)
+    {
+    }
+
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const ThetaRule rule;
   };
 } // namespace signorini
 

@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_newmark_h
 #define signorini_schemes_newmark_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -28,7 +28,15 @@ namespace signorini
   class Newmark : public TimeScheme
   {
   public:
+    explicit Newmark(const ThetaRule &rule = ThetaRule())
+      : rule(rule)
+    {
+    }
+
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+
+  private:
+    const ThetaRule rule;
   };
 } // namespace signorini
 

@@ -4,7 +4,8 @@
 #ifndef signorini_schemes_projected_contact_stabilized_h
 #define signorini_schemes_projected_contact_stabilized_h
 
-#include <signorini/time/time_scheme.h>
+#include <signorini/schemes/projected_predictor.h>
+#include <signorini/schemes/theta_rule.h>
 
 namespace signorini
 {
@@ -34,12 +35,19 @@ namespace signorini
    * more contact nodes the mass couples them: stopping one pulls @f$p@f$ of its neighbours below
    * their gap, and @f$w@f$ would be @f$-\tfrac1\tau p \cdot \nu@f$ there. Both projections act as
    * impulses; the state's contact force @f$r + M c / \tau^2 + M s / \tau@f$ contains them.
+   *
+   * Where @f$d@f$ leaves a node open by more than it moves, @f$p@f$ was stopped in vain: it
+   * followed a velocity that alternates, and its reaction would be a force across a gap. The step
+   * is made again with a projection that does not look at this node; the law of energy holds for
+   * projections onto any set that contains @f$d@f$.
    */
   class ProjectedContactStabilized : public TimeScheme
   {
   public:
-    explicit ProjectedContactStabilized(const bool stop_sticking_nodes = true)
+    explicit ProjectedContactStabilized(const bool       stop_sticking_nodes = true,
+                                        const ThetaRule &rule                = ThetaRule())
       : stop_sticking_nodes(stop_sticking_nodes)
+      , rule(rule)
     {
     }
 
@@ -53,7 +61,17 @@ namespace signorini
     }
 
   private:
-    const bool stop_sticking_nodes;
+    const bool      stop_sticking_nodes;
+    const ThetaRule rule;
+
+    /** Predictor and increment of a step. */
+    struct Motion
+    {
+      ProjectedPredictor predictor;
+      IncrementSolution  solution;
+    };
+    Motion
+    move(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap) const;
   };
 } // namespace signorini
 

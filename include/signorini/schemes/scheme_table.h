@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <iosfwd>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +20,10 @@ namespace signorini
   struct SchemeParameters
   {
     double hht_alpha = -0.1; ///< hht-alpha: in [-1/3, 0]
-    /** generalized-alpha, nonsmooth or not: of infinite frequencies, in [0, 1]. */
-    double spectral_radius     = 0.8;
-    double newmark_beta        = 0.5;  ///< khenous-laborde-renard: at least 1/4
-    double newmark_gamma       = 0.5;  ///< khenous-laborde-renard: in [1/2, 2 beta]
+    /** Of infinite frequencies, in [0, 1]; nothing: what the scheme thinks best. */
+    std::optional<double> spectral_radius;
+    double                newmark_beta  = 0.5; ///< khenous-laborde-renard: at least 1/4
+    double                newmark_gamma = 0.5; ///< khenous-laborde-renard: in [1/2, 2 beta]
     double reference_tolerance = 1e-8; ///< reference: relative error per step of the integrator
     bool   impulses_per_node = true; ///< laursen-love: each contact node gets back what it has lost
     /** Schemes with a predictor: sticking nodes have no tangential velocity. */
@@ -85,9 +86,12 @@ namespace signorini
     std::string              force_before_end;
     std::string              parameter;
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
-    bool                     mean_velocity; ///< velocities of contact nodes are means over the step
-    bool                     changing_mesh; ///< the mesh may change between steps
-    bool                     moving_dirichlet; ///< prescribed displacements may change in time
+    /** Damps what the step cannot resolve unless a spectral radius is given: ThetaRule. */
+    bool        damps_unresolved;
+    bool        damping;          ///< knows viscous damping of bodies
+    bool        mean_velocity;    ///< velocities of contact nodes are means over the step
+    bool        changing_mesh;    ///< the mesh may change between steps
+    bool        moving_dirichlet; ///< prescribed displacements may change in time
     std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
                                ///< have equal sizes
     std::unique_ptr<TimeScheme> (*make)(const SchemeParameters &parameters);
@@ -98,6 +102,14 @@ namespace signorini
       return std::find(keys.begin(), keys.end(), key) != keys.end();
     }
   };
+
+  /**
+   * The spectral radius of schemes that damp what the step cannot resolve, where the scene does not
+   * say it: 1 up to Courant number 50, 0.9 from 100 on, between them by the logarithm. The reasons
+   * and measurements are in doc/schemes.md.
+   * @param courant_number of the smallest cells
+   */
+  double automatic_spectral_radius(double courant_number);
 
   /**
    * Every scheme there is, in the order of documents. The one place where names of schemes are

@@ -49,6 +49,7 @@ namespace signorini
     Mesh<dim>           mesh;
     State               state;
 
+    const SchemeParameters            scheme_parameters; ///< with what was automatic
     const std::unique_ptr<TimeScheme> scheme;
     unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 

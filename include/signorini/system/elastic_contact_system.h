@@ -32,7 +32,8 @@ namespace signorini
                                private MassProjections,
                                private NodalImpulses,
                                private MasslessNodes,
-                               private MovingDirichletConditions
+                               private MovingDirichletConditions,
+                               private ViscousDamping
   {
   public:
     ElasticContactSystem(const Discretization<dim>     &discretization,
@@ -59,7 +60,11 @@ namespace signorini
     Vector       solve_mass(const Vector &force) override { return mass_problems.solve(force); }
     Capabilities capabilities() override
     {
-      return {this, this, has_massless_nodes ? this : nullptr, has_dirichlet ? this : nullptr};
+      return {this,
+              this,
+              has_massless_nodes ? this : nullptr,
+              has_dirichlet ? this : nullptr,
+              is_damped ? this : nullptr};
     }
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
@@ -75,7 +80,7 @@ namespace signorini
     const Discretization<dim>     &discretization;
     const ContactSurface<dim>     &surface;
     const ContactCoordinates<dim> &coordinates;
-    const bool                     has_massless_nodes, has_dirichlet; ///< on any process
+    const bool                     has_massless_nodes, has_dirichlet, is_damped; ///< on any process
     Loads<dim>                    &loads;
     const SystemParameters         parameters;
     dealii::TimerOutput
@@ -115,6 +120,7 @@ namespace signorini
 
     void   stop_at_dirichlet(Vector &velocity) const override;
     Vector dirichlet_part(const Vector &forces) const override;
+    void   apply_damping(Vector &destination, const Vector &velocity) const override;
 
     /**
      * The velocity goes on, and contact is where it was: where no increments are known, on a new

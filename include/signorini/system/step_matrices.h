@@ -14,14 +14,14 @@
 namespace signorini
 {
   /**
-   * What belongs to one M + s A: the product, its preconditioner, and the increments that were its
-   * solutions.
+   * What belongs to one M + s A + c C: the product, its preconditioner, and the increments that
+   * were its solutions.
    */
   template <int dim>
   struct StepMatrix
   {
-    double                                stiffness_factor; ///< s
-    std::unique_ptr<StepOperator<dim>>    product;          ///< M + s A
+    MatrixSum                             sum; ///< 1, s and c
+    std::unique_ptr<StepOperator<dim>>    product;
     std::unique_ptr<MaskedPreconditioner> preconditioner;
     IncrementForecast                     forecast;
     /** Of the preconditioner; automatic: there is none yet. */
@@ -53,10 +53,10 @@ namespace signorini
                  dealii::TimerOutput           &timer);
 
     /**
-     * The matrix of a factor s; valid until the next call. @param step_size decides about the
-     * preconditioner
+     * The matrix of the factors s and c; valid until the next call. @param step_size decides about
+     * the preconditioner
      */
-    StepMatrix<dim> &get(double stiffness_factor, double step_size);
+    StepMatrix<dim> &get(double stiffness_factor, double damping_factor, double step_size);
 
     /** Of the last matrix; empty if there was none. */
     std::string preconditioner_name() const

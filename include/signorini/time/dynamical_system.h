@@ -22,7 +22,7 @@ namespace signorini
   /**
    * The problem of a step:
    * @f[
-   *   \text{minimise} \quad \tfrac12 d^T (M + s A) d - b^T d
+   *   \text{minimise} \quad \tfrac12 d^T (M + s A + c C) d - b^T d
    * @f]
    * over increments @f$d@f$ with @f$d \cdot \nu \le@f$ `bounds` at the contact nodes and the
    * given values in prescribed entries. The step [start.time, start.time + step_size]
@@ -31,6 +31,7 @@ namespace signorini
   struct IncrementProblem
   {
     double           stiffness_factor; ///< s, tau^2/4 for the trapezoidal rule
+    double           damping_factor;   ///< c, tau/2 for the trapezoidal rule
     const Vector    &right_hand_side;  ///< b
     const NormalGap &bounds;
     const State     &start; ///< of the step: where prescribed increments begin, and a first guess
@@ -154,6 +155,17 @@ namespace signorini
   };
 
 
+  /** Viscous forces -C v. */
+  class ViscousDamping
+  {
+  public:
+    virtual ~ViscousDamping() = default;
+
+    /** destination = C velocity. */
+    virtual void apply_damping(Vector &destination, const Vector &velocity) const = 0;
+  };
+
+
   /** What a system can do beyond DynamicalSystem; null: it cannot, or has nothing of the kind. */
   struct Capabilities
   {
@@ -161,6 +173,7 @@ namespace signorini
     const NodalImpulses             *impulses         = nullptr;
     MasslessNodes                   *massless_nodes   = nullptr;
     const MovingDirichletConditions *moving_dirichlet = nullptr;
+    const ViscousDamping            *damping          = nullptr;
   };
 
 

@@ -22,6 +22,7 @@ namespace signorini
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
     double      work_friction  = 0.; ///< change of energy by friction
     double      work_dirichlet = 0.; ///< work of the reactions at prescribed displacements
+    double      work_damping   = 0.; ///< change of energy by viscous damping
     double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
     unsigned int impulse_iterations = 0; ///< laursen-love, per node: of the coupled equations
     bool common_impulses = false; ///< they had no solution; the common factor was taken instead

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/schemes/projected_predictor.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+#include <limits>
+
+namespace signorini
+{
+  ProjectedPredictor project_predictor(DynamicalSystem &system,
+                                       const State     &state,
+                                       const double     step_size,
+                                       const NormalGap &bounds)
+  {
+    ProjectedPredictor result;
+    result.increment = state.velocity;
+    result.increment *= step_size;
+    result.effort = system.capabilities().projections->project(
+      result.increment, bounds, step_size, result.correction, result.mass_correction);
+    result.increment += result.correction;
+    return result;
+  }
+
+
+  bool lift_bounds_stopped_in_vain(const DynamicalSystem    &system,
+                                   const ProjectedPredictor &predictor,
+                                   const Vector             &increment,
+                                   const NormalGap          &gap,
+                                   NormalGap                &bounds)
+  {
+    if (predictor.effort.n_active == 0)
+      return false; // on all processes
+    const double    touching = touching_distance(system.length());
+    const NormalGap stopped  = system.relative_normal(predictor.increment),
+                    moved    = system.relative_normal(increment);
+    unsigned int n_lifted    = 0;
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (stopped[k] >= bounds[k] - touching && gap[k] - moved[k] > std::abs(moved[k]) + touching)
+        {
+          bounds[k] = std::numeric_limits<double>::infinity();
+          ++n_lifted;
+        }
+    return dealii::Utilities::MPI::sum(n_lifted, increment.get_mpi_communicator()) > 0;
+  }
+} // namespace signorini
