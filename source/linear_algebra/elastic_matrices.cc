@@ -85,9 +85,24 @@ namespace signorini
       source.zero_out_ghost_values();
     padded_destination.assign(4 * pattern.n_owned, 0.);
 
-    const bool   is_damped = sum.damping > 0. && !damping.empty();
-    const double factor    = sum.stiffness == 0. ? sum.mass : sum.stiffness;
-    const auto   run       = [&](auto with_mass, auto with_stiffness, const auto &weight_of) {
+    multiply_padded(mass_values, sum);
+
+    destination.zero_out_ghost_values();
+    const double factor = sum.stiffness == 0. ? sum.mass : sum.stiffness;
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      {
+        const double scale = is_damped(sum) ? at_node(node, sum).stiffness : factor;
+        for (unsigned int c = 0; c < dim; ++c)
+          destination.local_element(dim * node + c) = scale * padded_destination[4 * node + c];
+      }
+  }
+
+
+  template <int dim>
+  void ElasticMatrices<dim>::multiply_padded(const std::vector<double> &mass_values,
+                                             const MatrixSum           &sum) const
+  {
+    const auto run = [&](auto with_mass, auto with_stiffness, const auto &weight_of) {
       multiply<dim, with_mass, with_stiffness>(
         *this, mass_values.data(), weight_of, padded_source.data(), padded_destination.data());
     };
@@ -98,7 +113,7 @@ namespace signorini
         run(yes, no, [](unsigned int) { return 1.; });
         ++count.mass;
       }
-    else if (is_damped)
+    else if (is_damped(sum))
       {
         run(yes, yes, [&](const unsigned int row) {
           const MatrixSum here = at_node(row, sum);
@@ -115,14 +130,6 @@ namespace signorini
       {
         run(yes, yes, [weight = sum.mass / sum.stiffness](unsigned int) { return weight; });
         ++count.combined;
-      }
-
-    destination.zero_out_ghost_values();
-    for (unsigned int node = 0; node < pattern.n_owned; ++node)
-      {
-        const double scale = is_damped ? at_node(node, sum).stiffness : factor;
-        for (unsigned int c = 0; c < dim; ++c)
-          destination.local_element(dim * node + c) = scale * padded_destination[4 * node + c];
       }
   }
 

@@ -33,6 +33,23 @@ namespace signorini
       result.compress();
       return result;
     }
+
+    /** Of smoothed aggregation for elasticity; translations are in the near null space. */
+    template <int dim>
+    TrilinosWrappers::PreconditionAMG::AdditionalData
+    multigrid_parameters(const unsigned int n_entries)
+    {
+      TrilinosWrappers::PreconditionAMG::AdditionalData data;
+      data.elliptic              = true;
+      data.higher_order_elements = false;
+      data.smoother_sweeps       = 2;
+      data.aggregation_threshold = 0.02;
+      std::vector<std::vector<bool>> constant_modes(dim, std::vector<bool>(n_entries, false));
+      for (unsigned int i = 0; i < n_entries; ++i)
+        constant_modes[i % dim][i] = true;
+      data.constant_modes = constant_modes;
+      return data;
+    }
   } // namespace
 
 
@@ -84,17 +101,7 @@ namespace signorini
           }
     matrix.compress(VectorOperation::insert);
 
-    TrilinosWrappers::PreconditionAMG::AdditionalData data;
-    data.elliptic              = true;
-    data.higher_order_elements = false;
-    data.smoother_sweeps       = 2;
-    data.aggregation_threshold = 0.02;
-    std::vector<std::vector<bool>> constant_modes(dim,
-                                                  std::vector<bool>(owned.n_elements(), false));
-    for (unsigned int i = 0; i < owned.n_elements(); ++i)
-      constant_modes[i % dim][i] = true;
-    data.constant_modes = constant_modes;
-    multigrid.initialize(matrix, data);
+    multigrid.initialize(matrix, multigrid_parameters<dim>(owned.n_elements()));
     mask.assign(owned.n_elements(), 0);
   }
 

@@ -295,15 +295,15 @@ namespace signorini
 
   double automatic_spectral_radius(const double courant_number)
   {
-    const double into_damping = std::log2(std::max(courant_number, 1.) / 50.);
-    return 1. - 0.1 * std::clamp(into_damping, 0., 1.);
+    const double into_damping = std::log2(std::max(courant_number, 1.) / 40.);
+    return 1. - 0.2 * std::clamp(into_damping, 0., 1.);
   }
 
 
   const std::vector<SchemeInfo> &scheme_table()
   {
-    static const std::vector<SchemeInfo> table = {contact_stabilized(),
-                                                  contact_stabilized_projected(),
+    static const std::vector<SchemeInfo> table = {contact_stabilized_projected(),
+                                                  contact_stabilized(),
                                                   contact_implicit(),
                                                   laursen_chawla(),
                                                   laursen_love(),

@@ -101,10 +101,15 @@ namespace signorini
                     const Vector              &source,
                     const MatrixSum           &sum) const;
 
+    /** The product of the padded vectors over the factor of A, or that of M without A. */
+    void multiply_padded(const std::vector<double> &mass_values, const MatrixSum &sum) const;
+
+    bool is_damped(const MatrixSum &sum) const { return sum.damping > 0. && !damping.empty(); }
+
     /** C resolved: the factors of M and A in the row of a local node. */
     MatrixSum at_node(const unsigned int node, const MatrixSum &sum) const
     {
-      if (sum.damping == 0. || damping.empty())
+      if (!is_damped(sum))
         return {sum.mass, sum.stiffness};
       return {sum.mass + sum.damping * damping[node].mass,
               sum.stiffness + sum.damping * damping[node].stiffness};

@@ -105,15 +105,15 @@ namespace signorini
 
   /**
    * The spectral radius of schemes that damp what the step cannot resolve, where the scene does not
-   * say it: 1 up to Courant number 50, 0.9 from 100 on, between them by the logarithm. The reasons
+   * say it: 1 up to Courant number 40, 0.8 from 80 on, between them by the logarithm. The reasons
    * and measurements are in doc/schemes.md.
    * @param courant_number of the smallest cells
    */
   double automatic_spectral_radius(double courant_number);
 
   /**
-   * Every scheme there is, in the order of documents. The one place where names of schemes are
-   * written.
+   * Every scheme there is, in the order of documents; the first one is the default. The one place
+   * where names of schemes are written.
    */
   const std::vector<SchemeInfo> &scheme_table();
 
