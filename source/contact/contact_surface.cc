@@ -7,7 +7,6 @@
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/nodal_friction.h>
-#include <signorini/contact/overlap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,18 +60,8 @@ namespace signorini
   void ContactSurface<dim>::add_pair_of_bodies(const unsigned int              pair,
                                                const DirichletConditions<dim> &dirichlet)
   {
-    const auto            &bodies      = discretization.mesh().bodies();
-    const PairDescription &description = descriptions[pair];
-    const std::string      head        = "Contact/Pairs = " + description.name + ": ";
-    if (const auto place = find_deep_overlap(discretization, description.slave, description.master))
-      {
-        std::ostringstream message;
-        message << head << "the bodies '" << bodies[description.slave].name << "' and '"
-                << bodies[description.master].name << "' overlap at the start, at (" << *place
-                << "). Move one of them.";
-        throw UserError(message.str());
-      }
-
+    const PairDescription    &description = descriptions[pair];
+    const std::string         head        = "Contact/Pairs = " + description.name + ": ";
     const MortarCoupling<dim> mortar(discretization, dirichlet, descriptions, pair);
     if (!mortar.faces_look_at_each_other())
       throw UserError(head

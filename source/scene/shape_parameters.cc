@@ -133,7 +133,8 @@ namespace signorini
       "Repetitions",
       coordinates<dim>("1"),
       List(Integer(), dim, dim),
-      "Box: number of coarse cells in each direction. Cells should be nearly cubes.");
+      "Box: number of coarse cells in each direction, at most a million together. Cells should be "
+      "nearly cubes. Every process keeps all coarse cells: make fine meshes by Refinements.");
     prm.declare_entry(
       "File",
       "",
@@ -142,7 +143,7 @@ namespace signorini
       "the scene. Gmsh (.msh, text of version 2.2 or 4.1; boundary ids: numbers of the physical "
       "groups), Abaqus (.inp; boundary ids: numbers in the names of the surfaces, such as SS3 or "
       "Surf-3), UCD (.inp, .ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary "
-      "id 0.");
+      "id 0. At most a million cells, which every process keeps.");
     declare_cap<dim>(prm);
     declare_placement<dim>(prm);
     declare_refinement(prm);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/contact/overlap.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
@@ -155,6 +156,7 @@ namespace signorini
   void Simulation<dim>::prepare()
   {
     mesh_control.check_first_mesh();
+    check_that_bodies_are_apart(mesh, scene.pairs);
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
     check_capabilities(*scheme, meshed->system);
     set_initial_state();
