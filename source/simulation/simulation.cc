@@ -5,6 +5,7 @@
 #include <signorini/output/earlier_results.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
+#include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
@@ -228,6 +229,7 @@ namespace signorini
       text << "  warning: on a mesh that changes, a round body keeps the facets of its initial "
               "`Refinements`, however fine the mesh becomes.\n"
               "           Set `Mapping = curved`.\n";
+    text << element_warnings(mesh);
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
            << perturbation_of_velocities() << " of themselves\n";
