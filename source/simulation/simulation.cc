@@ -6,6 +6,7 @@
 #include <signorini/output/earlier_results.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
+#include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
@@ -252,6 +253,8 @@ namespace signorini
   std::vector<std::string> Simulation<dim>::warnings() const
   {
     std::vector<std::string> result = start_remarks.warnings;
+    for (const std::string &warning : element_warnings(mesh))
+      result.push_back(warning);
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
                        "its obstacle, or all of them are prescribed.");
