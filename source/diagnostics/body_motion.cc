@@ -11,15 +11,12 @@ namespace signorini
 
   namespace
   {
-    /** Sums of tensors over all processes, all at once. */
+    /** Each entry becomes its sum over all processes. */
     template <typename T>
-    void sum_over_processes(std::vector<T> &tensors, const MPI_Comm communicator)
+    void sum_over_processes(std::vector<T> &values, const MPI_Comm communicator)
     {
-      if (tensors.empty())
-        return;
-      const ArrayView<double> all(tensors.front().begin_raw(),
-                                  tensors.size() * T::n_independent_components);
-      Utilities::MPI::sum(ArrayView<const double>(all), communicator, all);
+      for (T &value : values)
+        value = Utilities::MPI::sum(value, communicator);
     }
   } // namespace
 
@@ -37,24 +34,30 @@ namespace signorini
     discretization.matrices().apply_standard_mass(mass, along_x);
 
     const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
-    std::vector<Tensor<1, dim + 1>> first_moments(n_bodies); // the mass behind them
+    std::vector<double>             masses(n_bodies, 0.);
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (bodies[node] < n_bodies)
         {
           const double weight = mass.local_element(dim * node);
-          for (unsigned int c = 0; c < dim; ++c)
-            first_moments[bodies[node]][c] += weight * discretization.node_positions()[node][c];
-          first_moments[bodies[node]][dim] += weight;
-          points.push_back({node, bodies[node], weight, {}});
+          masses[bodies[node]] += weight;
+          points.push_back({node, bodies[node], weight, discretization.node_positions()[node]});
         }
-    sum_over_processes(first_moments, communicator);
+    sum_over_processes(masses, communicator);
+
+    // Twice: far from the origin the first mean has the round-off of the positions.
+    for (unsigned int pass = 0; pass < 2; ++pass)
+      {
+        std::vector<Tensor<1, dim>> first_moments(n_bodies);
+        for (const MassPoint &point : points)
+          first_moments[point.body] += point.mass * point.arm;
+        sum_over_processes(first_moments, communicator);
+        for (MassPoint &point : points)
+          point.arm -= first_moments[point.body] / masses[point.body];
+      }
 
     std::vector<Tensor<2, n_axes>> inertia(n_bodies);
-    for (MassPoint &point : points)
+    for (const MassPoint &point : points)
       {
-        for (unsigned int c = 0; c < dim; ++c)
-          point.arm[c] = discretization.node_positions()[point.node][c]
-                         - first_moments[point.body][c] / first_moments[point.body][dim];
         for (unsigned int i = 0; i < n_axes; ++i)
           {
             inertia[point.body][i][i] += point.mass * point.arm.norm_square();

@@ -14,6 +14,12 @@ namespace signorini
   {
     constexpr unsigned int few_steps = 8; ///< of a contact: hardly more than its ends
 
+    /** Per cent: of what is exactly nothing only round-off is left. */
+    double without_round_off(const double value)
+    {
+      return std::abs(value) < 1e-9 ? 0. : value;
+    }
+
     double energy_of_motion(const HistoryRow &row)
     {
       return row.energy.kinetic + row.energy.elastic;
@@ -158,8 +164,8 @@ namespace signorini
            << ", largest force " << force_variation.largest() << ", impulse " << impulse
            << "\n                    in " << n_contact_steps << " steps, "
            << largest_contact.n_active << " of " << largest_contact.n_nodes
-           << " nodes at the largest force; took " << 100. * relative(-work_contact) + 0.
-           << " % of the energy\n"
+           << " nodes at the largest force; changed the energy by "
+           << without_round_off(100. * relative(work_contact)) << " %\n"
            << "  oscillation       total variation of the force over twice its maximum: "
            << force_variation.measure() << "\n"
            << "  penetration       " << largest_penetration << " at most\n";

@@ -63,9 +63,13 @@ TEST(OrderOfSteps, ARowForEachStepInTheOrderOfTime)
 
 TEST(OrderOfSteps, FieldsOfTheStartAndTheEnd)
 {
-  SmallRun run;
+  SmallRun run(std::vector<Override>{{"Output/VTU states", "1"}});
   run.run();
   expect_times(run.times_of_fields(), {0., 0.1});
+  run.change({{"Output/VTU states", "4"}});
+  run.run();
+  // The first steps of 0.01 at or after a quarter of the time each.
+  expect_times(run.times_of_fields(), {0., 0.03, 0.05, 0.08, 0.1});
   run.change({{"Output/VTU every", "4"}});
   run.run();
   expect_times(run.times_of_fields(), {0., 0.04, 0.08, 0.1});

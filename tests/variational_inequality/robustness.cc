@@ -38,7 +38,8 @@ namespace
     DenseProblem problem;
     problem.matrix.resize(2, 2);
     problem.matrix << 2., -1., -1., 2.;
-    problem.right_hand_side = Eigen::Vector2d(1., 3.);
+    problem.right_hand_side.resize(2);
+    problem.right_hand_side << 1., 3.;
     problem.bounded_entries = {0};
     problem.upper_bounds    = {0.5};
     return problem;
