@@ -6,6 +6,8 @@
 #include <deal.II/base/mpi.h>
 #include <deal.II/sundials/kinsol.h>
 
+#include <cmath>
+
 namespace signorini
 {
   using namespace dealii;
@@ -22,6 +24,10 @@ namespace signorini
 
   bool FixedPoint::evaluate(const Vector &current, Vector &image)
   {
+    // The accelerated iterate is no number where the differences that it combines are multiples of
+    // each other. Maxima would overlook that, the sum over all processes does not.
+    if (!std::isfinite(current.l1_norm()))
+      return false;
     ++iterations;
     const double difference = function(current, image);
     if (difference < smallest_difference)
@@ -37,6 +43,19 @@ namespace signorini
   {
     Assert(limits.aim > 0. && limits.good_enough >= limits.aim && limits.maximum_iterations > 0,
            ExcMessage("What is aimed at is good enough, and takes an iteration."));
+    const unsigned int end = iterations + limits.maximum_iterations;
+    double             before;
+    do
+      {
+        before = smallest_difference;
+        run_until_astray(anderson_depth, end);
+      }
+    while (!converged() && smallest_difference < 0.5 * before && iterations < end);
+  }
+
+
+  void FixedPoint::run_until_astray(const unsigned int anderson_depth, const unsigned int end)
+  {
     using Solver = SUNDIALS::KINSOL<Vector>;
     Solver::AdditionalData options;
     options.strategy                      = Solver::AdditionalData::fixed_point;
@@ -49,8 +68,7 @@ namespace signorini
 
     // An image that is its origin ends the iteration. That way KINSOL never fails, which its
     // wrapper reports by an assertion only, and no exception has to pass through C.
-    bool               go_on  = true;
-    const unsigned int end    = iterations + limits.maximum_iterations;
+    bool go_on                = true;
     solver.iteration_function = [&](const Vector &current, Vector &image) {
       try
         {

@@ -15,8 +15,9 @@ namespace signorini
   /**
    * Fixed points y = f(y) by the iteration of KINSOL (SUNDIALS) with Anderson acceleration,
    * watched: the image that differs least from its origin is kept, and the iteration ends when the
-   * difference is as small as wanted, grows far beyond what it was, or has been computed often
-   * enough. Collective.
+   * difference is as small as wanted or has been computed often enough. Where acceleration leads
+   * astray, to what is no number or to a difference far beyond what it was, it starts anew from the
+   * best image, as long as that gains something. Collective.
    */
   class FixedPoint
   {
@@ -66,6 +67,10 @@ namespace signorini
     double             smallest_difference = std::numeric_limits<double>::max();
     unsigned int       iterations          = 0;
     std::exception_ptr exception;
+
+    /** One solve of KINSOL. @param end the number of iterations after which it ends at the latest
+     */
+    void run_until_astray(unsigned int anderson_depth, unsigned int end);
 
     /** @return whether to go on */
     bool evaluate(const Vector &current, Vector &image);
