@@ -81,6 +81,8 @@ TEST(Combinations, OfOtherValues)
          {"Cap radius = 0.74", "larger than 0.75", "opposite face"});
   expect({{"Obstacles/floor/Shape", "function"}},
          {"Obstacles/floor/Signed distance (not given)", "Give one"});
+  expect({{"Obstacles/floor/Shape", "function"}, {"Obstacles/floor/Signed distance", "z - rand()"}},
+         {"Signed distance = z - rand()", "the function `rand` has no derivative", "Write it"});
   expect({{"Exact solution/Displacement", "0; 0; 1"}},
          {"Exact solution/Velocity (not given)", "both"});
   expect({{"Exact solution/Velocity", "0; 0; 1"}},
