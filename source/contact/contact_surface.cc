@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -141,11 +142,14 @@ namespace signorini
     std::vector<Complaint> complaints;
     const auto             complain = [&](const ContactNode<dim> &node, const std::string &other) {
       std::ostringstream message;
-      message << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
-              << " share the node at (" << node.position
-              << "). A node can have one partner only, and neighbouring faces of a body share the "
-              << "nodes of their edge. Choose surfaces that do not meet, or make the other body "
-              << "the slave of one of the pairs.";
+      message
+        << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
+        << " share the node at (" << node.position
+        << "). A node can have one partner only, and neighbouring faces of a body share the "
+        << "nodes of their edge. Make the other body the slave if its surface ends elsewhere. "
+        << "Two blocks that stand side by side need surfaces without common nodes: in a mesh "
+        << "file (`Shape = file`), give the faces next to the edge a boundary id that no pair "
+        << "names.";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
@@ -211,7 +215,12 @@ namespace signorini
   {
     std::vector<double> gap = relative_normal(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      gap[k] = contact_nodes[k].gap - gap[k];
+      {
+        gap[k]         = contact_nodes[k].gap - gap[k];
+        const auto end = obstacle_contact.at_an_end(contact_nodes[k], displacement);
+        if (end && !end->is_carried(obstacle_contact.end_tolerance()))
+          gap[k] = std::numeric_limits<double>::infinity();
+      }
     return gap;
   }
 
@@ -230,7 +239,9 @@ namespace signorini
   {
     std::vector<double> result = normal_gap(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      result[k] *= contact_nodes[k].distance_per_gap();
+      result[k] = std::isinf(result[k])
+                    ? obstacle_contact.at_an_end(contact_nodes[k], displacement)->distance()
+                    : result[k] * contact_nodes[k].distance_per_gap();
     return result;
   }
 

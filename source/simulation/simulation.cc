@@ -74,7 +74,7 @@ namespace signorini
         std::vector<std::string> news;
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          news = observation.observe(state, report);
+          news = observation.observe(state, report, stepping->finished(state));
           for (const std::string &warning : news)
             log.warning(warning);
           meshed->system.set_energy(observation.energy_of_motion());

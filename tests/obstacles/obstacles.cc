@@ -48,6 +48,36 @@ TEST(Obstacles, PlaneWithANormalOfAnyLength)
   expect_projection<2>(wall, {5., -3.}, 0., Tensor<1, 2>({-0.6, -0.8}));
 }
 
+TEST(Obstacles, PlaneEndsWithItsExtent)
+{
+  // A table of half lengths 2 along x and 0.5 along y, turned by 90 degrees: it is the top of a
+  // block, and the way out of the block is the shorter one.
+  const Plane<3> table({1., 0., 1.},
+                       Tensor<1, 3>({0., 0., 2.}),
+                       {{Tensor<1, 3>({1., 0., 0.}), 2.}, {Tensor<1, 3>({0., 1., 0.}), 0.5}});
+  const auto     expect = [&](const Point<3> &p,
+                          const double    gap,
+                          const double    beyond,
+                          const double    depth,
+                          const bool      carried,
+                          const double    distance) {
+    const auto projection = table.project(p);
+    EXPECT_NEAR(projection.gap, gap, 1e-14) << p;
+    EXPECT_NEAR(projection.beyond, beyond, 1e-14) << p;
+    EXPECT_NEAR(projection.depth(), depth, 1e-14) << p;
+    EXPECT_EQ(projection.is_carried(1e-10), carried) << p;
+    EXPECT_NEAR(projection.distance(), distance, 1e-14) << p;
+  };
+  EXPECT_TRUE(table.has_end());
+  expect({1., 0., 1.5}, 0.5, -0.5, 0., true, 0.5);
+  expect({3., 0.5, 1.5}, 0.5, 0., 0., true, 0.5);        // above the corner
+  expect({3.4, 0., 1.3}, 0.3, 0.4, 0., false, 0.5);      // past the end
+  expect({3.4, 0., 0.}, -1., 0.4, 0., false, 0.4);       // beside the block
+  expect({1., 0., 0.8}, -0.2, -0.5, 0.2, true, 0.);      // pressed in from above
+  expect({1., 0.45, 0.8}, -0.2, -0.05, 0.05, false, 0.); // come in through the side
+  EXPECT_FALSE(Plane<2>({0., 0.}, Tensor<1, 2>({0., 1.})).has_end());
+}
+
 TEST(Obstacles, SphereFromOutsideAndFromInside)
 {
   const Point<3> centre(1., 2., 3.);
