@@ -25,11 +25,13 @@ namespace signorini
                      const std::vector<double> &gap)
     {
       const auto &partitioner = *discretization.matrices().pattern.partitioner;
-      IndexSet    ghosts(discretization.dof_handler().n_dofs());
+      std::vector<types::global_dof_index> partners;
       for (const ContactNode<dim> &node : surface.nodes())
         for (const auto &[partner, weight] : node.partners)
-          ghosts.add_range(dim * partner, dim * (partner + 1));
-      Vector       result(discretization.locally_owned(), ghosts, discretization.communicator());
+          partners.push_back(partner);
+      Vector       result(discretization.locally_owned(),
+                    entries_of_nodes<dim>(discretization.dof_handler().n_dofs(), partners),
+                    discretization.communicator());
       const double smallest = gap_round_off(discretization.mesh().body_size());
       for (std::size_t k = 0; k < gap.size(); ++k)
         {

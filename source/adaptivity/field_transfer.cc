@@ -67,7 +67,9 @@ namespace signorini
   {
     for (const Source &source :
          old_fields) // not by assignment, which would keep the ghosts of the old vector
-      sources.push_back({discretization->interpolate_hanging_nodes(source.field), source.moments});
+      sources.push_back({discretization->interpolate_hanging_nodes(source.field),
+                         source.moments,
+                         source.has_strain});
     for (const Source &source : sources)
       source.field.update_ghost_values(); // copies have none
     handle = mesh.triangulation().register_data_attach(
@@ -129,14 +131,12 @@ namespace signorini
     VertexValues sum(n_values, 0.);
     for (unsigned int child = 0; child < parent->n_children(); ++child)
       {
-        const FullMatrix<double> &weights =
-          discretization->fe().base_element(0).get_prolongation_matrix(child);
-        const VertexValues of_child = moments(
-          *discretization, parent->child(child), vertex_values(parent->child(child), source.field));
-        for (unsigned int a = 0; a < weights.m(); ++a)
-          for (unsigned int b = 0; b < weights.n(); ++b)
-            for (unsigned int c = 0; c < dim; ++c)
-              sum[dim * b + c] += weights(a, b) * of_child[dim * a + c];
+        const VertexValues of_child = moments(*discretization,
+                                              parent->child(child),
+                                              vertex_values(parent->child(child), source.field),
+                                              parent);
+        for (unsigned int i = 0; i < n_values; ++i)
+          sum[i] += of_child[i];
       }
     return sum;
   }
@@ -152,13 +152,41 @@ namespace signorini
           const CellStatus                                                status,
           const boost::iterator_range<std::vector<char>::const_iterator> &data) {
         CellFields fields = expand(&*data.begin(), n_values);
+        coarsened         = coarsened || status == Triangulation<dim>::CELL_COARSEN;
         if (status != Triangulation<dim>::CELL_REFINE)
-          cells[cell->active_cell_index()] = std::move(fields);
-        else
-          for (unsigned int child = 0; child < cell->n_children(); ++child)
-            cells[cell->child(child)->active_cell_index()] = prolongate(fields, child);
+          {
+            cells[cell->active_cell_index()] = std::move(fields);
+            return;
+          }
+        const bool has_modes =
+          !strain_modes<dim>(mesh.bodies()[cell->material_id()].element).empty();
+        refined_with_modes = refined_with_modes || has_modes;
+        for (unsigned int child = 0; child < cell->n_children(); ++child)
+          {
+            CellFields &of_child = cells[cell->child(child)->active_cell_index()];
+            of_child             = prolongate(fields, child);
+            if (has_modes)
+              append_moments(fields, cell, cell->child(child), of_child);
+          }
       });
     return cells;
+  }
+
+
+  template <int dim>
+  void FieldTransfer<dim>::append_moments(const CellFields &parent_fields,
+                                          const Cell       &parent,
+                                          const Cell       &child,
+                                          CellFields       &fields) const
+  {
+    auto values = parent_fields.begin();
+    for (const Source &source : sources)
+      {
+        const VertexValues of_parent(values, values + n_values);
+        for (const Moments moments : source.moments)
+          append(moments(*discretization, parent, of_parent, child), fields);
+        values += n_values;
+      }
   }
 
 
@@ -227,19 +255,19 @@ namespace signorini
       if (cell->is_locally_owned())
         {
           const CellFields &old        = cells[cell->active_cell_index()];
-          const bool        coarsened  = is_coarsened(old);
+          const bool        changed    = has_moments(old);
           VertexValues      difference = vertex_values(cell, filled);
-          bool              any        = coarsened;
+          bool              any        = changed;
           for (unsigned int i = 0; i < n_values; ++i)
             {
-              difference[i] = (coarsened ? 0. : old[n_values * source + i]) - difference[i];
+              difference[i] = (changed ? 0. : old[n_values * source + i]) - difference[i];
               any           = any || difference[i] != 0.;
             }
-          if (!any) // neither this cell nor a neighbour was coarsened
+          if (!any) // neither this cell nor a neighbour was changed
             continue;
-          const VertexValues sum = moments(*discretization, cell, difference);
+          const VertexValues sum = moments(*discretization, cell, difference, cell);
           for (unsigned int i = 0; i < n_values; ++i)
-            local[i] = sum[i] + (coarsened ? old[n_values * block + i] : 0.);
+            local[i] = sum[i] + (changed ? old[n_values * block + i] : 0.);
           cell->get_dof_indices(dofs);
           discretization->hanging_node_constraints().distribute_local_to_global(
             local, dofs, result);
@@ -255,17 +283,21 @@ namespace signorini
   {
     discretization                      = &after;
     const std::vector<CellFields> cells = receive();
-    const bool                    here  = std::any_of(
-      cells.begin(), cells.end(), [&](const CellFields &cell) { return is_coarsened(cell); });
-    const bool coarsened =
-      Utilities::MPI::max(static_cast<unsigned int>(here), discretization->communicator()) > 0;
+    const bool                    any_coarsened =
+      Utilities::MPI::logical_or(coarsened, discretization->communicator());
+    const bool any_refined =
+      Utilities::MPI::logical_or(refined_with_modes, discretization->communicator());
 
     std::vector<Result> results = values_at_nodes(cells);
     unsigned int        block   = sources.size();
-    for (unsigned int s = 0; s < sources.size() && coarsened; ++s)
+    for (unsigned int s = 0; s < sources.size(); ++s)
       for (const Moments moments : sources[s].moments)
-        results[s].lost_moments.push_back(
-          lost_moments(cells, s, block++, moments, results[s].field));
+        {
+          if (any_coarsened || (any_refined && sources[s].has_strain))
+            results[s].lost_moments.push_back(
+              lost_moments(cells, s, block, moments, results[s].field));
+          ++block;
+        }
     return results;
   }
 

@@ -31,7 +31,7 @@ namespace signorini
             const State                   &state)
     {
       std::vector<typename FieldTransfer<dim>::Source> result = {
-        {state.displacement, {&stiffness_moments<dim>, &mass_moments<dim>}},
+        {state.displacement, {&stiffness_moments<dim>, &mass_moments<dim>}, true},
         {state.velocity, {&mass_moments<dim>}},
         {stress_at_nodes(surface, coordinates, state.contact_force), {}}};
       if (state.acceleration.size() > 0)

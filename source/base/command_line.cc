@@ -74,6 +74,9 @@ namespace signorini
       }
     const bool only_information =
       result.help || result.version || result.print_parameters || result.print_schemes;
+    if (result.print_schemes && result.scene_file == "json")
+      throw UserError("--print-schemes: `json` is taken for a scene here. Write "
+                      "--print-schemes=json.");
     if (result.scene_file.empty() && !arguments.empty() && !only_information)
       throw UserError(
         "no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");

@@ -2,14 +2,13 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/contact/contact_search.h>
+#include <signorini/contact/sweep.h>
 
 #include <deal.II/numerics/rtree.h>
 
 #include <boost/geometry/algorithms/intersects.hpp>
-#include <boost/geometry/index/predicates.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 namespace signorini
@@ -20,48 +19,6 @@ namespace signorini
   {
     template <int dim>
     using Boxes = std::vector<BoundingBox<dim>>;
-
-    /** Where the master may be that a slave face sees: the face, swept along its normal. */
-    template <int dim>
-    class SearchBoxes
-    {
-    public:
-      SearchBoxes(const BoundingBox<dim> &slave_body, const BoundingBox<dim> &master_body)
-        : slave_body(slave_body)
-        , master_body(master_body)
-      {
-      }
-
-      BoundingBox<dim> operator()(const SurfaceFace<dim> &face) const
-      {
-        const Tensor<1, dim> normal = face.unit_normal();
-        double               ahead  = 0.; // to the far side of the master
-        for (unsigned int corner = 0; corner < GeometryInfo<dim>::vertices_per_cell; ++corner)
-          ahead = std::max(ahead, normal * (master_body.vertex(corner) - face.centre()));
-        std::vector<Point<dim>> points;
-        for (const Point<dim> &vertex : face.vertices)
-          {
-            points.push_back(vertex + ahead * normal);
-            points.push_back(vertex - behind(face) * normal);
-          }
-        return BoundingBox<dim>(points);
-      }
-
-      /** How deep in the slave body the master still counts. */
-      double behind(const SurfaceFace<dim> &face) const
-      {
-        const Tensor<1, dim> normal = face.unit_normal();
-        double               depth  = 0.;
-        for (unsigned int c = 0; c < dim; ++c)
-          depth +=
-            0.25 * std::abs(normal[c]) * (slave_body.side_length(c) + master_body.side_length(c));
-        return depth;
-      }
-
-    private:
-      const BoundingBox<dim> slave_body, master_body;
-    };
-
 
     template <int dim>
     Boxes<dim> bounding_boxes(const std::vector<SurfaceFace<dim>> &faces)
@@ -125,14 +82,18 @@ namespace signorini
   FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
                                            const PairDescription     &pair)
   {
-    FacingSurfaces<dim>    result;
-    const SearchBoxes<dim> search_box(discretization.mesh().bounding_box(pair.slave),
-                                      discretization.mesh().bounding_box(pair.master));
+    FacingSurfaces<dim> result;
     result.slaves = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
 
-    Boxes<dim> search_boxes;
+    std::vector<Sweep<dim>> sweeps;
+    Boxes<dim>              search_boxes;
     for (const SurfaceFace<dim> &face : result.slaves)
-      search_boxes.push_back(search_box(face));
+      {
+        sweeps.emplace_back(face,
+                            discretization.mesh().bounding_box(pair.slave),
+                            discretization.mesh().bounding_box(pair.master));
+        search_boxes.push_back(sweeps.back().box());
+      }
     result.masters =
       exchange(owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
                search_boxes,
@@ -143,17 +104,12 @@ namespace signorini
     result.segments.resize(result.slaves.size());
     for (std::size_t f = 0; f < result.slaves.size(); ++f)
       {
-        const SurfaceFace<dim>  &slave = result.slaves[f];
-        std::vector<std::size_t> candidates;
-        tree.query(boost::geometry::index::intersects(search_boxes[f]),
-                   std::back_inserter(candidates));
-        std::sort(candidates.begin(),
-                  candidates.end()); // the order of sums must not depend on the tree
-        double size = slave.diameter();
-        for (const std::size_t m : candidates)
+        const SurfaceFace<dim> &slave = result.slaves[f];
+        double                  size  = slave.diameter();
+        for (const std::size_t m : sweeps[f].meets(tree))
           {
             Segment<dim> segment = intersect(slave, result.masters[m]);
-            if (segment.points.empty() || segment.gap < -search_box.behind(slave))
+            if (segment.points.empty() || segment.gap < -sweeps[f].depth())
               continue;
             segment.master = m;
             size           = std::max(size, result.masters[m].diameter());

@@ -7,11 +7,11 @@
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/nodal_friction.h>
-#include <signorini/contact/overlap.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -61,18 +61,8 @@ namespace signorini
   void ContactSurface<dim>::add_pair_of_bodies(const unsigned int              pair,
                                                const DirichletConditions<dim> &dirichlet)
   {
-    const auto            &bodies      = discretization.mesh().bodies();
-    const PairDescription &description = descriptions[pair];
-    const std::string      head        = "Contact/Pairs = " + description.name + ": ";
-    if (const auto place = find_deep_overlap(discretization, description.slave, description.master))
-      {
-        std::ostringstream message;
-        message << head << "the bodies '" << bodies[description.slave].name << "' and '"
-                << bodies[description.master].name << "' overlap at the start, at (" << *place
-                << "). Move one of them.";
-        throw UserError(message.str());
-      }
-
+    const PairDescription    &description = descriptions[pair];
+    const std::string         head        = "Contact/Pairs = " + description.name + ": ";
     const MortarCoupling<dim> mortar(discretization, dirichlet, descriptions, pair);
     if (!mortar.faces_look_at_each_other())
       throw UserError(head
@@ -152,11 +142,14 @@ namespace signorini
     std::vector<Complaint> complaints;
     const auto             complain = [&](const ContactNode<dim> &node, const std::string &other) {
       std::ostringstream message;
-      message << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
-              << " share the node at (" << node.position
-              << "). A node can have one partner only, and neighbouring faces of a body share the "
-              << "nodes of their edge. Choose surfaces that do not meet, or make the other body "
-              << "the slave of one of the pairs.";
+      message
+        << "Contact/Pairs: `" << descriptions[node.pair].name << "` and " << other
+        << " share the node at (" << node.position
+        << "). A node can have one partner only, and neighbouring faces of a body share the "
+        << "nodes of their edge. Make the other body the slave if its surface ends elsewhere. "
+        << "Two blocks that stand side by side need surfaces without common nodes: in a mesh "
+        << "file (`Shape = file`), give the faces next to the edge a boundary id that no pair "
+        << "names.";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
@@ -222,7 +215,12 @@ namespace signorini
   {
     std::vector<double> gap = relative_normal(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      gap[k] = contact_nodes[k].gap - gap[k];
+      {
+        gap[k]         = contact_nodes[k].gap - gap[k];
+        const auto end = obstacle_contact.at_an_end(contact_nodes[k], displacement);
+        if (end && !end->is_carried(obstacle_contact.end_tolerance()))
+          gap[k] = std::numeric_limits<double>::infinity();
+      }
     return gap;
   }
 
@@ -241,7 +239,9 @@ namespace signorini
   {
     std::vector<double> result = normal_gap(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      result[k] *= contact_nodes[k].distance_per_gap();
+      result[k] = std::isinf(result[k])
+                    ? obstacle_contact.at_an_end(contact_nodes[k], displacement)->distance()
+                    : result[k] * contact_nodes[k].distance_per_gap();
     return result;
   }
 

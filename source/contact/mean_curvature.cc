@@ -14,10 +14,13 @@ namespace signorini
                                const Point<dim>     &position,
                                const Tensor<1, dim> &unit_normal)
   {
+    if (!(weight > 0.))
+      return;
     this->weight += weight;
-    squares += weight * position.square();
+    const Tensor<1, dim> before = position - mean_position;
+    mean_position += weight / this->weight * before;
+    squares += weight * (before * (position - mean_position));
     normals += weight * unit_normal;
-    positions += weight * position;
   }
 
 
@@ -29,9 +32,12 @@ namespace signorini
       return 0.;
     const double spread_of_normals =
       1. - (Utilities::MPI::sum(normals, communicator) / total).norm_square();
+    const Tensor<1, dim> mean_of_all =
+      Utilities::MPI::sum(weight * mean_position, communicator) / total;
     const double spread_of_points =
-      Utilities::MPI::sum(squares, communicator) / total
-      - (Utilities::MPI::sum(positions, communicator) / total).norm_square();
+      Utilities::MPI::sum(squares + weight * (mean_position - mean_of_all).norm_square(),
+                          communicator)
+      / total;
     constexpr double round_off = 1e-12;
     return spread_of_normals > round_off && spread_of_points > 0.
              ? std::sqrt(spread_of_normals / spread_of_points)

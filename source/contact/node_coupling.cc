@@ -15,14 +15,16 @@ namespace signorini
     const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
     : n_owned_entries(partitioner->locally_owned_size())
   {
-    IndexSet ghosts(partitioner->size());
+    std::vector<types::global_dof_index> ghosts;
     for (const ContactNode<dim> &node : nodes)
       for (const auto &[partner, weight] : node.partners)
         if (!partitioner->in_local_range(dim * partner))
-          ghosts.add_range(dim * partner, dim * (partner + 1));
+          ghosts.push_back(partner);
     const MPI_Comm communicator = partitioner->get_mpi_communicator();
     partners                    = std::make_shared<Utilities::MPI::Partitioner>(
-      partitioner->locally_owned_range(), ghosts, communicator);
+      partitioner->locally_owned_range(),
+      entries_of_nodes<dim>(partitioner->size(), std::move(ghosts)),
+      communicator);
     ghost_values.resize(partners->n_ghost_indices());
     import_storage.resize(partners->n_import_indices());
 

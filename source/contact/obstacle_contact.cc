@@ -128,7 +128,10 @@ namespace signorini
                                          std::map<unsigned int, ContactNode<dim>> &closest)
   {
     const PairDescription &description = pairs[pair];
-    Vector                 area = discretization.make_vector(), outward = area;
+    const auto             rank        = [&](const ObstacleProjection<dim> &projection) {
+      return std::pair(!projection.is_carried(end_tolerance()), projection.gap);
+    };
+    Vector area = discretization.make_vector(), outward = area;
     integrate(description, area, outward);
     for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
@@ -144,7 +147,10 @@ namespace signorini
         const auto known = closest.find(node);
         // Across the normal, where an equator or the side of a box is, round-off must not decide.
         const bool faces = facing > 1e-8 * weight;
-        if (faces && (known == closest.end() || projection.gap < known->second.gap))
+        if (faces
+            && (known == closest.end()
+                || rank(projection) < rank(
+                     obstacles[pairs[known->second.pair].obstacle].shape->project(position))))
           closest[node] = {
             node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
       }
@@ -196,6 +202,27 @@ namespace signorini
 
 
   template <int dim>
+  double ObstacleContact<dim>::end_tolerance() const
+  {
+    return touching_distance(discretization.mesh().body_size());
+  }
+
+
+  template <int dim>
+  std::optional<ObstacleProjection<dim>>
+  ObstacleContact<dim>::at_an_end(const ContactNode<dim> &node, const Vector &displacement) const
+  {
+    const PairDescription &pair = pairs[node.pair];
+    if (pair.of_two_bodies() || !obstacles[pair.obstacle].shape->has_end())
+      return {};
+    Point<dim> position = node.position;
+    for (unsigned int c = 0; c < dim; ++c)
+      position[c] += displacement.local_element(dim * node.node + c);
+    return obstacles[pair.obstacle].shape->project(position);
+  }
+
+
+  template <int dim>
   std::vector<double> ObstacleContact<dim>::geometric_penetration(const Vector &displacement) const
   {
     std::vector<double> deepest(discretization.mesh().bodies().size(), 0.);
@@ -207,7 +234,7 @@ namespace signorini
         for (const PairDescription &pair : pairs)
           if (!pair.of_two_bodies() && pair.slave == body)
             deepest[body] =
-              std::max(deepest[body], -obstacles[pair.obstacle].shape->project(position).gap);
+              std::max(deepest[body], obstacles[pair.obstacle].shape->project(position).depth());
       }
     Utilities::MPI::max(deepest, discretization.communicator(), deepest);
     return deepest;
@@ -225,10 +252,10 @@ namespace signorini
         double     deepest = 0.;
         Point<dim> place;
         const auto look = [&](const Point<dim> &point) {
-          const double gap = obstacles[pair.obstacle].shape->project(point).gap;
-          if (gap < deepest)
+          const double depth = obstacles[pair.obstacle].shape->project(point).depth();
+          if (depth > deepest)
             {
-              deepest = gap;
+              deepest = depth;
               place   = point;
             }
         };
@@ -249,18 +276,18 @@ namespace signorini
                   look(point);
                 }
         // The process with the deepest point tells the others, so that all report the same place.
-        const double minimum = Utilities::MPI::min(deepest, discretization.communicator());
-        if (minimum < -tolerance)
+        const double maximum = Utilities::MPI::max(deepest, discretization.communicator());
+        if (maximum > tolerance)
           {
             for (unsigned int c = 0; c < dim; ++c)
               place[c] = Utilities::MPI::max(
-                deepest == minimum ? place[c] : std::numeric_limits<double>::lowest(),
+                deepest == maximum ? place[c] : std::numeric_limits<double>::lowest(),
                 discretization.communicator());
             std::ostringstream message;
             message
               << "Contact/Pairs = " << pair.name << ": the body '"
               << discretization.mesh().bodies()[pair.slave].name << "' penetrates the obstacle '"
-              << obstacles[pair.obstacle].name << "' at the start, by " << -minimum << " at ("
+              << obstacles[pair.obstacle].name << "' at the start, by " << maximum << " at ("
               << place
               << "). Move the body or the obstacle apart, or change the initial displacement.";
             throw UserError(message.str());

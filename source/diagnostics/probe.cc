@@ -44,7 +44,8 @@ namespace signorini
   ProbeReading Probe<dim>::read(const State &state) const
   {
     const std::vector<double> displacement = surface->relative_normal(state.displacement),
-                              velocity     = surface->relative_normal(state.velocity);
+                              velocity     = surface->relative_normal(state.velocity),
+                              distance     = surface->distance(state.displacement);
     ProbeReading reading;
     if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
@@ -52,7 +53,7 @@ namespace signorini
         const FrictionReading<dim> friction     = friction_at(*surface, state.friction, node);
         const double               scale        = contact_node.distance_per_gap();
         // Zero is added: there is no negative zero in tables.
-        reading.gap                 = scale * (contact_node.gap - displacement[node]) + 0.;
+        reading.gap                 = distance[node] + 0.;
         reading.normal_displacement = scale * displacement[node] + 0.;
         reading.normal_velocity     = scale * velocity[node] + 0.;
         reading.normal_force        = -contact_node.normal_force(state.contact_force) + 0.;

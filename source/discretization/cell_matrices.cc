@@ -40,26 +40,6 @@ namespace signorini
 
 
   template <int dim>
-  double ScaledCellMatrix<dim>::mass(const unsigned int a, const unsigned int b) const
-  {
-    return mass_factor * matrix->mass[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
-  }
-
-
-  template <int dim>
-  typename CellMatrix<dim>::Block ScaledCellMatrix<dim>::stiffness(const unsigned int a,
-                                                                   const unsigned int b) const
-  {
-    const auto &block = matrix->stiffness[CellMatrix<dim>::pair(std::min(a, b), std::max(a, b))];
-    typename CellMatrix<dim>::Block result;
-    for (unsigned int c = 0; c < dim; ++c)
-      for (unsigned int d = 0; d < dim; ++d)
-        result[dim * d + c] = stiffness_factor * (a <= b ? block[dim * d + c] : block[dim * c + d]);
-    return result;
-  }
-
-
-  template <int dim>
   CellMatrices<dim>::CellMatrices(const std::vector<BodyDescription<dim>> &bodies,
                                   const Mapping<dim>                      &mapping,
                                   const unsigned int                       n_quadrature_points,
@@ -75,9 +55,10 @@ namespace signorini
                 scalar_fe,
                 QGauss<dim>(n_quadrature_points),
                 update_values | update_gradients | update_JxW_values)
+    , centre_values(mapping, scalar_fe, QMidpoint<dim>(), update_jacobians)
   {
     for (const auto &body : bodies)
-      materials.push_back(body.material);
+      by_body.push_back({body.material, body.element});
   }
 
 
@@ -88,6 +69,14 @@ namespace signorini
       return of_straight(cell);
     const CellId id = cell->id();
     return is_straight(cell, id) ? of_straight(cell) : of_curved(cell, id);
+  }
+
+
+  template <int dim>
+  const FEValues<dim> &CellMatrices<dim>::values_on(const Cell &cell) const
+  {
+    fe_values.reinit(cell);
+    return fe_values;
   }
 
 
@@ -129,8 +118,10 @@ namespace signorini
     const auto  scaled = [this, &shape](std::pair<Shape, Kept> &found) {
       found.second.last_mesh = mesh;
       const double ratio     = shape.size / found.first.size;
-      return ScaledCellMatrix<dim>{
-        &found.second.matrix, std::pow(ratio, dim), dim == 2 ? 1. : ratio};
+      return ScaledCellMatrix<dim>{&found.second.matrix,
+                                   std::pow(ratio, dim),
+                                   dim == 2 ? 1. : ratio,
+                                   std::pow(ratio, dim - 1)};
     };
     if (latest != nullptr && shape.is_same(latest->first))
       return scaled(*latest);
@@ -157,7 +148,7 @@ namespace signorini
     if (found == curved_cells.end() && curved_cells.size() >= capacity)
       {
         compute(cell, not_kept);
-        return {&not_kept, 1., 1.};
+        return {&not_kept, 1., 1., 1.};
       }
     if (found == curved_cells.end())
       {
@@ -165,14 +156,14 @@ namespace signorini
         compute(cell, found->second.matrix);
       }
     found->second.last_mesh = mesh;
-    return {&found->second.matrix, 1., 1.};
+    return {&found->second.matrix, 1., 1., 1.};
   }
 
 
   template <int dim>
   void CellMatrices<dim>::compute(const Cell &cell, CellMatrix<dim> &result) const
   {
-    const Material &material = materials[cell->material_id()];
+    const Material &material = by_body[cell->material_id()].material;
     fe_values.reinit(cell);
     result.mass.fill(0.);
     for (auto &block : result.stiffness)
@@ -210,6 +201,14 @@ namespace signorini
             block[dim * d + c] = material.lambda() * products[dim * d + c]
                                  + material.mu() * products[dim * c + d]
                                  + (c == d ? material.mu() * trace : 0.);
+      }
+    result.modes = CellModes<dim>();
+    if (const auto &modes = strain_modes<dim>(by_body[cell->material_id()].element); !modes.empty())
+      {
+        centre_values.reinit(cell);
+        const Tensor<2, dim> jacobian(centre_values.jacobian(0));
+        result.modes = CellModes<dim>(
+          modes, fe_values, determinant(jacobian) * invert(jacobian), material, result);
       }
   }
 
@@ -252,8 +251,6 @@ namespace signorini
   }
 
 
-  template struct ScaledCellMatrix<2>;
-  template struct ScaledCellMatrix<3>;
   template class CellMatrices<2>;
   template class CellMatrices<3>;
 } // namespace signorini

@@ -9,6 +9,9 @@
 #include <deal.II/grid/grid_tools.h>
 
 #include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
 #include <sstream>
 
 namespace signorini
@@ -69,32 +72,43 @@ namespace signorini
 
     /** Refuse meshes that no computer at hand can hold, before an attempt to make them. */
     template <int dim>
-    void check_size(const std::vector<BodyDescription<dim>> &bodies,
-                    const std::vector<Triangulation<dim>>   &coarse_meshes,
-                    const unsigned int                       n_processes)
+    void check_size(const BodyDescription<dim> &body,
+                    const double                n_coarse_cells,
+                    const unsigned int          n_processes)
     {
-      constexpr double most_coarse = 2e4, most_per_process = 1e7;
-      for (unsigned int b = 0; b < bodies.size(); ++b)
-        {
-          const auto  &body  = bodies[b];
-          const double cells = coarse_meshes[b].n_active_cells()
-                               * std::pow(2., static_cast<double>(dim * body.refinements));
-          std::ostringstream message;
-          message << "Bodies/" << body.name;
-          if (coarse_meshes[b].n_active_cells() > most_coarse)
-            throw UserError(
-              message.str()
-              + (body.shape == BodyShape::file
-                   ? "/File has more than 20000 cells, which every process must keep. Make a "
-                     "coarser mesh and use Refinements."
-                   : "/Repetitions gives more than 20000 coarse cells, which every process must "
-                     "keep. Use fewer repetitions and more Refinements."));
-          message << "/Refinements = " << body.refinements << " gives " << cells
-                  << " cells, too many for " << n_processes
-                  << " process(es). Use fewer refinements or more processes.";
-          if (cells > most_per_process * n_processes)
-            throw UserError(message.str());
-        }
+      constexpr double most_coarse = 1e6, most_per_process = 1e7;
+      if (n_coarse_cells > most_coarse)
+        throw UserError(
+          "Bodies/" + body.name
+          + (body.shape == BodyShape::file
+               ? "/File has more than 1000000 cells, which every process must keep. Make a coarser "
+                 "mesh and use Refinements."
+               : "/Repetitions gives more than 1000000 coarse cells, which every process must "
+                 "keep. Use fewer repetitions and more Refinements."));
+      const double cells =
+        n_coarse_cells * std::pow(2., static_cast<double>(dim * body.refinements));
+      std::ostringstream message;
+      message << "Bodies/" << body.name << "/Refinements = " << body.refinements << " gives "
+              << cells << " cells, too many for " << n_processes
+              << " process(es). Use fewer refinements or more processes.";
+      if (cells > most_per_process * n_processes)
+        throw UserError(message.str());
+    }
+
+
+    /** The coarse mesh of a body, if it is not too large. */
+    template <int dim>
+    Triangulation<dim> coarse_mesh(const BodyDescription<dim> &body, const unsigned int n_processes)
+    {
+      if (body.shape == BodyShape::box)
+        check_size(body,
+                   std::accumulate(
+                     body.repetitions.begin(), body.repetitions.end(), 1., std::multiplies<>()),
+                   n_processes);
+      Triangulation<dim> mesh;
+      make_coarse_mesh(body, mesh);
+      check_size(body, mesh.n_active_cells(), n_processes);
+      return mesh;
     }
   } // namespace
 
@@ -103,22 +117,23 @@ namespace signorini
   void make_triangulation(const std::vector<BodyDescription<dim>>   &bodies,
                           parallel::distributed::Triangulation<dim> &triangulation)
   {
-    std::vector<Point<dim>>         vertices;
-    std::vector<CellData<dim>>      cells;
-    SubCellData                     faces;
-    constexpr types::manifold_id    ids_per_body = 4;
-    std::vector<Triangulation<dim>> coarse_meshes(bodies.size());
+    std::vector<Point<dim>>                                      vertices;
+    std::vector<CellData<dim>>                                   cells;
+    SubCellData                                                  faces;
+    constexpr types::manifold_id                                 ids_per_body = 4;
+    std::map<types::manifold_id, std::unique_ptr<Manifold<dim>>> manifolds;
     for (unsigned int b = 0; b < bodies.size(); ++b)
-      make_coarse_mesh(bodies[b], coarse_meshes[b]);
-    check_size(
-      bodies, coarse_meshes, Utilities::MPI::n_mpi_processes(triangulation.get_communicator()));
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      append(coarse_meshes[b], b, ids_per_body * b, vertices, cells, faces);
+      {
+        const Triangulation<dim> mesh =
+          coarse_mesh(bodies[b], Utilities::MPI::n_mpi_processes(triangulation.get_communicator()));
+        append(mesh, b, ids_per_body * b, vertices, cells, faces);
+        for (const types::manifold_id id : mesh.get_manifold_ids())
+          if (id != numbers::flat_manifold_id)
+            manifolds[ids_per_body * b + id] = mesh.get_manifold(id).clone();
+      }
     triangulation.create_triangulation(vertices, cells, faces);
-    for (unsigned int b = 0; b < bodies.size(); ++b)
-      for (const types::manifold_id id : coarse_meshes[b].get_manifold_ids())
-        if (id != numbers::flat_manifold_id)
-          triangulation.set_manifold(ids_per_body * b + id, coarse_meshes[b].get_manifold(id));
+    for (const auto &[id, manifold] : manifolds)
+      triangulation.set_manifold(id, *manifold);
 
     unsigned int most = 0, most_local = 0;
     for (const auto &body : bodies)

@@ -56,6 +56,7 @@ namespace signorini
                         n_quadrature_points() + extra_points<dim>(geometry))
   {
     make_triangulation(descriptions, cells);
+    find_bounding_boxes();
     extents.assign(descriptions.size(), 0.);
     for (unsigned int b = 0; b < descriptions.size(); ++b)
       for (unsigned int c = 0; c < dim; ++c)
@@ -76,6 +77,7 @@ namespace signorini
   template <int dim>
   void Mesh<dim>::update()
   {
+    find_bounding_boxes();
     if (mapping().get_degree() == 1 && !geometry.has_base() && cells.has_hanging_nodes())
       straighten_hanging_vertices();
     geometry.update(cells);
@@ -115,14 +117,24 @@ namespace signorini
 
 
   template <int dim>
-  BoundingBox<dim> Mesh<dim>::bounding_box(const unsigned int body) const
+  void Mesh<dim>::find_bounding_boxes()
   {
-    std::vector<Point<dim>> points;
+    Point<dim> lowest, highest;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        lowest[c]  = std::numeric_limits<double>::lowest();
+        highest[c] = std::numeric_limits<double>::max();
+      }
+    std::vector<std::pair<Point<dim>, Point<dim>>> corners(descriptions.size(), {highest, lowest});
     for (const auto &cell : cells.cell_iterators_on_level(0))
-      if (cell->material_id() == body)
-        for (const unsigned int v : cell->vertex_indices())
-          points.push_back(cell->vertex(v));
-    return BoundingBox<dim>(points);
+      for (const unsigned int v : cell->vertex_indices())
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            auto &[lower, upper] = corners[cell->material_id()];
+            lower[c]             = std::min(lower[c], cell->vertex(v)[c]);
+            upper[c]             = std::max(upper[c], cell->vertex(v)[c]);
+          }
+    boxes.assign(corners.begin(), corners.end());
   }
 
 

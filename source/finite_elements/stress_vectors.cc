@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/finite_elements/cell_map.h>
+#include <signorini/finite_elements/cell_strain.h>
 #include <signorini/finite_elements/stress_vectors.h>
 
 #include <cmath>
@@ -14,17 +14,15 @@ namespace signorini
     FaceStress<dim> stress_at_points(const PointTable<dim> &polynomials,
                                      const PointTable<dim> &map_polynomials,
                                      const unsigned int     face,
-                                     const Material        &material,
-                                     const double          *displacement,
-                                     const double          *support_points)
+                                     const CellStrain<dim> &strain)
     {
-      const FourMatrices<dim> jacobian = map_polynomials.gradients(support_points);
-      const FourMatrices<dim> cofactor = cofactors(jacobian);
-      const FourNumbers       volume   = determinant<dim>(jacobian, cofactor);
-      const FourMatrices<dim> gradient =
-        product(polynomials.gradients(displacement), cofactor); // times volume
-      FourVectors<dim> area_vector = cofactor[face / 2];
-      FourNumbers      divergence{}, square{}, area;
+      const Material         &material    = strain.material;
+      const FourMatrices<dim> jacobian    = strain.jacobian(map_polynomials);
+      const FourMatrices<dim> cofactor    = cofactors(jacobian);
+      const FourNumbers       volume      = determinant<dim>(jacobian, cofactor);
+      const FourMatrices<dim> gradient    = strain.gradient(polynomials, cofactor); // times volume
+      FourVectors<dim>        area_vector = cofactor[face / 2];
+      FourNumbers             divergence{}, square{}, area;
       for (unsigned int c = 0; c < dim; ++c)
         {
           area_vector[c] *= face % 2 == 1 ? 1. : -1.;
@@ -50,6 +48,13 @@ namespace signorini
           q < GaussTables<dim>::n_face_points ? area[q] / GaussTables<dim>::n_face_points : 0.;
       return result;
     }
+
+
+    template <int dim>
+    const GaussTables<dim> &tables_of_map(const CellNeighbors<dim> &mesh)
+    {
+      return GaussTables<dim>::of_degree(mesh.discretization.mesh().mapping().get_degree());
+    }
   } // namespace
 
 
@@ -59,19 +64,15 @@ namespace signorini
     , displacement(displacement)
     , stresses(mesh.cells.size() * GaussTables<dim>::n_faces)
   {
-    const auto                         &mapping = mesh.discretization.mesh().mapping();
-    const auto                         &tables  = GaussTables<dim>::of_degree(1);
-    const auto                         &of_map  = GaussTables<dim>::of_degree(mapping.get_degree());
-    FaceStress<dim>                    *next_face = stresses.data();
-    std::array<double, dim *(1 << dim)> values;
+    const auto      &tables    = GaussTables<dim>::of_degree(1);
+    const auto      &of_map    = tables_of_map(mesh);
+    FaceStress<dim> *next_face = stresses.data();
     for (const LocalCell<dim> &cell : mesh.cells)
       {
-        mesh.gather(cell, displacement, values.data());
-        const auto      points   = support_points(mapping, cell.cell);
-        const Material &material = mesh.discretization.mesh().bodies()[cell.body].material;
+        const CellStrain<dim> strain(mesh, cell, displacement);
         for (unsigned int face = 0; face < GaussTables<dim>::n_faces; ++face)
-          *next_face++ = stress_at_points<dim>(
-            tables.faces[face], of_map.faces[face], face, material, values.data(), numbers(points));
+          *next_face++ =
+            stress_at_points<dim>(tables.faces[face], of_map.faces[face], face, strain);
       }
   }
 
@@ -81,19 +82,11 @@ namespace signorini
                                                  const unsigned int face,
                                                  const unsigned int subface) const
   {
-    const auto                         &discretization = mesh.discretization;
-    const LocalCell<dim>               &local          = mesh.cells[cell];
-    const unsigned int                  table = GaussTables<dim>::n_subfaces * face + subface;
-    std::array<double, dim *(1 << dim)> values;
-    mesh.gather(local, displacement, values.data());
-    const auto points = support_points(discretization.mesh().mapping(), local.cell);
-    return stress_at_points<dim>(
-      GaussTables<dim>::of_degree(1).subfaces[table],
-      GaussTables<dim>::of_degree(discretization.mesh().mapping().get_degree()).subfaces[table],
-      face,
-      discretization.mesh().bodies()[local.body].material,
-      values.data(),
-      numbers(points));
+    const unsigned int table = GaussTables<dim>::n_subfaces * face + subface;
+    return stress_at_points<dim>(GaussTables<dim>::of_degree(1).subfaces[table],
+                                 tables_of_map(mesh).subfaces[table],
+                                 face,
+                                 CellStrain<dim>(mesh, mesh.cells[cell], displacement));
   }
 
 

@@ -72,9 +72,9 @@ namespace signorini
     using Values       = typename Moments::Values;
     using Matrix       = Eigen::Matrix<double, n, n>;
     const auto moments = [&](const unsigned int body, const unsigned int i, const unsigned int j) {
-      const auto box = discretization.mesh().bounding_box(body);
-      return Moments{box.center(), discretization.mesh().body_size()}.at(positions[i],
-                                                                         positions[j]);
+      return Moments{discretization.mesh().bounding_box(body).center(),
+                     discretization.mesh().body_size()}
+        .at(positions[i], positions[j]);
     };
     std::vector<double> sums(n_bodies * (n + n * n), 0.);
     const auto          taken = [&](const unsigned int body) {

@@ -52,6 +52,8 @@ namespace signorini
                                                                            {3, 4},
                                                                            {4, 1}};
 
+    const char *const quadrilaterals = "(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*";
+
     class Translator
     {
     public:
@@ -60,6 +62,7 @@ namespace signorini
 
     private:
       void start(const std::string &line);
+      void check_type(const std::string &type);
       void finish() const;
       void data(const Words &words, const std::string &line);
       void element(const Words &words);
@@ -67,8 +70,9 @@ namespace signorini
       void face(const Element &element, unsigned int face_number, unsigned int id);
       long integer(const std::string &word) const;
 
-      Keyword keyword;         ///< that the data below belong to
-      bool    has_data = true; ///< whether the keyword has data so far
+      Keyword keyword;              ///< that the data below belong to
+      bool    has_data      = true; ///< whether the keyword has data so far
+      bool    has_hexahedra = false, has_quadrilaterals = false;
       Words   unfinished_element;
       std::map<std::string, std::vector<long>>     sets;
       std::map<long, Words>                        nodes; ///< coordinates as written
@@ -146,13 +150,34 @@ namespace signorini
       finish();
       has_data = false;
       keyword  = parse_keyword(line);
-      if (keyword.name == "*ELEMENT"
-          && !std::regex_match(keyword.value("TYPE"),
-                               std::regex("C3D8[A-Z]*|(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*")))
-        throw MeshFileError(
-          "it has elements of type `" + keyword.value("TYPE")
-          + "`. Only quadrilaterals with 4 vertices (2d, CPE4 or CPS4) and hexahedra with 8 (3d, "
-            "C3D8) can be used; mesh the body with these.");
+      if (keyword.name == "*ELEMENT")
+        check_type(keyword.value("TYPE"));
+    }
+
+    void Translator::check_type(const std::string &type)
+    {
+      const auto is = [&](const char *pattern) {
+        return std::regex_match(type, std::regex(pattern));
+      };
+      const std::string head = "it has elements of type `" + type + "`. ";
+      const std::string only = "Only quadrilaterals with 4 vertices (2d, CPE4 or CPS4) and "
+                               "hexahedra with 8 (3d, C3D8) can be used. ";
+      // What Gmsh writes into .inp files besides cells: faces, whose groups are element sets.
+      const std::string save_as_msh =
+        "Gmsh's .inp files have no surfaces with numbers; save the mesh as .msh (version 2.2 or "
+        "4.1, "
+        "text), where the numbers of physical groups are the boundary ids.";
+      const bool is_hexahedron = is("C3D8[A-Z]*"), is_quadrilateral = is(quadrilaterals);
+      if (is("T[23]D[23].*"))
+        throw MeshFileError(head + save_as_msh);
+      if (is("C3D(20|27).*|(CPS|CPE|CAX|S|M3D)(8|9).*"))
+        throw MeshFileError(head + only + MeshFileError::first_order);
+      if (!is_hexahedron && !is_quadrilateral)
+        throw MeshFileError(head + only + MeshFileError::subdivide);
+      has_hexahedra      = has_hexahedra || is_hexahedron;
+      has_quadrilaterals = has_quadrilaterals || is_quadrilateral;
+      if (has_hexahedra && has_quadrilaterals)
+        throw MeshFileError("it has quadrilaterals besides hexahedra. " + save_as_msh);
     }
 
     long Translator::integer(const std::string &word) const

@@ -64,6 +64,46 @@ namespace signorini
     }
   } // namespace
 
+  namespace
+  {
+    /** Section Elements of version 2 to 4.1: only points, lines, quadrilaterals and hexahedra? */
+    void check_gmsh_elements(std::istream &in, const double version)
+    {
+      const std::string where = "the section `$Elements`";
+      // By type: the number of nodes. Others have triangles, or nodes in the middle of edges.
+      const std::map<unsigned int, unsigned int> n_nodes_of = {{15, 1}, {1, 2}, {3, 4}, {5, 8}};
+      const std::set<unsigned int>               with_triangles{2, 4, 6, 7};
+      const auto                                 n_nodes = [&](const unsigned int type) {
+        const auto  found = n_nodes_of.find(type);
+        const auto &remedy =
+          with_triangles.count(type) > 0 ? MeshFileError::subdivide : MeshFileError::first_order;
+        if (found == n_nodes_of.end())
+          throw MeshFileError(
+            "it has elements of Gmsh's type " + std::to_string(type)
+            + ". Only quadrilaterals with 4 nodes (2d, type 3) and hexahedra with "
+                                              "8 (3d, type 5) can be used. "
+            + remedy);
+        return found->second;
+      };
+      const auto n_blocks = next<unsigned long>(in, where); // version 2: elements
+      if (version >= 4.)
+        skip_numbers(in, version > 4. ? 3 : 1, where);
+      for (unsigned long block = 0; block < n_blocks; ++block)
+        if (version < 4.)
+          {
+            next<unsigned long>(in, where);
+            const auto type = next<unsigned int>(in, where), n_tags = next<unsigned int>(in, where);
+            skip_numbers(in, n_tags + n_nodes(type), where);
+          }
+        else
+          {
+            skip_numbers(in, 2, where);
+            const auto type = next<unsigned int>(in, where);
+            skip_numbers(in, next<unsigned long>(in, where) * (1 + n_nodes(type)), where);
+          }
+    }
+  } // namespace
+
   void check_gmsh(const std::string &text)
   {
     std::istringstream    in(text);
@@ -83,6 +123,8 @@ namespace signorini
         sections.insert(line.substr(1));
         if (line == "$Nodes")
           check_gmsh_nodes(in, version);
+        if (line == "$Elements")
+          check_gmsh_elements(in, version);
         if (line == "$MeshFormat" && std::getline(in, line))
           {
             std::istringstream numbers(line);
@@ -139,8 +181,8 @@ namespace signorini
         has_cells = has_cells || type == "quad" || type == "hex";
         if (type != "line" && type != "quad" && type != "hex")
           throw MeshFileError("cell " + std::to_string(number) + " is of type `" + type
-                              + "`. Only quadrilaterals (2d) and hexahedra (3d) can be used; mesh "
-                                "the body with these.");
+                              + "`. Only quadrilaterals (2d) and hexahedra (3d) can be used. "
+                              + MeshFileError::subdivide);
         for (unsigned int v = 0; v < found->second; ++v)
           {
             const auto vertex = next<long>(in, "the list of cells");
@@ -162,6 +204,11 @@ namespace signorini
       std::vector<unsigned int> n_vertices;
       const auto                n_cells = next<unsigned int>(in, "`CELLS`");
       next<unsigned int>(in, "`CELLS`");
+      if ((in >> std::ws).peek() == 'O')
+        throw MeshFileError(
+          "the cells are listed as `OFFSETS` and `CONNECTIVITY`, as VTK 5 does. Save it as a "
+          "legacy "
+          "file of version 4.2 (ParaView: `File Version`; meshio: format `vtk42`).");
       for (unsigned int c = 0; c < n_cells; ++c)
         {
           n_vertices.push_back(next<unsigned int>(in, "the list of cells"));
@@ -177,6 +224,13 @@ namespace signorini
       return n_vertices;
     }
 
+    std::string remedy_for_vtk(const unsigned int type)
+    {
+      if (type == 1)
+        return "Points are what Gmsh writes for a mesh without physical groups; save it as .msh.";
+      return type > 20 ? MeshFileError::first_order : MeshFileError::subdivide;
+    }
+
     void check_vtk_types(std::istream &in, const std::vector<unsigned int> &n_vertices)
     {
       const std::map<unsigned int, unsigned int> n_vertices_of = {
@@ -190,8 +244,8 @@ namespace signorini
             throw MeshFileError(
               "cell " + std::to_string(c) + " (counted from 0) has the VTK type "
               + std::to_string(type)
-              + ". Only quadrilaterals (2d, type 9) and hexahedra (3d, type 12) can be used; mesh "
-                "the body with these.");
+              + ". Only quadrilaterals (2d, type 9) and hexahedra (3d, type 12) can be used. "
+              + remedy_for_vtk(type));
           if (found->second != n_vertices[c])
             throw MeshFileError("the file is broken: cell " + std::to_string(c)
                                 + " (counted from 0) of VTK type " + std::to_string(type) + " has "

@@ -165,8 +165,8 @@ namespace signorini
       if (!mesh.all_reference_cells_are_hyper_cube())
         throw MeshFileError(std::string("it has ")
                             + (dim == 2 ? "triangles" : "tetrahedra or other cells with triangles")
-                            + ". Only " + cell_name<dim>()
-                            + " can be used; mesh the body with these.");
+                            + ". Only " + cell_name<dim>() + " can be used. "
+                            + MeshFileError::subdivide);
       check_jacobians(mesh);
     }
   } // namespace

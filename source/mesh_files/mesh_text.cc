@@ -42,7 +42,8 @@ namespace signorini
       if (content.empty())
         throw MeshFileError("the file is empty. Write the mesh again.");
       if (content.find('\0') != std::string::npos)
-        throw MeshFileError("it is a binary file. Write the mesh as text (ASCII).");
+        throw MeshFileError(
+          "it is a binary file. Write the mesh as text (ASCII); in Gmsh: `Mesh.Binary = 0`.");
       content.erase(std::remove(content.begin(), content.end(), '\r'), content.end());
       return content;
     }
@@ -71,7 +72,7 @@ namespace signorini
     if (extension == ".vtk")
       {
         check_vtk(text);
-        return {Format::vtk, text};
+        return {Format::vtk, vtk_for_dealii(text)};
       }
     const std::string ucd = is_abaqus(text) ? abaqus_to_ucd(text) : text;
     check_ucd(ucd);

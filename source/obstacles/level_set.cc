@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/expressions.h>
 #include <signorini/base/user_error.h>
 #include <signorini/obstacles/level_set.h>
 #include <signorini/prm/check_expressions.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <algorithm>
-#include <limits>
+#include <cmath>
+#include <sstream>
 
 namespace signorini
 {
@@ -18,46 +17,32 @@ namespace signorini
   template <int dim>
   LevelSet<dim>::LevelSet(const std::string &name, const std::string &expression)
     : name(name)
-    , function(make_function<dim, 1>({{expression}}))
+    , expression(expression)
   {
-    function->set_formula(AutoDerivativeFunction<dim>::FourthOrder);
   }
 
 
   template <int dim>
   ObstacleProjection<dim> LevelSet<dim>::project(const Point<dim> &p) const
   {
-    const Tensor<1, dim> gradient = this->gradient(p);
-    const double         slope    = gradient.norm();
-    if (!(slope > 1e-8))
-      throw UserError("Obstacles/" + name
-                      + "/Signed distance does not change near a contact node (its gradient "
-                        "vanishes), so it has no normal there. Give a distance function whose "
-                        "gradient has length 1.");
-    return {function->value(p) / slope, -gradient / slope};
-  }
-
-
-  template <int dim>
-  Tensor<1, dim> LevelSet<dim>::gradient(const Point<dim> &p) const
-  {
-    // Differences of order h^4. Steps are right if the next smaller ones agree: longer ones suffer
-    // from the features of the surface, shorter ones from cancellation, which depends on how far
-    // away the origin is.
-    double step = 1e-2 * std::max(1e-3, p.norm()), best = std::numeric_limits<double>::max();
-    Tensor<1, dim> result, last;
-    for (unsigned int k = 0; k < 6; ++k, step /= 10.)
+    const DualNumber<dim> distance = expression(p);
+    const double          slope    = distance.gradient.norm();
+    if (!std::isfinite(distance.value) || !std::isfinite(slope) || !(slope > 0.))
       {
-        function->set_h(step);
-        const Tensor<1, dim> next = function->gradient(p);
-        if (k > 0 && (next - last).norm() < best)
-          {
-            best   = (next - last).norm();
-            result = next;
-          }
-        last = next;
+        std::ostringstream message;
+        message << "Obstacles/" << name << "/Signed distance ";
+        if (!std::isfinite(distance.value))
+          message << "is not a finite number";
+        else if (!std::isfinite(slope))
+          message << "has no gradient, and so no normal,";
+        else
+          message << "does not change (its gradient vanishes), so it has no normal";
+        message << " at (" << p
+                << "), where a contact node is. Give a distance function whose gradient has length "
+                   "1, or another one at such points with if(condition, a, b).";
+        throw UserError(message.str());
       }
-    return result;
+    return {distance.value / slope, -distance.gradient / slope};
   }
 
 
@@ -67,7 +52,8 @@ namespace signorini
                       "",
                       Patterns::Anything(),
                       "Function: expression in x, y, z (length), positive where the bodies may be, "
-                      "near its zero set the distance to it. Example, a bowl: z - 0.1*(x^2 + y^2)");
+                      "near its zero set the distance to it, with all functions that have a "
+                      "derivative. Example, a bowl: z - 0.1*(x^2 + y^2)");
   }
 
 
@@ -81,7 +67,16 @@ namespace signorini
               "an obstacle of shape `function` needs this expression. Give one, for example z - "
               "0.1*x^2.");
     check_expression<dim>(in, key, expression, {}, "");
-    return std::make_shared<LevelSet<dim>>(name, expression);
+    try
+      {
+        return std::make_shared<LevelSet<dim>>(name, expression);
+      }
+    catch (const UserError &error)
+      {
+        in.fail(key,
+                std::string(error.what())
+                  + ", and the normal of the obstacle is one. Write it with other functions.");
+      }
   }
 
 

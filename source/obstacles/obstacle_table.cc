@@ -8,16 +8,32 @@
 
 namespace signorini
 {
+  using Keys = std::vector<std::string>;
+
   template <int dim>
   const std::vector<ObstacleShape<dim>> &obstacle_shapes()
   {
     static const std::vector<ObstacleShape<dim>> shapes{
-      {"plane", "plane", declare_plane<dim>, parse_plane<dim>},
-      {"sphere", "sphere (in 2d: a circle)", declare_sphere<dim>, parse_sphere<dim>},
-      {"cylinder", "cylinder (3d, of infinite length)", declare_cylinder<dim>, parse_cylinder<dim>},
+      {"plane",
+       "plane",
+       declare_plane<dim>,
+       dim == 2 ? Keys{"Point", "Normal", "Extent"}
+                : Keys{"Point", "Normal", "Extent", "Extent direction"},
+       parse_plane<dim>},
+      {"sphere",
+       "sphere (in 2d: a circle)",
+       declare_sphere<dim>,
+       {"Centre", "Radius", "Bodies inside"},
+       parse_sphere<dim>},
+      {"cylinder",
+       "cylinder (3d, of infinite length)",
+       declare_cylinder<dim>,
+       {"Point", "Radius", "Bodies inside", "Axis"},
+       parse_cylinder<dim>},
       {"function",
        "function (the zero set of an expression)",
        declare_level_set,
+       {"Signed distance"},
        parse_level_set<dim>}};
     return shapes;
   }

@@ -66,10 +66,10 @@ namespace signorini
     extended_partitioner(const Utilities::MPI::Partitioner  &old,
                          const std::vector<ContactRow<dim>> &rows)
     {
-      IndexSet   ghosts   = old.ghost_indices();
-      const auto add_node = [&](const types::global_dof_index node) {
+      std::vector<types::global_dof_index> strangers;
+      const auto                           add_node = [&](const types::global_dof_index node) {
         if (!old.in_local_range(dim * node))
-          ghosts.add_range(dim * node, dim * (node + 1));
+          strangers.push_back(node);
       };
       for (const ContactRow<dim> &row : rows)
         {
@@ -84,7 +84,8 @@ namespace signorini
             for (const auto neighbour : row.neighbours)
               add_node(neighbour);
         }
-      ghosts.compress();
+      IndexSet ghosts = entries_of_nodes<dim>(old.size(), std::move(strangers));
+      ghosts.add_indices(old.ghost_indices());
       return std::make_shared<Utilities::MPI::Partitioner>(
         old.locally_owned_range(), ghosts, old.get_mpi_communicator());
     }

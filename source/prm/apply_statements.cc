@@ -126,7 +126,8 @@ namespace signorini
     }
 
     /** In words what a deal.II pattern such as "[Selection a|b ]" wants. */
-    std::string explain(const std::string &pattern, const std::string &value)
+    std::string
+    explain(const std::string &pattern, const std::string &key, const std::string &value)
     {
       const auto begins = [&](const std::string &word) { return pattern.rfind(word, 0) == 0; };
       if (begins("[Selection"))
@@ -145,6 +146,9 @@ namespace signorini
                  + (pattern.find("[Integer") != std::string::npos ? " integers" : " numbers")
                  + " (one per space dimension), separated by commas.";
         }
+      if (const std::size_t n = split(value, ',').size(); begins("[Double") && n > 1)
+        return "must be one number, not " + std::to_string(n) + "."
+               + (key == "Rotation" ? " In 2d it is one angle, about the z axis." : "");
       if (begins("[Double"))
         return "must be a finite number, for example 5e-3.";
       if (begins("[Integer"))
@@ -171,7 +175,7 @@ namespace signorini
           const std::string mark    = "given pattern <";
           const std::size_t begin   = info.str().rfind(mark) + mark.size();
           const std::string pattern = info.str().substr(begin, info.str().rfind('>') - begin);
-          complaint                 = explain(pattern, statement.value);
+          complaint                 = explain(pattern, statement.key, statement.value);
         }
       for (std::size_t i = 0; i < statement.section.size(); ++i)
         prm.leave_subsection();

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace signorini
@@ -159,6 +160,26 @@ namespace signorini
       origin = place;
     }
 
+    /**
+     * A file that sets a key twice has a mistake in one of the lines. What another file has set
+     * that it includes, it may change.
+     */
+    void refuse_repetitions(const std::vector<Statement> &statements)
+    {
+      std::map<std::string, const Statement *> known; // by file and path
+      for (const Statement &statement : statements)
+        {
+          const std::size_t comma = statement.origin.rfind(", line ");
+          const auto [earlier, is_new] =
+            known.emplace(statement.origin.substr(0, comma) + '\n' + statement.path(), &statement);
+          if (!is_new && !statement.key.empty())
+            throw UserError(statement.origin + ": " + statement.path() + " = " + statement.value
+                            + ": this key is set already in"
+                            + earlier->second->origin.substr(comma + 1) + ", to "
+                            + earlier->second->value + ". Remove one of the two.");
+        }
+    }
+
     Statement statement_of_override(const Override &override, const std::string &file_name)
     {
       std::vector<std::string> path = split(override.first, '/');
@@ -168,7 +189,7 @@ namespace signorini
           + "\": the path has an empty name. Write --set \"Section/Subsection/Key=value\".");
       const std::string key = path.back();
       path.pop_back();
-      return {path, key, trim(override.second), file_name + ", --set"};
+      return {path, key, trim(override.second), file_name + ", --set", true};
     }
   } // namespace
 
@@ -204,6 +225,7 @@ namespace signorini
     text.original  = read_file(file_name);
     std::istringstream in(text.original);
     text.statements = scan_statements(in, file_name);
+    refuse_repetitions(text.statements);
     for (const Override &override : overrides)
       text.statements.push_back(statement_of_override(override, file_name));
     return text;

@@ -56,6 +56,12 @@ namespace signorini
                        [&](const Statement &statement) { return statement.section == names; });
   }
 
+  bool SectionReader::overridden(const std::string &key) const
+  {
+    const Statement *statement = scene_text->find(names, key);
+    return statement != nullptr && statement->is_override;
+  }
+
   std::string SectionReader::text(const std::string &key) const
   {
     return prm->get(names, key);

@@ -24,6 +24,15 @@ namespace signorini
     using dealii::Patterns::Anything;
     declare_shape<dim>(prm);
     declare_material(prm);
+    prm.declare_entry(
+      "Element",
+      name_of(ElementKind::enhanced),
+      choices_of<ElementKind>(),
+      "What strain a cell has. standard: that of its (bi-, tri-)linear displacement; "
+      "too stiff in bending, and if Poisson's ratio is close to 0.5. enhanced: also "
+      "that of incompatible modes, eliminated cell by cell, which cure both at no "
+      "cost per step. mean dilatation: one change of volume per cell, which cures "
+      "the latter only; for comparison. See doc/elements.md.");
     prm.declare_entry("Initial displacement",
                       zero_vector<dim>(),
                       Anything(),
@@ -53,6 +62,7 @@ namespace signorini
     body.name = name;
     parse_shape(in, body);
     body.material = parse_material(in);
+    body.element  = in.choice<ElementKind>("Element");
 
     const auto points         = sample_points(body);
     body.initial_displacement = read_expressions<dim>(in, "Initial displacement", points, false);

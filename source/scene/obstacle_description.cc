@@ -3,11 +3,13 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/obstacles/obstacle_table.h>
+#include <signorini/prm/unused_keys.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <map>
 
 namespace signorini
 {
@@ -25,13 +27,33 @@ namespace signorini
                       names.front(),
                       Selection(join(names, "|")),
                       "One of: " + join(summaries, ", ") + ".");
-    prm.declare_entry("Point",
-                      (dim == 2 ? "0, 0" : "0, 0, 0"),
-                      List(Double(), dim, dim),
-                      "Plane: a point of its surface; cylinder: a point of its axis (length).");
+    prm.declare_entry(
+      "Point",
+      (dim == 2 ? "0, 0" : "0, 0, 0"),
+      List(Double(), dim, dim),
+      "Plane: a point of its surface, with `Extent` the middle of it; cylinder: a point "
+      "of its axis (length).");
     for (const ObstacleShape<dim> &shape : obstacle_shapes<dim>())
       shape.declare(prm);
   }
+
+
+  namespace
+  {
+    template <int dim>
+    void refuse_keys_of_others(const SectionReader &in, const ObstacleShape<dim> &own)
+    {
+      dealii::ParameterHandler declared;
+      declare_obstacle<dim>(declared);
+      std::map<std::string, std::vector<std::string>> owners;
+      for (const ObstacleShape<dim> &shape : obstacle_shapes<dim>())
+        for (const std::string &key : shape.keys)
+          owners[key].emplace_back(shape.name);
+      for (const auto &[key, shapes] : owners)
+        if (std::find(own.keys.begin(), own.keys.end(), key) == own.keys.end())
+          refuse_without_effect(in, key, declared, "the shape " + join(shapes, " or "), "Shape");
+    }
+  } // namespace
 
 
   template <int dim>
@@ -46,6 +68,7 @@ namespace signorini
       std::find_if(shapes.begin(), shapes.end(), [&](const ObstacleShape<dim> &candidate) {
         return candidate.name == in.text("Shape");
       });
+    refuse_keys_of_others(in, *shape);
     return {name, shape->parse(in, name)};
   }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
+#include <signorini/prm/unused_keys.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -120,6 +121,12 @@ namespace signorini
         refuse("Stop sticking nodes", with_predictor());
       if (!time.parameters.impulses_per_node && !scheme.impulses)
         refuse("Impulses", with_impulses());
+      dealii::ParameterHandler declared;
+      declare_scheme_parameters(declared);
+      for (const std::string key :
+           {"HHT alpha", "Spectral radius", "Reference tolerance", "Newmark beta", "Newmark gamma"})
+        if (!scheme.has_parameter(key))
+          refuse_without_effect(in, key, declared, with_parameter(key), "Scheme");
     }
 
 

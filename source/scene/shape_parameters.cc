@@ -6,9 +6,12 @@
 #include <signorini/mesh_files/mesh_file.h>
 #include <signorini/model/body_shape.h>
 #include <signorini/prm/check_expressions.h>
+#include <signorini/prm/unused_keys.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
+
+#include <algorithm>
 
 namespace signorini
 {
@@ -105,6 +108,31 @@ namespace signorini
           in.fail("File", error.what());
         }
     }
+
+    /** Refuse keys that only other shapes look at. */
+    template <int dim>
+    void check_unused_keys(const SectionReader &in, const BodyShape shape)
+    {
+      static const std::vector<std::pair<std::string, std::vector<BodyShape>>> owners = {
+        {"Centre", {BodyShape::ball, BodyShape::cylinder}},
+        {"Radius", {BodyShape::ball, BodyShape::cylinder}},
+        {"Length", {BodyShape::cylinder}},
+        {"Axis", {BodyShape::cylinder}},
+        {"Lower corner", {BodyShape::box}},
+        {"Upper corner", {BodyShape::box}},
+        {"Repetitions", {BodyShape::box}}};
+      dealii::ParameterHandler declared;
+      declare_shape<dim>(declared);
+      for (const auto &[key, shapes] : owners)
+        if (std::find(shapes.begin(), shapes.end(), shape) == shapes.end())
+          refuse_without_effect(in,
+                                key,
+                                declared,
+                                shapes.size() == 2            ? "balls and cylinders"
+                                : shapes[0] == BodyShape::box ? "boxes"
+                                                              : "cylinders",
+                                "Shape");
+    }
   } // namespace
 
   template <int dim>
@@ -133,7 +161,8 @@ namespace signorini
       "Repetitions",
       coordinates<dim>("1"),
       List(Integer(), dim, dim),
-      "Box: number of coarse cells in each direction. Cells should be nearly cubes.");
+      "Box: number of coarse cells in each direction, at most a million together. Cells should be "
+      "nearly cubes. Every process keeps all coarse cells: make fine meshes by Refinements.");
     prm.declare_entry(
       "File",
       "",
@@ -141,8 +170,9 @@ namespace signorini
       "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative to the folder of "
       "the scene. Gmsh (.msh, text of version 2.2 or 4.1; boundary ids: numbers of the physical "
       "groups), Abaqus (.inp; boundary ids: numbers in the names of the surfaces, such as SS3 or "
-      "Surf-3), UCD (.inp, .ucd), VTK (.vtk, legacy). Faces in no group or surface have boundary "
-      "id 0.");
+      "Surf-3), UCD (.inp, .ucd), VTK (.vtk, legacy up to 4.2, text). Faces in no group or surface "
+      "have boundary "
+      "id 0. At most a million cells, which every process keeps.");
     declare_cap<dim>(prm);
     declare_placement<dim>(prm);
     declare_refinement(prm);
@@ -163,6 +193,7 @@ namespace signorini
       parse_box(in, body);
     else
       parse_ball_or_cylinder(in, body);
+    check_unused_keys<dim>(in, body.shape);
     parse_cap(in, body);
     body.placement = parse_placement(in, body);
 

@@ -42,6 +42,7 @@ namespace signorini
                    dim})
     , body_motion(meshed.discretization)
     , validity(names_of(scene.bodies), names_of(scene.pairs))
+    , missing_pairs(scene.bodies.size(), scene.obstacles, scene.pairs)
     , velocity_zigzags(probes.size())
     , clock(meshed.discretization.communicator(), false)
   {
@@ -80,7 +81,8 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<std::string> Observation<dim>::observe(const State &state, const StepReport &report)
+  std::vector<std::string>
+  Observation<dim>::observe(const State &state, const StepReport &report, const bool last)
   {
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
@@ -88,7 +90,11 @@ namespace signorini
                      + " is not a finite number. Check the loads, velocities and material "
                        "constants of the scene.");
     run_summary.add(write(state, report, booking));
-    return validity.judge(validity_reading(state));
+    std::vector<std::string> news = validity.judge(validity_reading(state));
+    for (const std::string &overlap :
+         missing_pairs.judge(meshed->discretization, state.displacement, state.time, last))
+      news.push_back(overlap);
+    return news;
   }
 
 

@@ -2,9 +2,11 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/contact/overlap.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
+#include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
@@ -97,7 +99,7 @@ namespace signorini
         std::vector<std::string> news;
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
-          news = observation.observe(state, report);
+          news = observation.observe(state, report, stepping->finished(state));
           for (const std::string &warning : news)
             log.warning(warning);
           meshed->system.set_energy(observation.energy_of_motion());
@@ -180,6 +182,7 @@ namespace signorini
   void Simulation<dim>::prepare()
   {
     mesh_control.check_first_mesh();
+    check_that_bodies_are_apart(mesh, scene.pairs);
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
     check_capabilities(*scheme, meshed->system);
     set_initial_state();
@@ -279,6 +282,8 @@ namespace signorini
   std::vector<std::string> Simulation<dim>::warnings() const
   {
     std::vector<std::string> result = start_remarks.warnings;
+    for (const std::string &warning : element_warnings(mesh))
+      result.push_back(warning);
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
                        "its obstacle, or all of them are prescribed.");

@@ -100,6 +100,7 @@ namespace
   void expect_agreement(const std::array<std::string, dim> &expressions)
   {
     BodyDescription<dim> body = ball<dim>(1);
+    body.element              = ElementKind::standard; // the other ones: strain_modes.cc
     body.local_refinements    = 1;
     body.refine_where         = "x - 0.2";
     Scene<dim> scene          = scene_of<dim>({body});

@@ -9,6 +9,7 @@
 #include "two_bodies.h"
 
 #include <signorini/base/user_error.h>
+#include <signorini/contact/overlap.h>
 
 #include <gtest/gtest.h>
 
@@ -44,7 +45,8 @@ namespace
   {
     try
       {
-        const MappedAssembled<dim>     problem(scene, map);
+        const MappedAssembled<dim> problem(scene, map);
+        check_that_bodies_are_apart(problem.mesh, scene.pairs);
         const DirichletConditions<dim> dirichlet(problem.discretization);
         const ContactSurface<dim>      surface(
           problem.discretization, dirichlet, scene.obstacles, scene.pairs);

@@ -3,7 +3,7 @@
 
 // The matrices of single cells are those of quadrature, to round-off, whether they were computed,
 // kept, or scaled from a congruent cell; and cells of a box share one matrix per material, whatever
-// their sizes.
+// their sizes. This is the standard element; see elements.cc for the others.
 
 #include "bodies.h"
 
@@ -14,6 +14,13 @@ using namespace signorini::tests;
 
 namespace
 {
+  template <int dim>
+  BodyDescription<dim> standard(BodyDescription<dim> body)
+  {
+    body.element = ElementKind::standard;
+    return body;
+  }
+
   /**
    * Largest relative errors of the mass and of the stiffness of all cells of this process, against
    * the weak form.
@@ -88,7 +95,7 @@ namespace
   template <int dim>
   void expect_one_matrix_for_a_box()
   {
-    BodyDescription<dim> box = box_with_hanging_nodes<dim>(); // three sizes of cells
+    BodyDescription<dim> box = standard(box_with_hanging_nodes<dim>()); // three sizes of cells
     box.upper_corner[1]      = 1.3;
     box.lower_corner[0]      = 0.1;
     const Assembled<dim>    assembled(box);
@@ -108,12 +115,13 @@ TEST(CellMatrices, ABoxNeedsOne)
 
 TEST(CellMatrices, DependOnMaterialAndShape)
 {
-  BodyDescription<3> soft = box_with_hanging_nodes<3>(), hard = box<3>(), turned = box<3>();
-  hard.lower_corner[2]   = 1.;
-  hard.upper_corner[2]   = 2.;
-  hard.material          = {7000., 0.1, 9.};
-  turned.lower_corner[0] = 3.;
-  turned.upper_corner[0] = 4.;
+  BodyDescription<3> soft = standard(box_with_hanging_nodes<3>()), hard = standard(box<3>()),
+                     turned = standard(box<3>());
+  hard.lower_corner[2]      = 1.;
+  hard.upper_corner[2]      = 2.;
+  hard.material             = {7000., 0.1, 9.};
+  turned.lower_corner[0]    = 3.;
+  turned.upper_corner[0]    = 4.;
   turned.placement = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
   const Assembled<3>    assembled(scene_of<3>({soft, hard, turned}));
   const CellMatrices<3> fresh(assembled.scene.bodies, assembled.discretization.mesh().mapping(), 2);
@@ -126,7 +134,7 @@ TEST(CellMatrices, OfDistortedAndOfCurvedCells)
 {
   for (const CellGeometry mapping : {CellGeometry::linear, CellGeometry::curved})
     {
-      BodyDescription<3> body = ball<3>(1);
+      BodyDescription<3> body = standard(ball<3>(1));
       body.local_refinements  = 1;
       body.refine_where       = "0.7 - z + 0.2*x";
       Scene<3> scene          = scene_of<3>({body});
@@ -137,7 +145,7 @@ TEST(CellMatrices, OfDistortedAndOfCurvedCells)
       EXPECT_GT(discretization.mesh().cell_matrices().n_kept(), 1u);
       EXPECT_LE(discretization.mesh().cell_matrices().n_kept(), n_owned_cells(discretization));
     }
-  Scene<2> scene = scene_of<2>({ball<2>(2)});
+  Scene<2> scene = scene_of<2>({standard(ball<2>(2))});
   scene.mapping  = CellGeometry::curved;
   const Assembled<2> disc(scene);
   expect_matrices_of_quadrature(disc.discretization, disc.discretization.mesh().cell_matrices());
@@ -165,7 +173,7 @@ TEST(CellMatrices, OfParents)
 
 TEST(CellMatrices, KeepNoMoreThanTheyMay)
 {
-  Scene<3> scene = scene_of<3>({ball<3>(1)});
+  Scene<3> scene = scene_of<3>({standard(ball<3>(1))});
   scene.mapping  = CellGeometry::curved;
   const Assembled<3> assembled(scene);
   const auto        &discretization = assembled.discretization;

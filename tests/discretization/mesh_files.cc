@@ -2,10 +2,13 @@
 // Copyright (C) 2026 by the signorini authors
 
 // The shipped meshes have the volume and the areas that tools/make_meshes.py intends, before and
-// after refinement and in any place.
+// after refinement and in any place. Meshes of many cells are accepted, up to what every process
+// can keep; beyond that there is a message, and no attempt.
 
+#include "../output/scratch.h"
 #include "shapes.h"
 
+#include <signorini/base/user_error.h>
 #include <signorini/mesh_files/mesh_file.h>
 
 #include <gtest/gtest.h>
@@ -49,6 +52,43 @@ namespace
   double frustum_volume(const unsigned int n, const double r, const double R, const double height)
   {
     return polygon_area(n) * (r * r + r * R + R * R) * height / 3.;
+  }
+
+  /** A rectangle of nx x ny unit squares as Gmsh writes it; boundary id 1 below. */
+  std::string gmsh_rectangle(const unsigned int nx, const unsigned int ny)
+  {
+    std::ostringstream file;
+    file << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << (nx + 1) * (ny + 1) << '\n';
+    const auto node = [&](const unsigned int x, const unsigned int y) {
+      return y * (nx + 1) + x + 1;
+    };
+    for (unsigned int y = 0; y <= ny; ++y)
+      for (unsigned int x = 0; x <= nx; ++x)
+        file << node(x, y) << ' ' << x << ' ' << y << " 0\n";
+    file << "$EndNodes\n$Elements\n" << nx + nx * ny << '\n';
+    unsigned int element = 0;
+    for (unsigned int x = 0; x < nx; ++x)
+      file << ++element << " 1 2 1 1 " << node(x, 0) << ' ' << node(x + 1, 0) << '\n';
+    for (unsigned int y = 0; y < ny; ++y)
+      for (unsigned int x = 0; x < nx; ++x)
+        file << ++element << " 3 2 7 7 " << node(x, y) << ' ' << node(x + 1, y) << ' '
+             << node(x + 1, y + 1) << ' ' << node(x, y + 1) << '\n';
+    file << "$EndElements\n";
+    return file.str();
+  }
+
+  template <int dim>
+  std::string refusal(const BodyDescription<dim> &body)
+  {
+    try
+      {
+        const Meshed<dim> meshed(body);
+      }
+    catch (const UserError &error)
+      {
+        return error.what();
+      }
+    return "";
   }
 } // namespace
 
@@ -112,4 +152,36 @@ TEST(MeshFiles, HammerFaceTouchesTheOriginAndItsSurfacesAreWhereTheyShouldBe)
   for (const Point<3> &vertex : hammer.boundary_vertices.at(4))
     EXPECT_EQ(vertex[0], 1.5);
   EXPECT_NEAR(hammer.centre[0], 0.75, 1e-14);
+}
+
+TEST(MeshFiles, ManyCellsAreAccepted)
+{
+  const ScratchFolder folder;
+  const std::string   path = folder.name + "/rectangle.msh";
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    std::ofstream(path) << gmsh_rectangle(300, 150);
+  MPI_Barrier(MPI_COMM_WORLD);
+  BodyDescription<2> body;
+  body.name      = "body";
+  body.shape     = BodyShape::file;
+  body.mesh_file = describe_mesh_file<2>(path);
+  const Meshed<2> meshed(body);
+  EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 45000u);
+  EXPECT_NEAR(volume(meshed.triangulation), 45000., 1e-6);
+  EXPECT_NEAR(boundary_areas(meshed.triangulation).at(1), 300., 1e-9);
+}
+
+TEST(MeshFiles, CoarseCellsThatNoProcessCanKeepAreRefusedBeforeTheyAreMade)
+{
+  BodyDescription<2> square = box<2>();
+  BodyDescription<3> cube   = box<3>();
+  for (const unsigned int repetitions : {1001, 1000000})
+    {
+      square.repetitions = {{repetitions, 1000}};
+      cube.repetitions   = {{repetitions, 10, 100}};
+      for (const std::string &message : {refusal(square), refusal(cube)})
+        EXPECT_NE(message.find("Bodies/box/Repetitions gives more than 1000000 coarse cells"),
+                  std::string::npos)
+          << message;
+    }
 }

@@ -11,24 +11,24 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 using namespace signorini;
 using dealii::Point;
 using dealii::Tensor;
 
 namespace
 {
-  /** Gap and normal at a point; `tolerance` for obstacles that differentiate numerically. */
+  /** Gap and normal at a point. */
   template <int dim>
   void expect_projection(const RigidObstacle<dim> &obstacle,
                          const Point<dim>         &point,
                          const double              gap,
-                         const Tensor<1, dim>     &normal,
-                         const double              tolerance = 1e-14)
+                         const Tensor<1, dim>     &normal)
   {
     const auto projection = obstacle.project(point);
-    EXPECT_NEAR(projection.gap, gap, tolerance) << point;
-    EXPECT_LT((projection.normal - normal).norm(), tolerance)
-      << projection.normal << " at " << point;
+    EXPECT_NEAR(projection.gap, gap, 1e-14) << point;
+    EXPECT_LT((projection.normal - normal).norm(), 1e-14) << projection.normal << " at " << point;
     EXPECT_NEAR(projection.normal.norm(), 1., 1e-14) << point;
   }
 
@@ -46,6 +46,36 @@ TEST(Obstacles, PlaneWithANormalOfAnyLength)
   expect_projection<2>(wall, {4., 4.}, 5., Tensor<1, 2>({-0.6, -0.8}));
   expect_projection<2>(wall, {-2., -4.}, -5., Tensor<1, 2>({-0.6, -0.8}));
   expect_projection<2>(wall, {5., -3.}, 0., Tensor<1, 2>({-0.6, -0.8}));
+}
+
+TEST(Obstacles, PlaneEndsWithItsExtent)
+{
+  // A table of half lengths 2 along x and 0.5 along y, turned by 90 degrees: it is the top of a
+  // block, and the way out of the block is the shorter one.
+  const Plane<3> table({1., 0., 1.},
+                       Tensor<1, 3>({0., 0., 2.}),
+                       {{Tensor<1, 3>({1., 0., 0.}), 2.}, {Tensor<1, 3>({0., 1., 0.}), 0.5}});
+  const auto     expect = [&](const Point<3> &p,
+                          const double    gap,
+                          const double    beyond,
+                          const double    depth,
+                          const bool      carried,
+                          const double    distance) {
+    const auto projection = table.project(p);
+    EXPECT_NEAR(projection.gap, gap, 1e-14) << p;
+    EXPECT_NEAR(projection.beyond, beyond, 1e-14) << p;
+    EXPECT_NEAR(projection.depth(), depth, 1e-14) << p;
+    EXPECT_EQ(projection.is_carried(1e-10), carried) << p;
+    EXPECT_NEAR(projection.distance(), distance, 1e-14) << p;
+  };
+  EXPECT_TRUE(table.has_end());
+  expect({1., 0., 1.5}, 0.5, -0.5, 0., true, 0.5);
+  expect({3., 0.5, 1.5}, 0.5, 0., 0., true, 0.5);        // above the corner
+  expect({3.4, 0., 1.3}, 0.3, 0.4, 0., false, 0.5);      // past the end
+  expect({3.4, 0., 0.}, -1., 0.4, 0., false, 0.4);       // beside the block
+  expect({1., 0., 0.8}, -0.2, -0.5, 0.2, true, 0.);      // pressed in from above
+  expect({1., 0.45, 0.8}, -0.2, -0.05, 0.05, false, 0.); // come in through the side
+  EXPECT_FALSE(Plane<2>({0., 0.}, Tensor<1, 2>({0., 1.})).has_end());
 }
 
 TEST(Obstacles, SphereFromOutsideAndFromInside)
@@ -93,33 +123,62 @@ TEST(Obstacles, FunctionIsScaledToADistance)
   const LevelSet<3> ball("ball", "5*(sqrt(x*x + y*y + z*z) - 1)");
   for (const Point<3> &point :
        {Point<3>(0., 0., 2.), Point<3>(0.6, 0., 0.8), Point<3>(-1., 2., 2.), Point<3>(0., 0.5, 0.)})
-    expect_projection<3>(ball, point, point.norm() - 1., -point / point.norm(), 1e-9);
+    expect_projection<3>(ball, point, point.norm() - 1., -point / point.norm());
   expect_projection<3>(LevelSet<3>("slope", "z - 0.1*x"),
                        {0., 0., 0.},
                        0.,
-                       Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01),
-                       1e-9);
+                       Tensor<1, 3>({0.1, 0., -1.}) / std::sqrt(1.01));
 }
 
-TEST(Obstacles, FunctionFarFromTheOriginHasTheSameNormal)
+TEST(Obstacles, FunctionIsExactOnItsSurface)
 {
-  // The features of a surface are as large as the bodies, wherever the origin is.
-  const LevelSet<2> near("near", "y - 0.1*sin(3*x)"),
-    far("far", "y - 1000 - 0.1*sin(3*(x - 1000))");
-  const auto expected = near.project({0.3, 0.2}), found = far.project({1000.3, 1000.2});
-  EXPECT_NEAR(found.gap, expected.gap, 1e-8);
-  EXPECT_LT((found.normal - expected.normal).norm(), 1e-8);
+  // Here the expression is an area, not a length.
+  const LevelSet<2> ellipse("ellipse", "x^2/4 + y^2 - 1");
+  for (const double angle : {0.1, 1., 2., 4.})
+    {
+      const double       c = std::cos(angle), s = std::sin(angle);
+      const Tensor<1, 2> normal({-0.5 * c, -s});
+      expect_projection<2>(ellipse, {2. * c, s}, 0., normal / normal.norm());
+    }
+}
+
+TEST(Obstacles, FunctionFarFromTheOriginIsTheSame)
+{
+  // What is left is the round-off of the coordinates, 1e-10 at 1e6.
+  const LevelSet<2> near("near", "y - 0.1*sin(3*x)"), far("far", "y - 1e6 - 0.1*sin(3*(x - 1e6))");
+  const auto expected = near.project({0.3, 0.2}), found = far.project({1e6 + 0.3, 1e6 + 0.2});
+  EXPECT_NEAR(found.gap, expected.gap, 1e-9);
+  EXPECT_LT((found.normal - expected.normal).norm(), 1e-9);
+}
+
+TEST(Obstacles, FunctionIsTheSameInEveryUnit)
+{
+  const LevelSet<2> metre("metre", "y - 0.1*sin(3*x)"), ball("ball", "1 - x^2 - y^2");
+  for (const double unit : {1e-9, 1e9})
+    {
+      std::ostringstream wave, area;
+      wave << "y - 0.1*" << unit << "*sin(3*x/" << unit << ")";
+      area << unit << "^2 - x^2 - y^2";
+      for (const auto &[original, text] : {std::pair(&metre, wave.str()), {&ball, area.str()}})
+        {
+          const Point<2> point(0.3, 0.2);
+          const auto     expected = original->project(point),
+                     found        = LevelSet<2>("scaled", text).project(Point<2>(unit * point));
+          EXPECT_NEAR(found.gap / unit, expected.gap, 1e-14) << text;
+          EXPECT_LT((found.normal - expected.normal).norm(), 1e-14) << text;
+        }
+    }
 }
 
 TEST(Obstacles, FunctionWithAnEdgeHasTheNormalOfItsSide)
 {
   const LevelSet<2> roof("roof", "y + abs(x)");
-  for (const double x : {-1., -1e-3, 1e-3, 1.})
+  for (const double x : {-1., -1e-9, 1e-9, 1.})
     expect_projection<2>(roof,
                          {x, 0.},
                          std::abs(x) / std::sqrt(2.),
-                         Tensor<1, 2>({x > 0. ? -1. : 1., -1.}) / std::sqrt(2.),
-                         1e-8);
+                         Tensor<1, 2>({x > 0. ? -1. : 1., -1.}) / std::sqrt(2.));
+  expect_projection<2>(roof, {0., 0.3}, 0.3, Tensor<1, 2>({0., -1.}));
 }
 
 TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
@@ -144,5 +203,19 @@ TEST(Obstacles, NormalPointsAgainstTheGradientOfTheGap)
 
 TEST(Obstacles, FunctionWithoutNormalIsRefused)
 {
-  EXPECT_THROW(LevelSet<2>("fog", "1").project({0., 0.}), UserError);
+  const auto message = [](const std::string &text, const Point<2> &point) {
+    try
+      {
+        LevelSet<2>("fog", text).project(point);
+      }
+    catch (const UserError &error)
+      {
+        return std::string(error.what());
+      }
+    return std::string();
+  };
+  EXPECT_NE(message("1", {0., 0.}).find("does not change"), std::string::npos);
+  EXPECT_NE(message("y - sqrt(x)", {0., 1.}).find("has no gradient"), std::string::npos);
+  EXPECT_NE(message("y - sqrt(x)", {-1., 1.}).find("is not a finite number"), std::string::npos);
+  EXPECT_EQ(message("y - sqrt(x)", {1., 1.}), "");
 }

@@ -50,6 +50,40 @@ TEST(Combinations, OfSchemes)
          {"Stop sticking nodes = false", "Scheme = newmark", "Remove"});
 }
 
+TEST(Combinations, OfKeysAndShapesOrSchemesThatDoNotLookAtThem)
+{
+  expect(
+    {{"Time/Scheme", "newmark"}, {"Time/HHT alpha", "-0.2"}},
+    {"HHT alpha = -0.2: is only for hht-alpha", "no effect with `Scheme = newmark`", "Remove"});
+  expect({{"Time/Newmark beta", "0.3"}}, {"Newmark beta = 0.3: is only for khenous-"});
+  expect({{"Obstacles/floor/Radius", "2"}},
+         {"Obstacles/floor/Radius = 2: is only for the shape sphere or cylinder",
+          "`Shape = plane`",
+          "Remove"});
+  expect({{"Obstacles/floor/Signed distance", "z"}}, {"is only for the shape function"});
+  expect({{"Obstacles/pillar/Point", "1, 0, 0"}}, {"is only for the shape plane or cylinder"});
+  expect({{"Obstacles/pillar/Extent", "1, 1"}}, {"is only for the shape plane"});
+  expect({{"Bodies/ball/Upper corner", "2, 2, 2"}},
+         {"Upper corner = 2, 2, 2: is only for boxes", "`Shape = ball`"});
+  expect({{"Bodies/box/Length", "3"}}, {"is only for cylinders", "`Shape = box`"});
+  // A list of all keys with their defaults is a scene, too.
+  const TemporaryFile file(correct_scene());
+  EXPECT_EQ(
+    refusal(
+      file.name,
+      {{"Time/HHT alpha", "-0.1"}, {"Obstacles/floor/Radius", "1"}, {"Bodies/box/Radius", "1"}}),
+    "");
+}
+
+TEST(Combinations, OfExtents)
+{
+  for (const std::string value : {"1", "1, 2, 3", "1, -2", "1, x", "0, 1"})
+    expect({{"Obstacles/floor/Extent", value}}, {"Extent = " + value, "two lengths > 0"});
+  expect({{"Obstacles/floor/Extent", "1, 2"}, {"Obstacles/floor/Extent direction", "0, 0, 3"}},
+         {"Extent direction = 0, 0, 3", "direction of `Normal`"});
+  expect({{"Obstacles/floor/Extent direction", "0, 1, 0"}}, {"no effect without `Extent`"});
+}
+
 TEST(Combinations, OfMovingConditions)
 {
   expect({{"Time/Scheme", "reference"}, {"Bodies/box/Dirichlet", "0: 0; -; sin(t)"}},
@@ -81,6 +115,8 @@ TEST(Combinations, OfOtherValues)
          {"Cap radius = 0.74", "larger than 0.75", "opposite face"});
   expect({{"Obstacles/floor/Shape", "function"}},
          {"Obstacles/floor/Signed distance (not given)", "Give one"});
+  expect({{"Obstacles/floor/Shape", "function"}, {"Obstacles/floor/Signed distance", "z - rand()"}},
+         {"Signed distance = z - rand()", "the function `rand` has no derivative", "Write it"});
   expect({{"Exact solution/Displacement", "0; 0; 1"}},
          {"Exact solution/Velocity (not given)", "both"});
   expect({{"Exact solution/Velocity", "0; 0; 1"}},

@@ -26,9 +26,9 @@ namespace
     for (const Mistake &mistake : mistakes)
       {
         SCOPED_TRACE(mistake.path + " = " + mistake.value);
-        const TemporaryFile file(correct_scene() + assignment(mistake.path, mistake.value));
-        const std::string   message = refusal(file.name);
-        expect_words(message, {file.name + ", line ", mistake.path, trim(mistake.value)});
+        const ChangedScene changed(correct_scene(), assignment(mistake.path, mistake.value));
+        const std::string  message = refusal(changed.file.name);
+        expect_words(message, {changed.file.name + ", line ", mistake.path, trim(mistake.value)});
         expect_words(message, mistake.words);
 
         const TemporaryFile correct(correct_scene());
@@ -237,9 +237,9 @@ TEST(Mistakes, Adaptivity)
                           const std::string              &more = "") {
     const std::string path = "Adaptivity/" + key;
     SCOPED_TRACE(path + " = " + value);
-    const TemporaryFile file(correct_scene() + adaptive + more + assignment(path, value));
-    const std::string   message = refusal(file.name);
-    expect_words(message, {file.name + ", line ", path, value});
+    const ChangedScene changed(correct_scene() + adaptive, more + assignment(path, value));
+    const std::string  message = refusal(changed.file.name);
+    expect_words(message, {changed.file.name + ", line ", path, value});
     expect_words(message, words);
   };
   EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name), "");

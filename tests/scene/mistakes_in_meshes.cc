@@ -151,15 +151,15 @@ TEST(MistakesInMeshes, Cells)
     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n"
     "$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n";
   expect_mesh_refusals(
-    {{tetrahedron, ".msh", 3, {"tetrahedra", "Only hexahedra"}},
+    {{tetrahedron, ".msh", 3, {"Gmsh's type 4", "hexahedra", "SubdivisionAlgorithm"}},
      {replaced(msh, "3 3 2 1 1 2 5 6 3", "3 2 2 1 1 2 5 3"),
       ".msh",
       2,
-      {"triangles", "Only quadrilaterals"}},
+      {"triangles", "Only quadrilaterals", "SubdivisionAlgorithm"}},
      {replaced(msh, "3 3 2 1 1 2 5 6 3", "3 10 2 1 1 2 5 6 3 1 2 3 4 5"),
       ".msh",
       2,
-      {"<10>", "quadrilaterals"}},
+      {"Gmsh's type 10", "quadrilaterals", "ElementOrder"}},
      {replaced(msh, "3\n1 1 2 7 7 1 2\n2 3 2 1 1 1 2 3 4\n3 3 2 1 1 2 5 6 3\n", "0\n"),
       ".msh",
       2,
@@ -170,9 +170,18 @@ TEST(MistakesInMeshes, Cells)
       {"cell 2 is of type `tri`", "Only quadrilaterals"}},
      {"2 1 0 0 0\n1 0 0 0\n2 1 0 0\n1 0 line 1 2\n", ".ucd", 2, {"no quadrilaterals"}},
      {replaced(inp, "CPE4", "CPE3"), ".inp", 2, {"type `CPE3`", "Only quadrilaterals"}},
-     {replaced(read_file("hammer.inp"), "C3D8", "C3D4"), ".inp", 3, {"type `C3D4`", "C3D8"}},
-     {replaced(read_file("hammer.inp"), "C3D8", "C3D20"), ".inp", 3, {"type `C3D20`", "C3D8"}},
-     {replaced(vtk, "9\n9", "9\n5"), ".vtk", 2, {"cell 1", "VTK type 5", "type 9"}}});
+     {replaced(read_file("hammer.inp"), "C3D8", "C3D4"),
+      ".inp",
+      3,
+      {"type `C3D4`", "C3D8", "SubdivisionAlgorithm"}},
+     {replaced(read_file("hammer.inp"), "C3D8", "C3D20"),
+      ".inp",
+      3,
+      {"type `C3D20`", "C3D8", "ElementOrder"}},
+     {replaced(vtk, "9\n9", "9\n5"),
+      ".vtk",
+      2,
+      {"cell 1", "VTK type 5", "type 9", "SubdivisionAlgorithm"}}});
 }
 
 TEST(MistakesInMeshes, InvertedCells)

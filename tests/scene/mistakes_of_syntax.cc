@@ -70,6 +70,20 @@ TEST(Syntax, Lines)
   expect_refusal("include nowhere.prm\n", {"line 1", "nowhere.prm", "no such file"});
 }
 
+TEST(Syntax, KeysThatAreSetTwice)
+{
+  const std::string first = assignment("Time/Step size", "1e-3"),
+                    again = assignment("Time/Step size", "2e-3");
+  expect_refusal(first + again,
+                 {"line 5: Time/Step size = 2e-3: this key is set already in line 2, to 1e-3",
+                  "Remove one of the two"});
+  expect_refusal(first + first, {"set already in line 2"});
+  // Another file may be included to be changed, and --set changes everything.
+  const TemporaryFile base(flat_scene());
+  const TemporaryFile changed("include " + base.name + "\n" + again);
+  EXPECT_EQ(refusal(changed.name, {{"Time/Step size", "3e-3"}}), "");
+}
+
 // Some editors put the mark of the byte order in front of the first line.
 TEST(Syntax, MarkOfTheByteOrder)
 {
@@ -81,6 +95,12 @@ TEST(Syntax, MissingTimes)
 {
   expect_refusal(assignment("Bodies/Names", "ball") + assignment("Bodies/ball/Radius", "1"),
                  {"Time/Step size (not given)", "is missing", "Give"});
+}
+
+TEST(Syntax, RotationInThePlaneIsOneAngle)
+{
+  expect_refusal(flat_scene() + assignment("Bodies/disc/Rotation", "0, 0, 10"),
+                 {"Bodies/disc/Rotation = 0, 0, 10: must be one number, not 3", "one angle"});
 }
 
 TEST(Syntax, ShapesThatNeedThreeDimensions)

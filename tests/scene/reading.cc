@@ -274,9 +274,9 @@ TEST(Reading, ContinuedLinesAndIncludedFiles)
 {
   const TemporaryFile included(assignment("Time/Step size", "1e-2"));
   const std::string   name = included.name.substr(included.name.rfind('/') + 1);
-  const TemporaryFile file(correct_scene() + "include " + name
-                           + "\nsubsection Time\n  set End time \\\n = 1\nend\n");
-  const Scene<3>      scene = read_scene<3>(file.name, {});
+  const ChangedScene  changed(
+    correct_scene(), "include " + name + "\nsubsection Time\n  set End time \\\n = 1\nend\n");
+  const Scene<3> scene = read_scene<3>(changed.file.name, {});
   EXPECT_DOUBLE_EQ(scene.time.step_size, 1e-2);
   EXPECT_DOUBLE_EQ(scene.time.end_time, 1.);
 }

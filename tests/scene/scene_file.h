@@ -95,6 +95,20 @@ end
 )";
   }
 
+  /**
+   * A file that includes a scene and changes it: within one file, no key may be set twice.
+   */
+  struct ChangedScene
+  {
+    ChangedScene(const std::string &scene, const std::string &changes)
+      : base(scene)
+      , file("include " + base.name + "\n" + changes)
+    {
+    }
+
+    TemporaryFile base, file;
+  };
+
   /** One more `set`, written as a file would have it. */
   inline std::string assignment(const std::string &path, const std::string &value)
   {

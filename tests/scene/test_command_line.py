@@ -96,6 +96,7 @@ class CommandLine(unittest.TestCase):
             page,
             "put the new table into doc/schemes.md",
         )
+        self.expect_mistake(["--print-schemes", "json"], "Write --print-schemes=json")
         schemes = json.loads(self.call("--print-schemes=json").stdout)
         self.assertGreater(len(schemes), 10)
         for scheme in schemes:

@@ -201,6 +201,18 @@ TEST(FrictionLaw, BlocksIn3dWithHangingNodes)
   expect_law_of_all_schemes(block_on_block<3>(coulomb("0.3")), 30);
 }
 
+// The law is one of nodes, whatever the stiffness.
+TEST(FrictionLaw, WithEnhancedElements)
+{
+  Scene<2> blocks = block_on_block<2>(coulomb("0.3"));
+  Scene<3> block  = block_on_floor<3>(coulomb("0.3"));
+  for (BodyDescription<2> &body : blocks.bodies)
+    body.element = ElementKind::enhanced;
+  block.bodies[0].element = ElementKind::enhanced;
+  expect_law_of_all_schemes(blocks, 60);
+  expect_law_of_all_schemes(block, 40);
+}
+
 TEST(FrictionLaw, Cap)
 {
   for (const std::string scheme : {"contact-stabilized", "contact-implicit"})

@@ -66,7 +66,7 @@ class SeparateContacts(check_history.SceneTest):
                 run = check_history.Run(BLOCK_AND_BALL, scheme, [f"Time/Scheme={scheme}"])
                 self.assertGreater(max(run.probes["pole"]["pressure"]), 10, "the ball lands")
                 pressure = run.probes["foot"]["pressure"]
-                self.expect_close(pressure[0], 10.38, 1e-3, "pressure in equilibrium")
+                self.expect_close(pressure[0], 10.0, 0.1, "weight over width, more in the middle")
                 for row, value in enumerate(pressure):
                     self.expect_close(value, pressure[0], 1e-7, f"pressure in row {row}")
 

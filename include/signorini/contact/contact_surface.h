@@ -60,10 +60,14 @@ namespace signorini
      */
     std::vector<dealii::Tensor<1, dim>> relative_tangential(const Vector &motion) const;
 
-    /** gamma = g - [u].nu, the bound that is left for increments. Collective. */
+    /**
+     * gamma = g - [u].nu, the bound that is left for increments; infinity for nodes past the end of
+     * their obstacle. They may come back. Collective.
+     */
     std::vector<double> normal_gap(const Vector &displacement) const;
 
-    /** Distance to the other side, gamma / transmission, to be shown to people. Collective. */
+    /** Distance to the other side, to be shown to people; to the end for nodes past it. Collective.
+     */
     std::vector<double> distance(const Vector &displacement) const;
 
     /**

@@ -29,8 +29,10 @@ namespace signorini
     double value(MPI_Comm communicator) const;
 
   private:
-    double                 weight = 0., squares = 0.;
-    dealii::Tensor<1, dim> normals, positions;
+    double                 weight  = 0.;
+    double                 squares = 0.; ///< of the distances from the mean position
+    dealii::Tensor<1, dim> normals;
+    dealii::Tensor<1, dim> mean_position; ///< so far: sums from the origin would cancel far from it
   };
 
 

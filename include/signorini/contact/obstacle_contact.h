@@ -10,13 +10,15 @@
 #include <signorini/obstacles/rigid_obstacle.h>
 
 #include <map>
+#include <optional>
 
 namespace signorini
 {
   /**
    * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
-   * body, and only if its surface faces that obstacle. A node with prescribed directions meets it
-   * in the others; one whose normal displacement is prescribed is left out.
+   * body, one that carries it first, and only if its surface faces that obstacle. A node with
+   * prescribed directions meets it in the others; one whose normal displacement is prescribed is
+   * left out.
    */
   template <int dim>
   class ObstacleContact
@@ -40,6 +42,16 @@ namespace signorini
 
     /** Number of nodes (all processes) at which a part of the normal is prescribed. */
     unsigned int n_oblique_nodes() const { return n_oblique; }
+
+    /**
+     * The displaced node and its obstacle, if that has an end: past it the node is not carried.
+     * Nothing for other nodes.
+     */
+    std::optional<ObstacleProjection<dim>> at_an_end(const ContactNode<dim> &node,
+                                                     const Vector           &displacement) const;
+
+    /** What a node may be past an end before it is free: round-off. */
+    double end_tolerance() const;
 
     /**
      * For each body the largest depth of a displaced node of its contact boundaries in *any*

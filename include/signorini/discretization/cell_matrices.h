@@ -5,8 +5,7 @@
 #define signorini_discretization_cell_matrices_h
 
 #include <signorini/discretization/cell_id_hash.h>
-#include <signorini/linear_algebra/elastic_matrices.h>
-#include <signorini/model/body_description.h>
+#include <signorini/discretization/cell_matrix.h>
 
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
@@ -16,54 +15,15 @@
 namespace signorini
 {
   /**
-   * Consistent mass and stiffness of one cell: of the pairs (a, b) of its vertices with a <= b,
-   * row by row.
-   */
-  template <int dim>
-  struct CellMatrix
-  {
-    using Block                              = typename ElasticMatrices<dim>::Block;
-    static constexpr unsigned int n_vertices = 1u << dim;
-    static constexpr unsigned int n_pairs    = n_vertices * (n_vertices + 1) / 2;
-
-    std::array<double, n_pairs> mass;
-    std::array<Block, n_pairs>
-      stiffness; ///< rows are components at a, columns those at b; column by column
-
-    /** Place of the pair (a, b), a <= b. */
-    static constexpr unsigned int pair(const unsigned int a, const unsigned int b)
-    {
-      return a * n_vertices - a * (a + 1) / 2 + b;
-    }
-  };
-
-
-  /**
-   * Mass and stiffness of a cell as multiples of those of a congruent one. Valid until the next
-   * matrix is asked for.
-   */
-  template <int dim>
-  struct ScaledCellMatrix
-  {
-    const CellMatrix<dim> *matrix;
-    double                 mass_factor, stiffness_factor;
-
-    /** Of any two vertices. */
-    double mass(unsigned int a, unsigned int b) const;
-    /** Of any two vertices; column by column. */
-    typename CellMatrix<dim>::Block stiffness(unsigned int a, unsigned int b) const;
-  };
-
-
-  /**
    * Mass and stiffness of single cells, also of cells that are not active. Cells of the same shape
    * and material are computed once: with edges t times as long the mass is t^dim, the stiffness
-   * t^(dim-2) times as large. Shapes are compared up to the round-off of the vertices; translations
-   * and changes of size make no difference, rotations do. Cells whose map is not linear along each
-   * edge of the reference cell are kept by their CellId, because quadrature is expensive there: 3
-   * kB per cell in 3d, 0.5 kB in 2d, and never more than the given number of cells; what is beyond
-   * is computed whenever it is asked for. So the matrices survive a change of the mesh. Not for
-   * several threads.
+   * t^(dim-2), the gradient of modes times the volume element t^(dim-1) times as large. Shapes are
+   * compared up to the round-off of the vertices; translations and changes of size make no
+   * difference, rotations do. Cells whose map is not linear along each edge of the reference cell
+   * are kept by their CellId, because quadrature is expensive there: 3 kB per cell in 3d, 0.5 kB in
+   * 2d, with the modes of the enhanced element 6 kB and 0.8 kB, and never more than the given
+   * number of cells; what is beyond is computed whenever it is asked for. So the matrices survive a
+   * change of the mesh. Not for several threads.
    */
   template <int dim>
   class CellMatrices
@@ -82,6 +42,12 @@ namespace signorini
 
     /** Of a cell that is not artificial. */
     ScaledCellMatrix<dim> of(const Cell &cell) const;
+
+    /**
+     * Shape functions and JxW at the points by which the matrices are integrated. Valid until this
+     * object is asked for something else.
+     */
+    const dealii::FEValues<dim> &values_on(const Cell &cell) const;
 
     /**
      * To be called when the mesh has changed: if space gets scarce, drop what was not used since
@@ -117,12 +83,18 @@ namespace signorini
       unsigned int    last_mesh; ///< that used it, see forget_unused()
     };
 
-    std::vector<Material>         materials; ///< by material id
+    struct Elastic
+    {
+      Material    material;
+      ElementKind element;
+    };
+
+    std::vector<Elastic>          by_body; ///< and material id
     const dealii::Mapping<dim>   &mapping;
     const bool                    all_straight;
     const std::size_t             capacity;
     const dealii::FE_Q<dim>       scalar_fe;
-    mutable dealii::FEValues<dim> fe_values;
+    mutable dealii::FEValues<dim> fe_values, centre_values;
     mutable std::unordered_multimap<std::size_t, std::pair<Shape, Kept>> shapes;
     mutable std::unordered_map<dealii::CellId, Kept, CellIdHash<dim>>    curved_cells;
     mutable std::unordered_map<dealii::types::coarse_cell_id, bool>

@@ -71,7 +71,10 @@ namespace signorini
     unsigned int n_quadrature_points() const { return mapping().get_degree() + 1; }
 
     /** Box around the coarse mesh of a body; the same on all processes. */
-    dealii::BoundingBox<dim> bounding_box(unsigned int body) const;
+    const dealii::BoundingBox<dim> &bounding_box(const unsigned int body) const
+    {
+      return boxes[body];
+    }
 
     /** Largest extent of any body: the unit of length for tolerances. */
     double body_size() const { return largest_extent; }
@@ -92,9 +95,13 @@ namespace signorini
     Triangulation                           cells;
     MeshGeometry<dim>                       geometry;
     CellMatrices<dim>                       matrices_of_cells;
+    std::vector<dealii::BoundingBox<dim>>   boxes; ///< of the bodies
     double                                  largest_extent = 0.;
     std::vector<double>                     extents; ///< of each body
     mutable FunctionCache<dim>              functions;
+
+    /** In one pass over the coarse cells, as there may be many of them. */
+    void find_bounding_boxes();
 
     /**
      * Move hanging vertices of round bodies onto the straight edges and faces of their coarser

@@ -8,6 +8,7 @@
 
 #include <deal.II/base/partitioner.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -32,6 +33,25 @@ namespace signorini
 
     bool is_empty(const unsigned int node) const { return row_start[node] == row_start[node + 1]; }
   };
+
+
+  /**
+   * The entries of nodes, dim each, out of @p n_entries. The nodes may come in any order and more
+   * than once: they are sorted first, as an IndexSet moves what it has for each range that is not
+   * its last.
+   */
+  template <int dim>
+  dealii::IndexSet entries_of_nodes(const dealii::types::global_dof_index        n_entries,
+                                    std::vector<dealii::types::global_dof_index> nodes)
+  {
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    dealii::IndexSet entries(n_entries);
+    for (const dealii::types::global_dof_index node : nodes)
+      entries.add_range(dim * node, dim * (node + 1));
+    entries.compress();
+    return entries;
+  }
 } // namespace signorini
 
 #endif

@@ -19,6 +19,15 @@ namespace signorini
 
     /** What helps against a broken file. */
     static inline const std::string remedy = "Write the mesh again.";
+
+    /** What helps against triangles and tetrahedra. */
+    static inline const std::string subdivide =
+      "Mesh the body with these; in Gmsh `Mesh.SubdivisionAlgorithm = 1` makes quadrilaterals of "
+      "triangles, and `= 2` hexahedra of tetrahedra.";
+
+    /** What helps against nodes in the middle of edges. */
+    static inline const std::string first_order =
+      "Write the mesh with straight edges; in Gmsh: `Mesh.ElementOrder = 1`.";
   };
 
   /** The content of a mesh file in a form that deal.II reads. */
@@ -55,6 +64,11 @@ namespace signorini
   std::string find_inverted_hexahedron(const std::string &ucd);
   /** The same as check_ucd() for a legacy VTK file. */
   void check_vtk(const std::string &text);
+  /**
+   * A legacy VTK file that check_vtk() has found in order, as deal.II wants it: version 3.0, cells
+   * before their faces, and no data but deal.II's own.
+   */
+  std::string vtk_for_dealii(const std::string &text);
   /** Refuse a Gmsh file that is not ASCII, or that has sections without end. */
   void check_gmsh(const std::string &text);
 } // namespace signorini

@@ -6,6 +6,7 @@
 
 #include <signorini/base/enum_names.h>
 #include <signorini/base/rayleigh_damping.h>
+#include <signorini/model/element_kind.h>
 #include <signorini/model/placement.h>
 
 #include <deal.II/base/point.h>
@@ -104,6 +105,7 @@ namespace signorini
     std::string  refine_where; ///< expression in x, y, z of the cell centre; > 0 selects
 
     Material                     material;
+    ElementKind                  element = ElementKind::enhanced;
     std::array<std::string, dim> initial_displacement; ///< expressions in x, y, z
     std::array<std::string, dim> initial_velocity;
     std::array<std::string, dim>

@@ -4,16 +4,17 @@
 #ifndef signorini_obstacles_level_set_h
 #define signorini_obstacles_level_set_h
 
+#include <signorini/base/differentiable_expression.h>
 #include <signorini/obstacles/rigid_obstacle.h>
 #include <signorini/prm/section_reader.h>
-
-#include <deal.II/base/function_parser.h>
 
 namespace signorini
 {
   /**
    * Where an expression is negative. It is a signed distance near its zero, so that one division
-   * corrects its slope.
+   * corrects its slope: exact on the surface, of second order in the distance beside it. Any
+   * factor, any unit of length and any place of the origin give the same, up to the round-off of
+   * the value.
    */
   template <int dim>
   class LevelSet : public RigidObstacle<dim>
@@ -22,17 +23,16 @@ namespace signorini
     /**
      * @param name       of the obstacle, for messages
      * @param expression in x, y, z; positive where the bodies may be
+     * @throws UserError saying what in the expression has no derivative
      */
     LevelSet(const std::string &name, const std::string &expression);
 
-    /** @throws UserError where the expression has no gradient */
+    /** @throws UserError where the expression has no value or no direction in which it grows */
     ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override;
 
   private:
-    const std::string                                  name;
-    const std::unique_ptr<dealii::FunctionParser<dim>> function;
-
-    dealii::Tensor<1, dim> gradient(const dealii::Point<dim> &p) const;
+    const std::string                   name;
+    const DifferentiableExpression<dim> expression;
   };
 
   void declare_level_set(dealii::ParameterHandler &prm);

@@ -21,6 +21,8 @@ namespace signorini
     /** Declares its keys, but for `Point`. Shapes may share keys. */
     void (*declare)(dealii::ParameterHandler &prm);
 
+    std::vector<std::string> keys; ///< all that it looks at
+
     /** @param name of the obstacle. @throws UserError for values that make no obstacle */
     std::shared_ptr<const RigidObstacle<dim>> (*parse)(const SectionReader &in,
                                                        const std::string   &name);

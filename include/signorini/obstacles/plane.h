@@ -7,21 +7,41 @@
 #include <signorini/obstacles/rigid_obstacle.h>
 #include <signorini/prm/section_reader.h>
 
+#include <vector>
+
 namespace signorini
 {
-  /** A half space. */
+  /**
+   * A half space, or the block below a part of a plane: it ends where the part ends, and is as deep
+   * as need be.
+   */
   template <int dim>
   class Plane : public RigidObstacle<dim>
   {
   public:
-    /** @param normal out of the obstacle, towards the bodies; any length > 0 */
-    Plane(const dealii::Point<dim> &point, const dealii::Tensor<1, dim> &normal);
+    /** From the middle of the plane along a tangent and against it. */
+    struct End
+    {
+      dealii::Tensor<1, dim> tangent; ///< unit vector
+      double                 reach;   ///< half of the length
+    };
+
+    /**
+     * @param normal out of the obstacle, towards the bodies; any length > 0
+     * @param ends of the plane about the point, along tangents at right angles; none: infinite
+     */
+    Plane(const dealii::Point<dim>     &point,
+          const dealii::Tensor<1, dim> &normal,
+          std::vector<End>              ends = {});
 
     ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override;
+
+    bool has_end() const override { return !ends.empty(); }
 
   private:
     const dealii::Point<dim>     point;
     const dealii::Tensor<1, dim> normal;
+    const std::vector<End>       ends;
   };
 
   template <int dim>

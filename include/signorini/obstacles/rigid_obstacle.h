@@ -6,6 +6,9 @@
 
 #include <deal.II/base/point.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -17,6 +20,23 @@ namespace signorini
   {
     double                 gap;    ///< distance, negative inside the obstacle
     dealii::Tensor<1, dim> normal; ///< nu: unit vector towards the obstacle, out of the body
+    /** How far the point is past the end of the obstacle, along the surface; negative before it. */
+    double beyond = -std::numeric_limits<double>::infinity();
+
+    /** How deep the point is inside: the way out is through the surface or through the end. */
+    double depth() const { return std::max(0., std::min(-gap, -beyond)); }
+
+    /**
+     * Whether the surface holds the point up. It does not past the end, nor what has come in there.
+     * @param tolerance length
+     */
+    bool is_carried(const double tolerance) const
+    {
+      return beyond + std::max(0., -gap) <= tolerance;
+    }
+
+    /** Distance to what is inside, whichever way; 0 there. */
+    double distance() const { return std::hypot(std::max(0., gap), std::max(0., beyond)); }
   };
 
   /** A rigid, fixed obstacle, known by the closest point of its surface. */
@@ -27,6 +47,9 @@ namespace signorini
     virtual ~RigidObstacle() = default;
 
     virtual ObstacleProjection<dim> project(const dealii::Point<dim> &point) const = 0;
+
+    /** Whether projections may be past an end. */
+    virtual bool has_end() const { return false; }
   };
 
   /** Section `Obstacles/<name>` of a scene. */

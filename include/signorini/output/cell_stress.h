@@ -24,7 +24,8 @@ namespace signorini
   double von_mises(const Stress &stress);
 
   /**
-   * The mean stress of each locally owned cell, in the order of the active cells of this process
+   * The mean stress of each locally owned cell: that of its displacement, because strain modes have
+   * no mean value (see StrainMode). In the order of the active cells of this process
    * (zero for others).
    * @param displacement with ghosts and hanging nodes, see
    *                     Discretization::interpolate_hanging_nodes()

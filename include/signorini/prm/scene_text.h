@@ -21,7 +21,8 @@ namespace signorini
     std::vector<std::string> section; ///< names of the enclosing sections, outermost first
     std::string              key;
     std::string              value;
-    std::string              origin; ///< "scene.prm, line 12" or "scene.prm, --set"
+    std::string              origin;              ///< "scene.prm, line 12" or "scene.prm, --set"
+    bool                     is_override = false; ///< from the command line
 
     /** `Section/Subsection/Key`. */
     std::string path() const;

@@ -41,6 +41,8 @@ namespace signorini
      */
     bool given(const std::string &key) const;
     bool given() const;
+    /** Whether the value of the key comes from the command line. */
+    bool overridden(const std::string &key) const;
 
     std::string text(const std::string &key) const;
     /** The value of an enumeration; the key is declared with choices_of(). */

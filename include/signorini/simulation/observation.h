@@ -5,6 +5,7 @@
 #define signorini_simulation_observation_h
 
 #include <signorini/diagnostics/body_motion.h>
+#include <signorini/diagnostics/missing_pairs.h>
 #include <signorini/diagnostics/oscillation.h>
 #include <signorini/diagnostics/validity.h>
 #include <signorini/output/history.h>
@@ -30,8 +31,11 @@ namespace signorini
     /** Go on with what was built on a changed mesh, and with the state on it. */
     void change_mesh(MeshedScene<dim> &meshed, const State &state);
 
-    /** @return what begins to be doubtful with this step, see Validity */
-    std::vector<std::string> observe(const State &state, const StepReport &report);
+    /**
+     * @param last whether the run ends with this step
+     * @return what begins to be doubtful with it, see Validity and MissingPairs
+     */
+    std::vector<std::string> observe(const State &state, const StepReport &report, bool last);
 
     const ContactSummary &contact() const { return contact_now; }
 
@@ -63,6 +67,7 @@ namespace signorini
     RunSummary              run_summary;
     BodyMotion<dim>         body_motion;
     Validity                validity;
+    MissingPairs<dim>       missing_pairs;
     std::vector<double>     strains; ///< of the bodies, when they were last evaluated
     double                  energy_of_strains = 0.; ///< elastic, at that time
     std::vector<Zigzag>     velocity_zigzags;

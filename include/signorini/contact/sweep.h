@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_sweep_h
+#define signorini_contact_sweep_h
+
+#include <signorini/contact/surface_face.h>
+
+#include <deal.II/numerics/rtree.h>
+
+namespace signorini
+{
+  /**
+   * Where the master may be that a slave face sees: the face, swept along its normal from a quarter
+   * of both bodies behind it to the far side of the master.
+   */
+  template <int dim>
+  class Sweep
+  {
+  public:
+    /** Of indices of boxes, which have to live as long. */
+    using Tree = decltype(dealii::pack_rtree_of_indices(
+      std::declval<const std::vector<dealii::BoundingBox<dim>> &>()));
+
+    Sweep(const SurfaceFace<dim>         &face,
+          const dealii::BoundingBox<dim> &slave_body,
+          const dealii::BoundingBox<dim> &master_body);
+
+    /** Around all of it. */
+    dealii::BoundingBox<dim> box() const { return box(-behind, ahead); }
+
+    /** How deep in the slave body the master still counts. */
+    double depth() const { return behind; }
+
+    /**
+     * The boxes of a tree that it meets, and some that it misses by less than about the diameter of
+     * the face; ascending.
+     */
+    std::vector<std::size_t> meets(const Tree &tree) const;
+
+  private:
+    const dealii::Tensor<1, dim>   normal;
+    const dealii::BoundingBox<dim> box_of_face;
+    const double                   diameter;
+    double                         behind = 0., ahead = 0.;
+    double                         obliquity; ///< how far aside it goes, per length
+
+    dealii::BoundingBox<dim> box(double from, double to) const;
+
+    /** The box around a long oblique sweep would meet nearly all: halve it until it is slender. */
+    void search(const Tree &tree, double from, double to, std::vector<std::size_t> &found) const;
+  };
+} // namespace signorini
+
+#endif
