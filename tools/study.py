@@ -22,12 +22,16 @@ a reference step size a few times smaller than the runs' keeps differences of it
 of them. All are relative, L2 in time, and each force is compared at the instant to which it belongs
 (signorini --print-schemes).
 
-A section [quantities] derives numbers from the columns of history.csv, by names that `observe` and
-later quantities can use: `name = expression` with first(COLUMN), last(COLUMN), largest(COLUMN) and
-integral(COLUMN), its sum over the steps times the step size. `curve = FILE` in [study], two columns
-separated by commas below a line with their names, gives the function curve(...).
-`figure = NAME over NAME` draws one observation over another to FOLDER/figure.png beside the curve,
-with one kind of points for each variant, or for all variants with the same `group = NAME`.
+A section [quantities] derives numbers from the columns of history.csv, supports.csv, pairs.csv and
+bodies.csv, by names that `observe` and later quantities can use: `name = expression` with
+first(COLUMN), last(COLUMN), largest(COLUMN), integral(COLUMN), its sum over the steps times the
+step size, begin(COLUMN) and end(COLUMN), the times at which its first step that is not zero starts
+and its last one ends, and duration(COLUMN), the length of all such steps: duration(contact_force)
+is the time in contact, end(pair_0_normal_force) the end of the contact of the first pair.
+`curve = FILE` in [study], two columns separated by commas below a line with their names, gives the
+function curve(...). `figure = NAME over NAME` draws one observation over another to
+FOLDER/figure.png beside the curve, with one kind of points for each variant, or for all variants
+with the same `group = NAME`.
 
 Three studies have a name instead of a file: krause-walloth compares all schemes on the examples of
 Krause and Walloth (2012), with figures and a page; bar-table compares them on the bar with an

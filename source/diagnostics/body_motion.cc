@@ -34,7 +34,8 @@ namespace signorini
     discretization.matrices().apply_standard_mass(mass, along_x);
 
     const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
-    std::vector<double>             masses(n_bodies, 0.);
+    masses.assign(n_bodies, 0.);
+    centres.resize(n_bodies);
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (bodies[node] < n_bodies)
         {
@@ -53,6 +54,8 @@ namespace signorini
         sum_over_processes(first_moments, communicator);
         for (MassPoint &point : points)
           point.arm -= first_moments[point.body] / masses[point.body];
+        for (unsigned int body = 0; body < n_bodies; ++body)
+          centres[body] += first_moments[body] / masses[body];
       }
 
     std::vector<Tensor<2, n_axes>> inertia(n_bodies);
@@ -103,6 +106,52 @@ namespace signorini
     for (std::size_t body = 0; body < moments.size(); ++body)
       angles.push_back((inverse_inertia[body] * moments[body]).norm());
     return angles;
+  }
+
+
+  template <int dim>
+  std::vector<BodyReading> BodyMotion<dim>::read(const State &state) const
+  {
+    // Per body: both energies, momentum, angular momentum, mean displacement.
+    constexpr unsigned int n_sums = 2 + 2 * dim + n_axes;
+    std::vector<double>    sums(masses.size() * n_sums, 0.);
+    for (const MassPoint &point : points)
+      {
+        double        *sum = &sums[point.body * n_sums];
+        Tensor<1, dim> momentum;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            const unsigned int i = dim * point.node + c;
+            const double       u = state.displacement.local_element(i);
+            momentum[c]          = state.momentum.local_element(i);
+            sum[0] += 0.5 * state.velocity.local_element(i) * momentum[c];
+            sum[1] += 0.5 * u * state.internal_force.local_element(i);
+            sum[2 + c] += momentum[c];
+            sum[2 + dim + n_axes + c] += point.mass * u / masses[point.body];
+          }
+        const Moment spin = moment(point.arm, momentum);
+        for (unsigned int axis = 0; axis < n_axes; ++axis)
+          sum[2 + dim + axis] += spin[axis];
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+
+    std::vector<BodyReading> readings(masses.size());
+    for (std::size_t body = 0; body < masses.size(); ++body)
+      {
+        const double *sum      = &sums[body * n_sums];
+        BodyReading  &reading  = readings[body];
+        reading.kinetic_energy = sum[0];
+        reading.elastic_energy = sum[1];
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            reading.momentum[c] = sum[2 + c];
+            reading.velocity[c] = sum[2 + c] / masses[body];
+            reading.centroid[c] = centres[body][c] + sum[2 + dim + n_axes + c];
+          }
+        for (unsigned int axis = 0; axis < n_axes; ++axis)
+          reading.angular_momentum[3 - n_axes + axis] = sum[2 + dim + axis];
+      }
+    return readings;
   }
 
 

@@ -22,12 +22,12 @@ namespace signorini
       {
         const ContactNode<dim>      &node     = surface.nodes()[k];
         const double                 force    = node.normal_force(state.contact_force);
+        const dealii::Tensor<1, dim> all      = node.force(state.contact_force);
         const FrictionReading<dim>   friction = friction_at(surface, state.friction, k);
-        const dealii::Tensor<1, dim> normal   = node.surface_normal();
         summary.normal_force += std::abs(node.transmission * force);
         summary.friction_force += node.transmission * friction.force.norm();
         for (unsigned int c = 0; c < dim; ++c)
-          summary.resultant[c] += node.transmission * (force * normal[c] + friction.force[c]);
+          summary.resultant[c] += node.transmission * all[c];
         summary.n_active += bears_force(force);
         summary.n_stick += (bears_force(force) && friction.status == contact_status::stick);
         summary.n_slip += (bears_force(force) && friction.status == contact_status::slip);

@@ -7,6 +7,20 @@
 
 namespace signorini
 {
+  EnergyBooking &EnergyBooking::operator+=(const EnergyBooking &next)
+  {
+    contact += next.contact;
+    predictor += next.predictor;
+    friction += next.friction;
+    damping += next.damping;
+    scheme += next.scheme;
+    external += next.external;
+    transfer += next.transfer;
+    residual += next.residual;
+    return *this;
+  }
+
+
   void EnergyLedger::open(const State &state, const Vector *load)
   {
     first = last = evaluate(state, load);

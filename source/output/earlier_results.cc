@@ -32,7 +32,9 @@ namespace signorini
       if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       const std::filesystem::path folder(directory);
-      remove_matching(folder, std::regex("history\\.csv|probe_.*\\.csv|(volume|surface)\\.pvd"));
+      remove_matching(folder,
+                      std::regex("(history|supports|pairs|bodies|probe_.*)\\.csv|"
+                                 "(volume|surface)\\.pvd|obstacles\\.vtu"));
       remove_matching(folder / "fields", std::regex("(volume|surface)_.*\\.p?vtu(\\.part)?"));
       remove_matching(folder / "pictures",
                       std::regex("(bodies|contact_force|energy|momentum|probe_.*)\\.png"));

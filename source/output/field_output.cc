@@ -15,9 +15,21 @@ namespace signorini
 
     struct NamedComponent
     {
-      const char  *name;
+      std::string  name;
       unsigned int i, j;
     };
+
+    /** What is zero in plane strain is not written. */
+    template <int dim>
+    std::vector<NamedComponent> strain_components()
+    {
+      std::vector<NamedComponent> components;
+      for (unsigned int i = 0; i < dim; ++i)
+        for (unsigned int j = i; j < dim; ++j)
+          components.push_back({std::string("strain_") + "xyz"[i] + "xyz"[j], i, j});
+      return components;
+    }
+
 
     /** Out-of-plane shear is zero in 2d and not written. */
     template <int dim>
@@ -83,11 +95,13 @@ namespace signorini
     data.add_data_vector(
       velocity, std::vector<std::string>(dim, "velocity"), DataOut<dim>::type_dof_data, vector);
 
-    const auto                components = stress_components<dim>();
-    const std::vector<Stress> stresses   = cell_stress(discretization, displacement);
+    const auto stress_names = stress_components<dim>(), strain_names = strain_components<dim>();
+    const auto strains  = mean_strains(discretization, displacement);
+    const auto stresses = cell_stress(discretization, strains);
     // DataOut keeps references to the values until the patches are built.
-    std::vector<CellValues> stress_values(components.size(), CellValues(stresses.size()));
-    CellValues body(stresses.size()), equivalent(stresses.size()), subdomain(stresses.size());
+    std::vector<CellValues> stress_values(stress_names.size(), CellValues(strains.size())),
+      strain_values(strain_names.size(), CellValues(strains.size()));
+    CellValues body(strains.size()), equivalent(strains.size()), subdomain(strains.size());
     for (const auto &cell : triangulation.active_cell_iterators())
       if (cell->is_locally_owned())
         {
@@ -95,13 +109,17 @@ namespace signorini
           body[index]              = cell->material_id();
           subdomain[index]         = cell->subdomain_id();
           equivalent[index]        = von_mises(stresses[index]);
-          for (unsigned int c = 0; c < components.size(); ++c)
-            stress_values[c][index] = stresses[index][components[c].i][components[c].j];
+          for (unsigned int c = 0; c < stress_names.size(); ++c)
+            stress_values[c][index] = stresses[index][stress_names[c].i][stress_names[c].j];
+          for (unsigned int c = 0; c < strain_names.size(); ++c)
+            strain_values[c][index] = strains[index][strain_names[c].i][strain_names[c].j];
         }
     data.add_data_vector(body, "body", DataOut<dim>::type_cell_data);
     data.add_data_vector(equivalent, "von_mises", DataOut<dim>::type_cell_data);
-    for (unsigned int c = 0; c < components.size(); ++c)
-      data.add_data_vector(stress_values[c], components[c].name, DataOut<dim>::type_cell_data);
+    for (unsigned int c = 0; c < stress_names.size(); ++c)
+      data.add_data_vector(stress_values[c], stress_names[c].name, DataOut<dim>::type_cell_data);
+    for (unsigned int c = 0; c < strain_names.size(); ++c)
+      data.add_data_vector(strain_values[c], strain_names[c].name, DataOut<dim>::type_cell_data);
     data.add_data_vector(subdomain, "subdomain", DataOut<dim>::type_cell_data);
     if (indicators.size() > 0)
       data.add_data_vector(indicators, "error_indicator", DataOut<dim>::type_cell_data);

@@ -3,6 +3,8 @@
 
 #include <signorini/output/history.h>
 
+#include <utility>
+
 namespace signorini
 {
   namespace
@@ -71,7 +73,7 @@ namespace signorini
                                                        "slip_path",
                                                        "status"};
 
-    std::vector<double> values_of(const HistoryRow &row)
+    std::vector<double> values_of(const HistoryRow &row, const StepSums &sums)
     {
       return {static_cast<double>(row.state.step),
               row.state.time,
@@ -84,14 +86,14 @@ namespace signorini
               row.energy.external,
               row.energy.total() - row.energy.kinetic + row.standard_kinetic_energy,
               row.energy.total(),
-              row.booking.contact,
-              row.booking.predictor,
-              row.booking.friction,
-              row.booking.damping,
-              row.booking.scheme,
-              row.booking.external,
-              row.booking.transfer,
-              row.booking.residual,
+              sums.booking.contact,
+              sums.booking.predictor,
+              sums.booking.friction,
+              sums.booking.damping,
+              sums.booking.scheme,
+              sums.booking.external,
+              sums.booking.transfer,
+              sums.booking.residual,
               row.momentum.linear[0],
               row.momentum.linear[1],
               row.momentum.linear[2],
@@ -110,15 +112,27 @@ namespace signorini
               row.contact.max_slip,
               row.contact.max_penetration,
               row.contact.geometric_penetration,
-              static_cast<double>(row.report.corrector.active_set_iterations),
-              static_cast<double>(row.report.corrector.linear_iterations),
-              static_cast<double>(row.report.predictor.linear_iterations),
-              static_cast<double>(row.products.combined),
-              static_cast<double>(row.products.stiffness),
-              static_cast<double>(row.products.mass),
+              static_cast<double>(sums.active_set_iterations),
+              static_cast<double>(sums.linear_iterations),
+              static_cast<double>(sums.predictor_iterations),
+              static_cast<double>(sums.products.combined),
+              static_cast<double>(sums.products.stiffness),
+              static_cast<double>(sums.products.mass),
               row.wall_time};
     }
   } // namespace
+
+
+  void StepSums::add(const HistoryRow &row)
+  {
+    booking += row.booking;
+    products.combined += row.products.combined;
+    products.stiffness += row.products.stiffness;
+    products.mass += row.products.mass;
+    active_set_iterations += row.report.corrector.active_set_iterations;
+    linear_iterations += row.report.corrector.linear_iterations;
+    predictor_iterations += row.report.predictor.linear_iterations;
+  }
 
 
   template <int dim>
@@ -146,7 +160,8 @@ namespace signorini
   template <int dim>
   void History<dim>::write(const HistoryRow &row)
   {
-    std::vector<double> values = values_of(row);
+    since_last_row.add(row);
+    std::vector<double> values = values_of(row, std::exchange(since_last_row, StepSums()));
     if (with_errors)
       for (const double error : {row.errors.displacement,
                                  row.errors.velocity,

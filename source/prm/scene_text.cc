@@ -226,6 +226,7 @@ namespace signorini
     std::istringstream in(text.original);
     text.statements = scan_statements(in, file_name);
     refuse_repetitions(text.statements);
+    text.n_overrides = overrides.size();
     for (const Override &override : overrides)
       text.statements.push_back(statement_of_override(override, file_name));
     return text;

@@ -20,10 +20,38 @@ namespace signorini
                       Integer(),
                       "Without `VTU every`: write fields of so many states, evenly spread over the "
                       "time of the run, besides the initial one; 1: of the last one only.");
+    prm.declare_entry(
+      "Obstacles",
+      "true",
+      Bool(),
+      "With `VTU`: write the surfaces of the obstacles, as far as they are near the "
+      "bodies, once to obstacles.vtu.");
     prm.declare_entry("History every",
                       "1",
                       Integer(),
-                      "Write a row of history.csv and of the probes every so many steps.");
+                      "Write a row of history.csv and of the other tables every so many steps, and "
+                      "one for the last step. Works, iterations and products of the steps between "
+                      "are summed into the next row.");
+    prm.declare_entry("Supports",
+                      "true",
+                      Bool(),
+                      "Write supports.csv: the force on the body, support_<body>_<id>_x, ..., of "
+                      "each boundary with a Dirichlet condition. Momentum changes in a step by its "
+                      "size times the sum of loads, contact and supports, as the scheme applies "
+                      "them (doc/output.md). A component of a node that two boundaries prescribe "
+                      "counts for the one that `Dirichlet` names first.");
+    prm.declare_entry("Pairs",
+                      "true",
+                      Bool(),
+                      "Write pairs.csv: force on the slave, its moment about the origin, normal "
+                      "force, friction force, active nodes, smallest gap and penetration of each "
+                      "contact pair, pair_<k>_..., k = 0, 1, ... in the order of `Contact/Pairs`.");
+    prm.declare_entry("Bodies",
+                      "true",
+                      Bool(),
+                      "Write bodies.csv: kinetic and elastic energy, momentum, angular momentum "
+                      "about the centroid, centroid and mean velocity of each body, "
+                      "body_<name>_....");
   }
 
   OutputParameters parse_output(const SectionReader &in)
@@ -33,6 +61,10 @@ namespace signorini
     output.vtu_every     = in.integer("VTU every", 0, SectionReader::unlimited);
     output.vtu_states    = in.integer("VTU states", 1, SectionReader::unlimited);
     output.history_every = in.integer("History every", 1, SectionReader::unlimited);
+    output.obstacles     = in.flag("Obstacles");
+    output.supports      = in.flag("Supports");
+    output.pairs         = in.flag("Pairs");
+    output.bodies        = in.flag("Bodies");
     return output;
   }
 } // namespace signorini

@@ -5,6 +5,7 @@
 #include <signorini/base/spelling.h>
 #include <signorini/prm/apply_statements.h>
 #include <signorini/prm/check_expressions.h>
+#include <signorini/prm/repeatable_text.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/scene/sections.h>
 
@@ -34,12 +35,8 @@ namespace signorini
     void
     parse_probes(const SectionReader &in, const std::vector<std::string> &names, Scene<dim> &scene)
     {
-      if (!names.empty() && scene.pairs.empty())
-        in.fail("Names",
-                "a probe is a node of a contact surface, but the scene has no contact pair. Add "
-                "one to `Contact/Pairs`, or remove the probes.");
       for (const std::string &name : names)
-        scene.probes.push_back(parse_probe<dim>(in.section(name), name));
+        parse_probe(in.section(name), name, scene);
     }
 
     /**
@@ -125,6 +122,24 @@ namespace signorini
         all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
       return all.str();
     }
+    /** What the command line said, and where meshes lie that the scene names by its own folder. */
+    template <int dim>
+    std::vector<Statement>
+    statements_beyond_the_file(const SceneText                         &text,
+                               const std::vector<BodyDescription<dim>> &bodies)
+    {
+      std::vector<Statement> later(text.statements.end() - text.n_overrides, text.statements.end());
+      for (const BodyDescription<dim> &body : bodies)
+        if (body.shape == BodyShape::file)
+          {
+            const std::vector<std::string> section = {"Bodies", body.name};
+            const std::string              path =
+              std::filesystem::absolute(body.mesh_file.path).lexically_normal().string();
+            if (text.find(section, "File")->value != path)
+              later.push_back({section, "File", path, ""});
+          }
+      return later;
+    }
   } // namespace
 
   unsigned int read_dimension(const std::string &file_name, const std::vector<Override> &overrides)
@@ -170,7 +185,7 @@ namespace signorini
     scene.solver         = parse_solver(in.section("Solver"));
     scene.output         = parse_output(in.section("Output"));
 
-    scene.original_text  = text.original;
+    scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, scene.bodies));
     scene.all_parameters = print_all(prm, scene.bodies);
     return scene;
   }

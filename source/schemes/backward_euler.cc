@@ -4,6 +4,7 @@
 #include <signorini/schemes/backward_euler.h>
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -24,6 +25,7 @@ namespace signorini
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_dirichlet = solution.dirichlet_reaction * d / (tau * tau);
+    add_support_force(system, 1. / (tau * tau), solution.dirichlet_reaction, report);
 
     // v_new - v = d/tau - v
     Vector velocity_change = d;

@@ -6,6 +6,7 @@
 #include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/projected_predictor.h>
 #include <signorini/schemes/stop_held_nodes.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -43,6 +44,7 @@ namespace signorini
     report.work_contact   = r * d;
     report.work_predictor = projection_work - dirichlet_work;
     report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
+    add_support_force(system, weight, solution.dirichlet_reaction, report);
 
     Vector         velocity_change = change_by_rule;
     FrictionOfStep friction        = friction_of_step(state.friction, solution, weight, r);

@@ -4,6 +4,7 @@
 #include <signorini/schemes/acceleration.h>
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/generalized_alpha.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -31,7 +32,8 @@ namespace signorini
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_dirichlet = rule.reaction_weight(tau) * (solution.dirichlet_reaction * d);
-    State end             = end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    add_support_force(system, rule.reaction_weight(tau), solution.dirichlet_reaction, report);
+    State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = rule.work(system, state, end, a, d);
     swap(state, end);

@@ -4,6 +4,7 @@
 #include <signorini/schemes/acceleration.h>
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/khenous_laborde_renard.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -48,12 +49,11 @@ namespace signorini
     b.add(scale, new_load, -scale, state.internal_force);
 
     IncrementSolution solution;
-    system.solve({scale, 0., b, system.normal_gap(state.displacement), state, tau, scale},
-                 solution);
+    const NormalGap gap = system.normal_gap(state.displacement);
+    system.solve({scale, 0., b, gap, state, tau, scale}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r /= scale;
-
     Vector a_new = d;
     a_new.add(-tau, state.velocity, -tau * tau * (0.5 - beta), a);
     a_new /= scale;
@@ -73,6 +73,7 @@ namespace signorini
     report.work_contact = (1. - gamma) * (state.contact_force * d) + gamma * (r * d);
     report.work_dirichlet =
       (1. - gamma) * (condition * d) + gamma / scale * (solution.dirichlet_reaction * d);
+    add_support_force(system, 1. / scale, solution.dirichlet_reaction, report);
 
     State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);

@@ -5,6 +5,7 @@
 #include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/laursen_love.h>
 #include <signorini/schemes/node_impulses.h>
+#include <signorini/schemes/support_forces.h>
 
 #include <cmath>
 
@@ -59,6 +60,7 @@ namespace signorini
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_dirichlet = rule.dirichlet_work(solution, tau);
+    add_support_force(system, weight, solution.dirichlet_reaction, report);
 
     if (r.linfty_norm() > 0.)
       {
@@ -80,7 +82,9 @@ namespace signorini
         // outside.
         Vector reaction = response;
         system.apply_mass(reaction, response);
-        report.work_dirichlet += alpha * (dirichlet_part(system, reaction) * velocity);
+        const Vector dirichlet = dirichlet_part(system, reaction);
+        report.work_dirichlet += alpha * (dirichlet * velocity);
+        add_support_force(system, alpha / tau, dirichlet, report);
 
         velocity_change.add(alpha, response);
         report.work_contact += alpha * (alpha * kappa / 2. - omega);

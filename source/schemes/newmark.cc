@@ -4,6 +4,7 @@
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
 #include <signorini/schemes/newmark.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -35,6 +36,7 @@ namespace signorini
     FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / factor, r);
     report.work_friction += theta * friction.work;
     report.work_dirichlet = rule.dirichlet_work(solution, tau);
+    add_support_force(system, rule.reaction_weight(tau), solution.dirichlet_reaction, report);
 
     Vector free_increment = state.velocity;
     free_increment *= tau;

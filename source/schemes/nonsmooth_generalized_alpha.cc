@@ -6,6 +6,7 @@
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/fixed_point.h>
 #include <signorini/schemes/nonsmooth_generalized_alpha.h>
+#include <signorini/schemes/support_forces.h>
 
 #include <algorithm>
 #include <limits>
@@ -138,6 +139,8 @@ namespace signorini
     report.work_contact   = r * d;
     report.work_dirichlet = weight * (solution.dirichlet_reaction * d)
                             + (1. / tau - weight * tau / 2.) * dirichlet_impulse_work;
+    add_support_force(system, weight, solution.dirichlet_reaction, report);
+    add_support_force(system, 1. / tau - weight * tau / 2., impulse, report);
     State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
     report.work_scheme = rule.work(system, state, end, a, d);

@@ -6,6 +6,7 @@
 #include <signorini/schemes/projected_contact_stabilized.h>
 #include <signorini/schemes/projected_predictor.h>
 #include <signorini/schemes/stop_held_nodes.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -61,6 +62,8 @@ namespace signorini
     report.work_contact   = r * d;
     report.work_predictor = projection_work - dirichlet_work;
     report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
+    add_support_force(system, weight, solution.dirichlet_reaction, report);
+    add_support_force(system, 1. / (tau * tau), dirichlet_force, report);
 
     r.add(1. / (tau * tau), mass_c, -1. / (tau * tau), dirichlet_force);
 

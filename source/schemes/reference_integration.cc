@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/reference_integration.h>
+#include <signorini/schemes/support_forces.h>
 
 #include <deal.II/lac/la_parallel_block_vector.h>
 
@@ -149,6 +150,18 @@ namespace signorini
             + ". Use a smaller step size, or a larger Reference tolerance. (" + error.what() + ")");
         }
     }
+
+    /** What holds the prescribed entries at an instant: M a + A u - f - r there. */
+    Vector support_force(DynamicalSystem &system, const State &state)
+    {
+      Vector force = system.make_vector(), mass_times_acceleration = system.make_vector();
+      system.add_load(force, 1., state.time);
+      force += state.contact_force;
+      force -= state.internal_force;
+      system.apply_mass(mass_times_acceleration, system.solve_mass(force));
+      mass_times_acceleration -= force;
+      return dirichlet_part(system, mass_times_acceleration);
+    }
   } // namespace
 
 
@@ -179,6 +192,8 @@ namespace signorini
     report.corrector = equation.effort;
     State end =
       end_of_step(system, state, tau, increment, velocity_change, std::move(contact_force));
+    if (system.capabilities().moving_dirichlet != nullptr)
+      add_support_force(system, 1., support_force(system, end), report);
     swap(state, end);
     return report;
   }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/schemes/stop_held_nodes.h>
+#include <signorini/schemes/support_forces.h>
 
 namespace signorini
 {
@@ -48,6 +49,7 @@ namespace signorini
     velocity_change += correction;
     contact_force.add(1. / step_size, impulses, -1. / step_size, dirichlet);
     report.work_dirichlet += work_dirichlet;
+    add_support_force(system, 1. / step_size, dirichlet, report);
     report.predictor.linear_iterations += effort.linear_iterations;
     return work;
   }

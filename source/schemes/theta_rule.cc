@@ -3,6 +3,7 @@
 
 #include <signorini/schemes/end_of_step.h>
 #include <signorini/schemes/friction_of_step.h>
+#include <signorini/schemes/support_forces.h>
 #include <signorini/schemes/theta_rule.h>
 
 namespace signorini
@@ -93,6 +94,7 @@ namespace signorini
     report.corrector      = solution.effort;
     report.work_contact   = r * d;
     report.work_dirichlet = dirichlet_work(solution, tau);
+    add_support_force(system, reaction_weight(tau), solution.dirichlet_reaction, report);
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, reaction_weight(tau), r);
     report.work_friction    = friction.work;

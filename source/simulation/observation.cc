@@ -41,6 +41,7 @@ namespace signorini
                    scheme_info(scene.time.scheme).own_tolerance,
                    dim})
     , body_motion(meshed.discretization)
+    , tables(scene, meshed.discretization.communicator())
     , validity(names_of(scene.bodies), names_of(scene.pairs))
     , missing_pairs(scene.bodies.size(), scene.obstacles, scene.pairs)
     , velocity_zigzags(probes.size())
@@ -65,7 +66,25 @@ namespace signorini
   {
     ledger.open(state, meshed->load(state.time));
     initial_momentum = momentum(meshed->discretization, state);
-    run_summary.start(write(state, StepReport(), EnergyBooking()));
+    tables.use_mesh(*meshed, body_motion, state);
+    const HistoryRow row = evaluate(state, report_of_start(state), EnergyBooking());
+    run_summary.start(row);
+    write(row, true);
+  }
+
+
+  template <int dim>
+  StepReport Observation<dim>::report_of_start(const State &state)
+  {
+    StepReport report;
+    if (scene.time.start != StartKind::equilibrium)
+      return report;
+    Vector forces = state.internal_force;
+    forces -= state.contact_force;
+    if (const Vector *load = meshed->load(state.time))
+      forces -= *load;
+    report.support_force = dirichlet_part(meshed->system, forces);
+    return report;
   }
 
 
@@ -75,6 +94,7 @@ namespace signorini
     meshed      = &new_meshed;
     body_motion = BodyMotion<dim>(meshed->discretization);
     probes      = make_probes(scene, *meshed);
+    tables.use_mesh(*meshed, body_motion, state);
     ledger.transfer(state, meshed->load(state.time));
     run_summary.change_mesh(meshed->discretization.mesh().triangulation().n_global_active_cells());
   }
@@ -82,18 +102,20 @@ namespace signorini
 
   template <int dim>
   std::vector<std::string>
-  Observation<dim>::observe(const State &state, const StepReport &report, const bool last)
+  Observation<dim>::observe(const State &state, const StepReport &report, const bool is_last)
   {
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)
                      + " is not a finite number. Check the loads, velocities and material "
                        "constants of the scene.");
-    run_summary.add(write(state, report, booking));
+    const HistoryRow row = evaluate(state, report, booking);
+    run_summary.add(row);
     std::vector<std::string> news = validity.judge(validity_reading(state));
     for (const std::string &overlap :
-         missing_pairs.judge(meshed->discretization, state.displacement, state.time, last))
+         missing_pairs.judge(meshed->discretization, state.displacement, state.time, is_last))
       news.push_back(overlap);
+    write(row, is_last || (scene.time.stop_on_warning && !news.empty()));
     return news;
   }
 
@@ -131,9 +153,9 @@ namespace signorini
 
 
   template <int dim>
-  HistoryRow Observation<dim>::write(const State         &state,
-                                     const StepReport    &report,
-                                     const EnergyBooking &booking)
+  HistoryRow Observation<dim>::evaluate(const State         &state,
+                                        const StepReport    &report,
+                                        const EnergyBooking &booking)
   {
     const ProductCount products       = products_of_step();
     const auto        &discretization = meshed->discretization;
@@ -144,22 +166,37 @@ namespace signorini
     double         drift_square = 0.;
     for (unsigned int c = 0; c < 3; ++c)
       drift_square += std::pow(momentum_now.angular[c] - initial_momentum.angular[c], 2);
-    const HistoryRow row{state,
-                         discretization.mesh().triangulation().n_global_active_cells(),
-                         discretization.dof_handler().n_dofs(),
-                         ledger.current(),
-                         standard_kinetic_energy(state),
-                         booking,
-                         momentum_now,
-                         std::sqrt(drift_square),
-                         contact_now,
-                         report,
-                         products,
-                         clock.wall_time(),
-                         latest_errors};
-    const bool       write_row = state.step % scene.output.history_every == 0;
+    return {state,
+            discretization.mesh().triangulation().n_global_active_cells(),
+            discretization.dof_handler().n_dofs(),
+            ledger.current(),
+            standard_kinetic_energy(state),
+            booking,
+            momentum_now,
+            std::sqrt(drift_square),
+            contact_now,
+            report,
+            products,
+            clock.wall_time(),
+            latest_errors};
+  }
+
+
+  template <int dim>
+  void Observation<dim>::write(const HistoryRow &row, const bool always)
+  {
+    const State &state     = row.state;
+    const bool   write_row = always || state.step % scene.output.history_every == 0;
     if (write_row)
-      history.write(row);
+      {
+        history.write(row);
+        tables.write(state, row.report);
+      }
+    else
+      {
+        history.skip(row);
+        tables.skip(state);
+      }
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
         const ProbeReading reading = probes[p].read(state);
@@ -167,8 +204,7 @@ namespace signorini
         if (write_row)
           history.write_probe(p, state.time, reading);
       }
-    products_before = discretization.matrices().products();
-    return row;
+    products_before = meshed->discretization.matrices().products();
   }
 
 

@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/contact/overlap.h>
 #include <signorini/output/earlier_results.h>
+#include <signorini/output/obstacle_surfaces.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/element_warnings.h>
@@ -84,6 +85,7 @@ namespace signorini
     for (const std::string &warning : warnings())
       log.warning(warning);
 
+    write_obstacles();
     FieldOutput<dim> fields(scene.output_directory, mesh.communicator());
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
@@ -223,6 +225,15 @@ namespace signorini
       start_remarks.notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);
     meshed->system.apply_stiffness(state.internal_force, state.displacement);
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::write_obstacles() const
+  {
+    if (scene.output.vtu && scene.output.obstacles && !scene.obstacles.empty())
+      signorini::write_obstacles(
+        scene.output_directory, mesh.bounding_boxes(), scene.obstacles, mesh.communicator());
   }
 
 

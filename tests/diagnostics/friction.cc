@@ -133,9 +133,10 @@ TEST(FrictionSummary, TransmissionOfNodes)
   double force = 0., uneven = 0.;
   for (unsigned int k = 0; k < nodes.size(); ++k)
     {
-      const double transmission                                      = nodes[k].transmission;
-      friction.force.local_element(3 * nodes[k].node + 1)            = 0.5;
-      friction.slip.local_element(3 * nodes[k].node)                 = transmission * 0.1;
+      const double transmission                                = nodes[k].transmission;
+      state.contact_force.local_element(3 * nodes[k].node + 1) = 0.5; // friction is part of it
+      friction.force.local_element(3 * nodes[k].node + 1)      = 0.5;
+      friction.slip.local_element(3 * nodes[k].node)           = transmission * 0.1;
       friction.accumulated_slip.local_element(3 * nodes[k].node + 1) = transmission * 0.2;
       friction.slip_path[k]                                          = transmission * 0.3;
       force += transmission * 0.5;

@@ -31,9 +31,10 @@ namespace
     ASSERT_GT(dealii::Utilities::MPI::max(discretization.hanging_node_constraints().n_constraints(),
                                           MPI_COMM_WORLD),
               0u);
-    const auto stresses = cell_stress(
-      discretization,
-      discretization.interpolate_hanging_nodes(discretization.interpolate({displacement})));
+    const auto stresses = cell_stress(discretization,
+                                      mean_strains(discretization,
+                                                   discretization.interpolate_hanging_nodes(
+                                                     discretization.interpolate({displacement}))));
     ASSERT_EQ(stresses.size(), discretization.mesh().triangulation().n_active_cells());
     for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
       if (cell->is_locally_owned())

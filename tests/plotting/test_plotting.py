@@ -54,6 +54,27 @@ class Phases(unittest.TestCase):
         self.assertEqual(curves.contact_phases(self.time, 0.0 * self.time), [])
 
 
+class Probes(unittest.TestCase):
+    def test_a_contact_node_and_a_point_of_a_body(self):
+        """Components that are zero throughout are left out."""
+        time = numpy.arange(3.0)
+        node = {"time": time, "gap": time, "normal_velocity": time, "pressure": time}
+        point = {"time": time, "von_mises": time}
+        for quantity in ("position", "displacement", "velocity"):
+            for axis in "xyz":
+                point[f"{quantity}_{axis}"] = time * (axis == "y")
+        for table, titles in (
+            (node, ["Position", "Normal velocity", "Contact pressure"]),
+            (point, ["Displacement", "Velocity", "Stress"]),
+        ):
+            axes = curves.probe(table, "tip").axes
+            self.assertEqual(
+                [panel.get_title() or panel.get_title("left") for panel in axes], titles
+            )
+        lines = [line for line in axes[0].lines if line.get_label() in "xyz"]
+        self.assertEqual([line.get_label() for line in lines], ["y"])
+
+
 class Momentum(unittest.TestCase):
     def test_components_only(self):
         """The drift of the angular momentum is no component of it."""

@@ -160,7 +160,8 @@ TEST(Mistakes, ObstaclesAndProbes)
                    {"Obstacles/floor/Normal", "0, 0, 0", {"zero vector"}},
                    {"Obstacles/floor/Normal", "0, 1", {"3 numbers"}},
                    {"Obstacles/pillar/Radius", "0", {"must be positive"}},
-                   {"Probes/south/Point", "0, 0", {"3 numbers"}}});
+                   {"Probes/south/Point", "0, 0", {"3 numbers"}},
+                   {"Probes/south/Body", "bal", {"no body `bal`", "Did you mean `ball`?"}}});
 }
 
 TEST(Mistakes, Pairs)

@@ -116,7 +116,7 @@ TEST(Syntax, ProbeWithoutContact)
 {
   expect_refusal(flat_scene() + assignment("Probes/Names", "tip")
                    + assignment("Probes/tip/Point", "0, 1"),
-                 {"Probes/Names = tip", "no contact pair", "remove"});
+                 {"Probes/tip/Point = 0, 1", "no contact pair", "Set `Body`", "remove"});
 }
 
 TEST(Syntax, SchemeWithoutContactIsFine)

@@ -126,6 +126,42 @@ TEST(Reading, ObstaclesPairsProbes)
   EXPECT_EQ(scene.pairs[1].slave_boundary_ids, (std::vector<dealii::types::boundary_id>{2, 4}));
   ASSERT_EQ(scene.probes.size(), 1u);
   EXPECT_EQ(scene.probes[0].name, "south");
+  EXPECT_TRUE(scene.point_probes.empty());
+}
+
+TEST(Reading, AProbeOfABody)
+{
+  const Scene<3> scene = read({{"Probes/south/Body", "box"}});
+  EXPECT_TRUE(scene.probes.empty());
+  ASSERT_EQ(scene.point_probes.size(), 1u);
+  EXPECT_EQ(scene.point_probes[0].name, "south");
+  EXPECT_EQ(scene.bodies[scene.point_probes[0].body].name, "box");
+}
+
+// The text is read again, in another folder.
+TEST(Reading, TheCopyHoldsWhatTheCommandLineSaid)
+{
+  const std::vector<Override> overrides = {{"Time/Step size", "1e-3"},
+                                           {"Contact/ball : floor/Friction coefficient", "0.3"},
+                                           {"Output directory", "output/other"}};
+  const Scene<3>              scene     = read(overrides);
+  EXPECT_EQ(scene.original_text.find(correct_scene()), 0u) << "first the file, comments and all";
+  const TemporaryFile copy(scene.original_text);
+  const Scene<3>      again = read_scene<3>(copy.name, {});
+  EXPECT_EQ(again.all_parameters, scene.all_parameters);
+  EXPECT_EQ(again.original_text, scene.original_text) << "nothing to be added";
+  EXPECT_EQ(again.time.step_size, 1e-3);
+  EXPECT_EQ(again.pairs[0].friction.coefficient, "0.3");
+}
+
+TEST(Reading, TheCopyFindsIncludedFiles)
+{
+  const TemporaryFile part(correct_scene());
+  const TemporaryFile whole("  include " + std::filesystem::path(part.name).filename().string()
+                            + "   # the rest\nset Mapping = curved\n");
+  const Scene<3>      scene = read_scene<3>(whole.name, {});
+  const std::string   path  = std::filesystem::absolute(part.name).string();
+  EXPECT_EQ(scene.original_text, "include " + path + "\nset Mapping = curved\n");
 }
 
 TEST(Reading, Friction)

@@ -11,6 +11,8 @@ from . import style
 from .problem import Problem
 from .tables import require
 
+COLOURS = {"x": style.BLUE, "y": style.ORANGE, "z": style.GREEN}
+
 
 def contact_phases(time, force):
     """Intervals [a, b] of the time axis in which a contact force acts."""
@@ -162,12 +164,11 @@ def momentum(history):
     figure, axes = style.panels(len(kinds))
     shade_contact(axes, history)
     negligible = 1e-9 * max(abs(history[name]).max() for _, names in kinds for name in names)
-    colour = {"x": style.BLUE, "y": style.ORANGE, "z": style.GREEN}
     for panel, (title, names) in zip(axes, kinds):
         shown = [name for name in names if abs(history[name]).max() > negligible]
         for name in shown:
             component = name[-1]
-            style.line(panel, time, history[name], colour[component], component)
+            style.line(panel, time, history[name], COLOURS[component], component)
         zero = ", ".join(name[-1] for name in names if name not in shown)
         panel.set(title=title + (f" ({zero}: zero)" if zero else ""), ylabel="momentum")
         if shown:
@@ -179,21 +180,24 @@ def momentum(history):
     return figure
 
 
+def rows_of_point(table):
+    """What a probe in a body has to show."""
+    rows = []
+    for title, quantity in (("Displacement", "displacement"), ("Velocity", "velocity")):
+        components = [
+            (f"{quantity}_{axis}", axis, colour)
+            for axis, colour in COLOURS.items()
+            if numpy.any(table.get(f"{quantity}_{axis}", 0.0))
+        ]
+        rows.append((title, quantity, components or [(f"{quantity}_x", "x", style.BLUE)]))
+    return rows + [("Stress", "von Mises", (("von_mises", None, style.VERMILION),))]
+
+
 def probe(table, name):
-    """Gap and displacement, velocity and pressure of one contact node."""
+    """Displacement, velocity and stress of a point; of a contact node gap and displacement,
+    velocity and pressure."""
     (time,) = require(table, "time")
-    rows = [
-        (
-            "Position",
-            "distance",
-            (
-                ("gap", "gap", style.BLUE),
-                ("normal_displacement", "normal displacement", style.ORANGE),
-            ),
-        ),
-        ("Normal velocity", "velocity", (("normal_velocity", None, style.GREEN),)),
-        ("Contact pressure", "pressure", (("pressure", None, style.VERMILION),)),
-    ]
+    rows = rows_of_point(table) if "von_mises" in table else rows_of_contact_node()
     rows = [row for row in rows if any(column in table for column, _, _ in row[2])]
     if not rows:
         raise Problem(
@@ -211,3 +215,19 @@ def probe(table, name):
         if curves[0][1]:
             panel.legend(loc="best")
     return figure
+
+
+def rows_of_contact_node():
+    """What a probe on a contact surface has to show."""
+    return [
+        (
+            "Position",
+            "distance",
+            (
+                ("gap", "gap", style.BLUE),
+                ("normal_displacement", "normal displacement", style.ORANGE),
+            ),
+        ),
+        ("Normal velocity", "velocity", (("normal_velocity", None, style.GREEN),)),
+        ("Contact pressure", "pressure", (("pressure", None, style.VERMILION),)),
+    ]

@@ -15,6 +15,8 @@ from . import distances
 
 #: Relative energies below this, in per cent, are round-off.
 ROUND_OFF = 1e-8
+#: Beside the history, with rows for the same steps.
+FURTHER_TABLES = ("supports.csv", "pairs.csv", "bodies.csv")
 #: Forces below this part of the largest one are round-off.
 NO_FORCE = 1e-9
 
@@ -42,13 +44,25 @@ class Result:
         return read_columns(self.folder / "history.csv")
 
     @functools.cached_property
+    def columns(self):
+        """All columns of the tables that have the rows of the history."""
+        tables = [
+            read_columns(path)
+            for name in FURTHER_TABLES
+            for path in [self.folder / name]
+            if path.exists()
+        ]
+        return {name: column for table in [*tables, self.history] for name, column in table.items()}
+
+    @functools.cached_property
     def probes(self):
-        """All probes by name."""
-        return {path.stem: read_columns(path) for path in sorted(self.folder.glob("probe_*.csv"))}
+        """All probes of contact by name."""
+        probes = {path.stem: read_columns(path) for path in sorted(self.folder.glob("probe_*.csv"))}
+        return {name: columns for name, columns in probes.items() if "gap" in columns}
 
     @property
     def probe(self):
-        """The first probe by name, or {}."""
+        """The first probe of contact by name, or {}."""
         return next(iter(self.probes.values()), {})
 
     @functools.cached_property

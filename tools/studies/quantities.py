@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Numbers that a study file derives from the columns of a history, such as
+"""Numbers that a study file derives from the columns of the tables of a run, such as
 `last(momentum_x)/first(momentum_x)`, and the curve they lie on in theory."""
 
 import csv
@@ -10,14 +10,38 @@ import math
 from .distances import Curve
 from .expressions import Expression
 from .mistake import Mistake
+from .observe import NO_FORCE
 
-#: What becomes of a column of history.csv: one number. An integral takes the value of each step for
-#: constant in it, as contact forces are.
+
+class Never(Exception):
+    """A quantity has no value in a run, because nothing happened."""
+
+
+def spans(column, times):
+    """(value, start, end) of each row: a row stands for the time since the one before it."""
+    return list(zip(column[1:], times, times[1:]))
+
+
+def active(column, times):
+    """The spans in which a column differs from zero by more than round-off."""
+    smallest = NO_FORCE * max(map(abs, column))
+    return [span for span in spans(column, times) if abs(span[0]) > smallest]
+
+
+#: What becomes of a column and its times: one number. Each value counts for constant in the step
+#: that leads to it, as contact forces are; what is zero all the time neither begins nor ends.
 OF_COLUMNS = {
-    "first": lambda column, steps: column[0],
-    "last": lambda column, steps: column[-1],
-    "largest": lambda column, steps: max(column),
-    "integral": lambda column, steps: sum(value * step for value, step in zip(column, steps)),
+    "first": lambda column, times: column[0],
+    "last": lambda column, times: column[-1],
+    "largest": lambda column, times: max(column),
+    "integral": lambda column, times: sum(
+        value * (end - start) for value, start, end in spans(column, times)
+    ),
+    "begin": lambda column, times: min(
+        (span[1] for span in active(column, times)), default=math.nan
+    ),
+    "end": lambda column, times: max((span[2] for span in active(column, times)), default=math.nan),
+    "duration": lambda column, times: sum(end - start for _, start, end in active(column, times)),
 }
 #: The function that is given by the points of a file.
 OF_CURVE = "curve"
@@ -25,7 +49,7 @@ OF_CURVE = "curve"
 
 class Quantity(Expression):
     """A number of a run: an expression in functions of columns, in quantities before it, and in
-    curve(...), if there is one."""
+    curve(...), if there is one. It is nan where it needs the time of what never happened."""
 
     def __init__(self, name, text, where, before, curve=None):
         self.heading, self.before, self.curve, self.result = name, before, curve, None
@@ -36,13 +60,19 @@ class Quantity(Expression):
         if not result:
             return math.nan
         self.result = result
-        return super().__call__(*(quantity(result) for quantity in self.before))
+        try:
+            return super().__call__(*(quantity(result) for quantity in self.before))
+        except Never:
+            return math.nan
 
     def valid(self):
         functions = [f"{name}(COLUMN)" for name in OF_COLUMNS] + [f"{OF_CURVE}(...)"] * bool(
             self.curve
         )
-        return f"Valid: {', '.join(functions)} with columns of history.csv. {super().valid()}"
+        return (
+            f"Valid: {', '.join(functions)} with columns of history.csv, "
+            f"supports.csv, pairs.csv and bodies.csv. {super().valid()}"
+        )
 
     def check_call(self, node):
         if node.func.id in OF_COLUMNS:
@@ -57,15 +87,24 @@ class Quantity(Expression):
         function = getattr(getattr(node, "func", None), "id", None)
         if function in OF_COLUMNS:
             column = node.args[0].id
-            if column not in self.result.history:
+            if column not in self.result.columns:
                 raise Mistake(
-                    f"{self.where} = {self.text}: {self.result.folder / 'history.csv'} has no"
-                    f" column {column}. It has {', '.join(self.result.history)}."
+                    f"{self.where} = {self.text}: no table in {self.result.folder} has a column"
+                    f" {column}. There are {', '.join(self.result.columns)}."
                 )
-            return OF_COLUMNS[function](self.result[column], self.result["step_size"])
+            value = OF_COLUMNS[function](self.result.columns[column], self.result.columns["time"])
+            return happened(value)
         if function == OF_CURVE:
             return self.curve(self.evaluate(node.args[0], variables))
-        return super().evaluate(node, variables)
+        value = super().evaluate(node, variables)
+        return happened(value) if hasattr(node, "id") else value
+
+
+def happened(value):
+    """The value, unless it is nan."""
+    if math.isnan(value):
+        raise Never
+    return value
 
 
 def read_quantities(texts, path, curve):

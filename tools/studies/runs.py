@@ -12,7 +12,7 @@ import tempfile
 import time
 
 from .definition import Study
-from .observe import Result
+from .observe import FURTHER_TABLES, Result
 
 #: Next to the results of a run: the message with which it failed.
 FAILURE = "failure.txt"
@@ -46,7 +46,8 @@ def tasks(study, folder):
 
 def clear(folder):
     """Take away what an earlier run left, so that nobody takes it for the result of this one."""
-    remove(folder, "history.csv", "probe_*.csv", "*.pvd", "fields/*.vtu", "fields/*.pvtu", FAILURE)
+    remove(folder, "history.csv", *FURTHER_TABLES, "probe_*.csv", FAILURE)
+    remove(folder, "*.pvd", "fields/*.vtu", "fields/*.pvtu")
 
 
 def remove(folder, *patterns):

@@ -68,6 +68,18 @@ namespace signorini
       return free_force / free_part;
     }
 
+    /**
+     * The force of the other side on the node with what it hands on to prescribed directions, in
+     * units of these forces: times `transmission` that on the body.
+     */
+    dealii::Tensor<1, dim> force(const Vector &nodal_forces) const
+    {
+      dealii::Tensor<1, dim> result = normal_force(nodal_forces) * prescribed_part;
+      for (unsigned int c = 0; c < dim; ++c)
+        result[c] += nodal_forces.local_element(dim * node + c);
+      return result;
+    }
+
     /** A row of the frame. */
     dealii::Tensor<1, dim> direction(const unsigned int row) const
     {

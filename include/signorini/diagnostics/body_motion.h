@@ -5,9 +5,24 @@
 #define signorini_diagnostics_body_motion_h
 
 #include <signorini/discretization/discretization.h>
+#include <signorini/time/state.h>
 
 namespace signorini
 {
+  /** One body at one instant. Energies and momenta are those of the mass of the scheme. */
+  struct BodyReading
+  {
+    double                kinetic_energy = 0., elastic_energy = 0.;
+    std::array<double, 3> momentum{};
+    /**
+     * About the centroid: int rho (X - X_c) x v with positions of the reference configuration, of
+     * which linear elasticity conserves every component.
+     */
+    std::array<double, 3> angular_momentum{};
+    std::array<double, 3> centroid{}; ///< where the centre of mass is now
+    std::array<double, 3> velocity{}; ///< mean: momentum over mass
+  };
+
   /**
    * How each body has moved as a whole: means of the nodal displacements, weighted with the lumped
    * mass. Of linear elasticity only what turns little is to be believed, so that the rotation is
@@ -26,6 +41,9 @@ namespace signorini
      */
     std::vector<double> rotation(const Vector &displacement) const;
 
+    /** Each body at one instant, the same on all processes. Collective. */
+    std::vector<BodyReading> read(const State &state) const;
+
   private:
     static constexpr unsigned int n_axes = dim == 2 ? 1 : 3;
     using Moment                         = dealii::Tensor<1, n_axes>;
@@ -40,6 +58,8 @@ namespace signorini
 
     MPI_Comm                               communicator;
     std::vector<MassPoint>                 points;
+    std::vector<double>                    masses;  ///< of each body
+    std::vector<dealii::Tensor<1, dim>>    centres; ///< of mass, in the reference configuration
     std::vector<dealii::Tensor<2, n_axes>> inverse_inertia; ///< of each body
 
     /** arm x vector. */

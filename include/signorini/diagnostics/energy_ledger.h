@@ -32,6 +32,9 @@ namespace signorini
                            ///< -(f_new - f)'(u + u_new)/2
     double transfer = 0.;  ///< change by a new mesh
     double residual = 0.;
+
+    /** Go on with the next step. */
+    EnergyBooking &operator+=(const EnergyBooking &next);
   };
 
   /**

@@ -21,12 +21,15 @@ namespace signorini
   public:
     explicit DirichletConditions(const Discretization<dim> &discretization);
 
-    /** Per component the index of the condition that prescribes it, or `none`. */
+    /** Per component the index of the (first) condition that prescribes it, or `none`. */
     using Components                   = std::array<unsigned int, dim>;
     static constexpr unsigned int none = static_cast<unsigned int>(-1);
 
     /** Prescribed components by owned node. */
     const std::map<unsigned int, Components> &nodes() const { return prescribed; }
+
+    /** Of all bodies, in their order, and there in that of the scene. */
+    unsigned int n_conditions() const { return places.size(); }
 
     /** Whether there are any conditions, on any process. */
     bool any() const { return !places.empty(); }

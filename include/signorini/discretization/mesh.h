@@ -76,6 +76,8 @@ namespace signorini
       return boxes[body];
     }
 
+    const std::vector<dealii::BoundingBox<dim>> &bounding_boxes() const { return boxes; }
+
     /** Largest extent of any body: the unit of length for tolerances. */
     double body_size() const { return largest_extent; }
 

@@ -48,7 +48,11 @@ namespace signorini
     unsigned int vtu_every     = 0;
     unsigned int vtu_states    = 20; ///< number of states, evenly in time, besides the initial one
     bool         vtu           = true;
+    bool         obstacles     = true; ///< with VTU: their surfaces, once
     unsigned int history_every = 1;
+    bool         supports      = true; ///< table of the forces of supports, if there are any
+    bool         pairs         = true; ///< table of the contact of each pair, if there are any
+    bool         bodies        = true; ///< table of energies and momenta of each body
   };
 } // namespace signorini
 

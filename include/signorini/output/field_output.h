@@ -12,9 +12,10 @@ namespace signorini
 {
   /**
    * Pictures of the motion for Paraview: `volume.pvd` with displacement and velocity (nodes), body,
-   * stress_xx, ..., von_mises and subdomain and, on meshes that change, error_indicator (cells),
-   * and `surface.pvd` with the contact surface, see SurfacePatches. The stress of a cell is its
-   * mean stress; in 2d (plane strain) stress_zz is part of it. A scene without contact pairs has no
+   * stress_xx, ..., von_mises, strain_xx, ... and subdomain and, on meshes that change,
+   * error_indicator (cells), and `surface.pvd` with the contact surface, see SurfacePatches. Stress
+   * and strain of a cell are its means; in 2d (plane strain) stress_zz is part of it. strain_xy is
+   * a component of the tensor, half the angle of shear. A scene without contact pairs has no
    * surface series.
    */
   template <int dim>

@@ -33,6 +33,16 @@ namespace signorini
     ErrorNorms     errors                = {}; ///< written only if the scene has an exact solution
   };
 
+  /** What adds up over steps. */
+  struct StepSums
+  {
+    EnergyBooking booking;
+    ProductCount  products;
+    unsigned int  active_set_iterations = 0, linear_iterations = 0, predictor_iterations = 0;
+
+    void add(const HistoryRow &row);
+  };
+
   /**
    * The table history.csv, and probe_<name>.csv for each probe, with slip if there is friction.
    * All functions are collective.
@@ -48,10 +58,13 @@ namespace signorini
             MPI_Comm                       communicator);
 
     void write(const HistoryRow &row);
+    /** A step without a row of its own: what adds up is part of the next row. */
+    void skip(const HistoryRow &row) { since_last_row.add(row); }
     void write_probe(unsigned int probe, double time, const ProbeReading &reading);
 
   private:
     const bool                             with_errors, with_friction;
+    StepSums                               since_last_row;
     std::unique_ptr<CsvTable>              history;
     std::vector<std::unique_ptr<CsvTable>> probe_tables;
   };

@@ -32,7 +32,7 @@ namespace signorini
     ~RunLog();
 
     /**
-     * Keep a copy of the scene: as it was read, and with all defaults. Collective. @throws
+     * Keep a copy of the scene: as it was given, and with all defaults. Collective. @throws
      * RunError on all processes.
      */
     void copy_scene(const std::string &original_text, const std::string &all_parameters) const;

@@ -38,6 +38,7 @@ namespace signorini
     std::string            file_name;
     std::string            original; ///< the file as it was read
     std::vector<Statement> statements;
+    std::size_t            n_overrides = 0; ///< so many of the last statements are not in the file
 
     /**
      * The statement that decides on a key (the last one), or nullptr. An empty key asks for the

@@ -10,6 +10,7 @@
 #include <signorini/model/cell_geometry.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/model/exact_solution.h>
+#include <signorini/model/point_probe.h>
 #include <signorini/model/run_parameters.h>
 #include <signorini/obstacles/rigid_obstacle.h>
 #include <signorini/scene/step_size_parameters.h>
@@ -52,12 +53,13 @@ namespace signorini
     std::vector<NamedObstacle<dim>>    obstacles;
     std::vector<PairDescription>       pairs;
     std::vector<ProbeDescription<dim>> probes;
-    ExactSolutionDescription<dim>      exact_solution;
-    SolverParameters                   solver;
-    OutputParameters                   output;
-    std::string                        original_text;  ///< the scene file as it was read
-    std::string                        all_parameters; ///< every key with the value used, as a .prm
-    StepSizeParameters                 step_sizes;
+    std::vector<PointProbeDescription<dim>> point_probes;
+    ExactSolutionDescription<dim>           exact_solution;
+    SolverParameters                        solver;
+    OutputParameters                        output;
+    std::string original_text;  ///< the scene file and the command line, see repeatable_text()
+    std::string all_parameters; ///< every key with the value used, as a .prm
+    StepSizeParameters step_sizes;
   };
 } // namespace signorini
 

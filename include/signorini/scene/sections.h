@@ -81,8 +81,9 @@ namespace signorini
 
   template <int dim>
   void declare_probe(dealii::ParameterHandler &prm);
+  /** Adds the probe to the scene, which knows its bodies and pairs. */
   template <int dim>
-  ProbeDescription<dim> parse_probe(const SectionReader &in, const std::string &name);
+  void parse_probe(const SectionReader &in, const std::string &name, Scene<dim> &scene);
 
   template <int dim>
   void declare_exact_solution(dealii::ParameterHandler &prm);

@@ -11,6 +11,7 @@
 #include <signorini/output/history.h>
 #include <signorini/output/run_summary.h>
 #include <signorini/simulation/meshed_scene.h>
+#include <signorini/simulation/step_tables.h>
 
 #include <deal.II/base/timer.h>
 
@@ -32,10 +33,10 @@ namespace signorini
     void change_mesh(MeshedScene<dim> &meshed, const State &state);
 
     /**
-     * @param last whether the run ends with this step
+     * @param is_last the run ends with this step
      * @return what begins to be doubtful with it, see Validity and MissingPairs
      */
-    std::vector<std::string> observe(const State &state, const StepReport &report, bool last);
+    std::vector<std::string> observe(const State &state, const StepReport &report, bool is_last);
 
     const ContactSummary &contact() const { return contact_now; }
 
@@ -66,6 +67,7 @@ namespace signorini
     Momentum                initial_momentum;
     RunSummary              run_summary;
     BodyMotion<dim>         body_motion;
+    StepTables<dim>         tables;
     Validity                validity;
     MissingPairs<dim>       missing_pairs;
     std::vector<double>     strains; ///< of the bodies, when they were last evaluated
@@ -77,7 +79,11 @@ namespace signorini
 
     ErrorNorms latest_errors;
 
-    HistoryRow write(const State &state, const StepReport &report, const EnergyBooking &booking);
+    HistoryRow evaluate(const State &state, const StepReport &report, const EnergyBooking &booking);
+    /** Into all tables, if it is time to. */
+    void write(const HistoryRow &row, bool always);
+    /** In a run that starts in equilibrium, its reactions; else nothing. */
+    StepReport report_of_start(const State &state);
     /** With the consistent mass, whatever the mass of the scheme. */
     double standard_kinetic_energy(const State &state) const;
     /** What the method takes to be small. */

@@ -74,6 +74,8 @@ namespace signorini
     StepReport advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */
     void adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
+    /** Their surfaces, if the scene wants fields of them. */
+    void write_obstacles() const;
     /** Whether it is time to. @param fraction of the run that is done */
     bool        writes_fields(double fraction);
     std::string description() const;

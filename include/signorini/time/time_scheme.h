@@ -24,6 +24,11 @@ namespace signorini
     double      work_dirichlet = 0.; ///< work of the reactions at prescribed displacements
     double      work_damping   = 0.; ///< change of energy by viscous damping
     double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
+    /**
+     * Nodal forces of whatever prescribes displacements, on the bodies, in the sense in which the
+     * scheme applies contact forces; see support_forces.h. Empty if nothing is prescribed.
+     */
+    Vector       support_force      = {};
     unsigned int impulse_iterations = 0; ///< laursen-love, per node: of the coupled equations
     bool common_impulses = false; ///< they had no solution; the common factor was taken instead
   };

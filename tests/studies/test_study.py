@@ -222,11 +222,13 @@ Time/Scheme = reference
         """Of a history of three rows; a quantity can use those before it, and a curve."""
 
         class Run:
-            history = {"step_size": [0.0, 0.5, 0.25], "force": [9.0, 2.0, -4.0]}
+            columns = {
+                "time": [0.0, 0.5, 0.75],
+                "force": [9.0, 2.0, -4.0],
+                "hit": [0.0, 0.0, 3.0],
+                "rest": [0.0, 0.0, 0.0],
+            }
             folder = pathlib.Path("run")
-
-            def __getitem__(self, name):
-                return self.history[name]
 
         curve = distances.Curve([0.0, 1.0], [0.0, 3.0])
         found = read_quantities(
@@ -235,11 +237,18 @@ Time/Scheme = reference
                 "b": "integral(force)",
                 "c": "a + 2*b",
                 "d": "curve(b + 0.5)",
+                "e": "begin(hit) + 10*end(hit) + 100*duration(hit)",
+                "f": "duration(force) + duration(rest)",
+                "g": "end(rest)",
+                "h": "2*g",
             },
             "file",
             curve,
         )
         self.assertEqual([found[name](Run()) for name in "abcd"], [20.0, 0.0, 20.0, 1.5])
+        # The force acts all the time, the hit in the last quarter of a second, the rest never.
+        self.assertEqual([found[name](Run()) for name in "ef"], [33.0, 0.75])
+        self.assertTrue(math.isnan(found["g"](Run())) and math.isnan(found["h"](Run())))
         self.assertEqual(found["c"].heading, "c")
         self.assertTrue(math.isnan(found["a"](None)))
         for text, message in (
@@ -251,7 +260,7 @@ Time/Scheme = reference
         ):
             with self.assertRaisesRegex(Mistake, re.escape(message), msg=text):
                 read_quantities({"a": text}, "file", None)
-        with self.assertRaisesRegex(Mistake, "has no column forse. It has step_size, force"):
+        with self.assertRaisesRegex(Mistake, "has a column forse. There are time, force"):
             read_quantities({"a": "last(forse)"}, "file", None)["a"](Run())
 
     def test_quantities_of_a_study(self):
@@ -265,7 +274,7 @@ Time/Scheme = reference
             f"""
 [study]
 scene = {BAR}
-observe = turned, deviation
+observe = turned, deviation, difference
 curve = line.csv
 figure = impulse over turned
 [scene]
@@ -274,15 +283,17 @@ Time/Step size = 1e-2
 [quantities]
 turned = last(momentum_y) - first(momentum_y)
 deviation = integral(contact_force_y) - curve(-turned/2)
+difference = duration(contact_force) - end(pair_0_normal_force) + begin(pair_0_normal_force)
 [variations]
 Time/Scheme = contact-implicit; laursen-chawla
 """,
         )
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        self.assertEqual(rows[0], ["Scheme", "turned", "deviation"])
+        self.assertEqual(rows[0], ["Scheme", "turned", "deviation", "difference"])
         for row in rows[1:]:
             self.assertGreater(abs(float(row[1])), 1.0)
             self.assertLess(abs(float(row[2])), 1e-8)
+            self.assertLess(abs(float(row[3])), 0.05)
         self.assertTrue((folder / "quantities" / "figure.png").read_bytes().startswith(b"\x89PNG"))
 
     def test_distances(self):

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/output/obstacle_surfaces.h>
+#include <signorini/output/whole_file.h>
+
+#include <deal.II/dofs/dof_handler.h>
+
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/mapping_q1.h>
+
+#include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
+#include <deal.II/grid/tria.h>
+
+#include <deal.II/lac/vector.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    template <int dim>
+    constexpr unsigned int cells_per_direction = dim == 2 ? 128 : 32;
+
+    /** Distances that are smaller, in cells, are no zeros: a surface through vertices has no cut.
+     */
+    constexpr double no_zero = 1e-4;
+
+
+    /** The distance from an obstacle at the vertices of a grid. */
+    template <int dim>
+    dealii::Vector<double> distances(const DoFHandler<dim>    &grid,
+                                     const RigidObstacle<dim> &obstacle,
+                                     const double              smallest)
+    {
+      dealii::Vector<double> result(grid.n_dofs());
+      for (const auto &cell : grid.active_cell_iterators())
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const double gap                     = obstacle.project(cell->vertex(v)).gap;
+            result(cell->vertex_dof_index(v, 0)) = std::abs(gap) < smallest ? smallest : gap;
+          }
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  ObstacleSurfaces<dim>::ObstacleSurfaces(const std::vector<NamedObstacle<dim>> &obstacles,
+                                          const BoundingBox<dim>                &box)
+  {
+    const auto        &corners = box.get_boundary_points();
+    Triangulation<dim> cells;
+    GridGenerator::subdivided_hyper_rectangle(
+      cells,
+      std::vector<unsigned int>(dim, cells_per_direction<dim>),
+      corners.first,
+      corners.second);
+    const FE_Q<dim>      linear(1);
+    const MappingQ1<dim> mapping;
+    DoFHandler<dim>      grid(cells);
+    grid.distribute_dofs(linear);
+    const double size = corners.first.distance(corners.second) / cells_per_direction<dim>;
+    const GridTools::MarchingCubeAlgorithm<dim, dealii::Vector<double>> marching(
+      mapping, linear, 1, 1e-3 * no_zero * size);
+    for (unsigned int index = 0; index < obstacles.size(); ++index)
+      {
+        const RigidObstacle<dim>      &obstacle = *obstacles[index].shape;
+        std::vector<Point<dim>>        vertices;
+        std::vector<CellData<dim - 1>> pieces;
+        marching.process(
+          grid, distances<dim>(grid, obstacle, no_zero * size), 0., vertices, pieces);
+        for (const CellData<dim - 1> &piece : pieces)
+          {
+            std::vector<Point<dim>> corners_of_piece;
+            for (const unsigned int v : piece.vertices)
+              corners_of_piece.push_back(vertices[v]);
+            add_patch(obstacle, index, corners_of_piece);
+          }
+      }
+  }
+
+
+  template <int dim>
+  void ObstacleSurfaces<dim>::add_patch(const RigidObstacle<dim>      &obstacle,
+                                        const unsigned int             index,
+                                        const std::vector<Point<dim>> &vertices)
+  {
+    Patch patch;
+    patch.n_subdivisions = 1;
+    patch.reference_cell = ReferenceCells::get_simplex<dim - 1>();
+    patch.data.reinit(1, vertices.size());
+    for (unsigned int v = 0; v < vertices.size(); ++v)
+      {
+        const ObstacleProjection<dim> way = obstacle.project(vertices[v]);
+        patch.vertices[v]                 = vertices[v] + way.gap * way.normal;
+        patch.data(0, v)                  = index;
+      }
+    patch.patch_index = patches.size();
+    patches.push_back(patch);
+  }
+
+
+  template <int dim>
+  BoundingBox<dim> surroundings(const std::vector<BoundingBox<dim>>   &bodies,
+                                const std::vector<NamedObstacle<dim>> &obstacles)
+  {
+    BoundingBox<dim> box  = bodies.front();
+    double           size = 0.;
+    for (const BoundingBox<dim> &body : bodies)
+      {
+        box.merge_with(body);
+        size = std::max(
+          size, body.get_boundary_points().first.distance(body.get_boundary_points().second));
+      }
+    std::vector<Point<dim>> points = {box.get_boundary_points().first,
+                                      box.get_boundary_points().second};
+    for (const BoundingBox<dim> &body : bodies)
+      for (const NamedObstacle<dim> &obstacle : obstacles)
+        {
+          const ObstacleProjection<dim> way = obstacle.shape->project(body.center());
+          points.push_back(body.center() + way.gap * way.normal);
+        }
+    box = BoundingBox<dim>(points);
+    box.extend(0.5 * size);
+    return box;
+  }
+
+
+  template <int dim>
+  void write_obstacles(const std::string                     &directory,
+                       const std::vector<BoundingBox<dim>>   &bodies,
+                       const std::vector<NamedObstacle<dim>> &obstacles,
+                       const MPI_Comm                         communicator)
+  {
+    succeed_together(communicator, [&] {
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+        return;
+      const ObstacleSurfaces<dim> surfaces(obstacles, surroundings(bodies, obstacles));
+      write_whole_file(directory + "/obstacles.vtu",
+                       [&](std::ostream &out) { surfaces.write_vtu(out); });
+    });
+  }
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class ObstacleSurfaces<dim>;                                                            \
+  template BoundingBox<dim> surroundings(const std::vector<BoundingBox<dim>> &,                    \
+                                         const std::vector<NamedObstacle<dim>> &);                 \
+  template void             write_obstacles(const std::string &,                                   \
+                                            const std::vector<BoundingBox<dim>> &,                 \
+                                            const std::vector<NamedObstacle<dim>> &,               \
+                                            MPI_Comm);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace signorini

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The drawn surface of an obstacle lies on the obstacle, and all of it that is in the box is there:
+// a plane has the area of its section of the box, also where it passes through vertices of the
+// grid, and a sphere or circle its own up to the error of facets (relative, of second order in the
+// size of the grid).
+
+#include "scratch.h"
+
+#include <signorini/obstacles/plane.h>
+#include <signorini/obstacles/round_obstacle.h>
+#include <signorini/output/obstacle_surfaces.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+using namespace signorini;
+using dealii::BoundingBox;
+using dealii::Point;
+using dealii::Tensor;
+
+namespace
+{
+  template <int dim>
+  NamedObstacle<dim> plane(const Tensor<1, dim> &normal)
+  {
+    return {"plane", std::make_shared<Plane<dim>>(Point<dim>(), normal)};
+  }
+
+  template <int dim>
+  NamedObstacle<dim> sphere(const double radius)
+  {
+    return {"sphere",
+            std::make_shared<RoundObstacle<dim>>(Point<dim>(), Tensor<1, dim>(), radius, false)};
+  }
+
+  /** From (-1, ...) to (1, ...), which makes the origin a vertex of the grid. */
+  template <int dim>
+  BoundingBox<dim> box()
+  {
+    Point<dim> lower, upper;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        lower[c] = -1.;
+        upper[c] = 1.;
+      }
+    return BoundingBox<dim>({lower, upper});
+  }
+
+  /** Length of lines, area of triangles. */
+  double measure(const dealii::DataOutBase::Patch<1, 2> &patch)
+  {
+    return patch.vertices[0].distance(patch.vertices[1]);
+  }
+
+  double measure(const dealii::DataOutBase::Patch<2, 3> &patch)
+  {
+    return 0.5
+           * dealii::cross_product_3d(patch.vertices[1] - patch.vertices[0],
+                                      patch.vertices[2] - patch.vertices[0])
+               .norm();
+  }
+
+  template <int dim>
+  void expect_surfaces(const std::vector<NamedObstacle<dim>> &obstacles,
+                       const std::vector<double>             &areas)
+  {
+    const ObstacleSurfaces<dim> surfaces(obstacles, box<dim>());
+    std::vector<double>         found(areas.size(), 0.);
+    for (const auto &patch : surfaces.get_patches())
+      {
+        const unsigned int index = patch.data(0, 0);
+        found.at(index) += measure(patch);
+        for (unsigned int v = 0; v < dim; ++v)
+          EXPECT_LT(std::abs(obstacles[index].shape->project(patch.vertices[v]).gap), 1e-12);
+      }
+    for (unsigned int i = 0; i < areas.size(); ++i)
+      EXPECT_NEAR(found[i], areas[i], 5e-3 * areas[i]) << obstacles[i].name;
+  }
+} // namespace
+
+TEST(ObstacleSurfaces, LinesInThePlane)
+{
+  expect_surfaces<2>({plane<2>(Point<2>(0., 1.)), plane<2>(Point<2>(1., -1.)), sphere<2>(0.5)},
+                     {2., 2. * std::sqrt(2.), M_PI});
+}
+
+TEST(ObstacleSurfaces, TrianglesInSpace)
+{
+  expect_surfaces<3>({plane<3>(Point<3>(0., 0., 1.)), sphere<3>(0.5)}, {4., M_PI});
+}
+
+TEST(ObstacleSurfaces, AFileWithAllOfThem)
+{
+  const ScratchFolder folder;
+  write_obstacles<3>(folder.name, {box<3>()}, {sphere<3>(0.5)}, MPI_COMM_WORLD);
+  MPI_Barrier(MPI_COMM_WORLD);
+  const std::string text = contents(folder.name + "/obstacles.vtu");
+  EXPECT_NE(text.find("Name=\"obstacle\""), std::string::npos);
+  EXPECT_NE(text.find("</VTKFile>"), std::string::npos);
+  MPI_Barrier(MPI_COMM_WORLD);
+}
+
+TEST(ObstacleSurfaces, TheSurroundingsReachTheObstacle)
+{
+  const NamedObstacle<2> floor{"floor",
+                               std::make_shared<Plane<2>>(Point<2>(0., -9.), Point<2>(0., 1.))};
+  const auto             corners = surroundings<2>({box<2>()}, {floor}).get_boundary_points();
+  EXPECT_LT(corners.first[1], -9.);
+  EXPECT_GT(corners.second[1], 1.);
+}
