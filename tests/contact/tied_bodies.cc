@@ -54,8 +54,7 @@ namespace
                    : make_preconditioner(*value_named<PreconditionerKind>(preconditioner_name),
                               matrices,
                               coordinates,
-                              mass_factor,
-                              stiffness_factor);
+                              {mass_factor, stiffness_factor});
     const std::vector<std::array<std::string, 3>> fields{
       {{"sin(3*x) + z", "y*z", "cos(2*z + x)"}}, {{"1", "z", "x"}}, {{"z*z", "y", "sin(4*z)"}}};
     Vector force = mass_times(discretization, field<3>(discretization, fields[0])),

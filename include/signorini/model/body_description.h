@@ -26,7 +26,7 @@ namespace signorini
     double          youngs_modulus = 1.; ///< E > 0, force per area
     double          poissons_ratio = 0.; ///< nu in (-1, 1/2); plane strain in 2d
     double          density        = 1.; ///< rho > 0, mass per volume
-    RayleighDamping damping;
+    RayleighDamping damping        = {};
     /** First Lame parameter. */
     double lambda() const
     {
