@@ -49,6 +49,8 @@ namespace signorini
                                               "products_combined",
                                               "products_stiffness",
                                               "products_mass",
+                                              "rejected_steps",
+                                              "fallbacks",
                                               "wall_time"};
 
     const std::vector<std::string> error_columns = {"displacement_error",
@@ -114,6 +116,8 @@ namespace signorini
               static_cast<double>(row.products.combined),
               static_cast<double>(row.products.stiffness),
               static_cast<double>(row.products.mass),
+              static_cast<double>(row.report.rejected_steps),
+              static_cast<double>(row.report.n_fallbacks()),
               row.wall_time};
     }
   } // namespace
