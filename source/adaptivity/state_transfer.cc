@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/adaptivity/energy_of_vibration.h>
 #include <signorini/adaptivity/nodal_values.h>
 #include <signorini/adaptivity/state_transfer.h>
 #include <signorini/linear_algebra/vector_kernels.h>
@@ -20,6 +21,19 @@ namespace signorini
       result.time           = state.time;
       result.last_step.size = state.last_step.size;
       return result;
+    }
+
+
+    /** Of energies. */
+    constexpr double round_off = 1e-14;
+
+
+    /** With the potential of the load. @param load null: none */
+    double energy_of(const State &state, const Vector *load)
+    {
+      const double motion = 0.5 * dot(state.velocity, state.momentum)
+                            + 0.5 * dot(state.displacement, state.internal_force);
+      return load == nullptr ? motion : motion - dot(*load, state.displacement);
     }
 
 
@@ -55,12 +69,15 @@ namespace signorini
                                     const Discretization<dim>     &discretization,
                                     const ContactSurface<dim>     &surface,
                                     const ContactCoordinates<dim> &coordinates,
-                                    const State                   &state)
+                                    const State                   &state,
+                                    const Vector                  *load)
     : clock(clock_of(state))
     , has_acceleration(state.acceleration.size() > 0)
     , has_friction(state.friction.any())
     , has_last_step(state.last_step.any())
     , elastic_size(std::sqrt(std::max(0., dot(state.internal_force, state.displacement))))
+    , has_load(load != nullptr)
+    , energy(energy_of(state, load))
     , fields(mesh, discretization, sources(surface, coordinates, state))
   {
   }
@@ -114,7 +131,28 @@ namespace signorini
     state.momentum = state.internal_force = discretization.make_vector();
     system.apply_mass(state.momentum, state.velocity);
     system.apply_stiffness(state.internal_force, state.displacement);
+    keep_energy(discretization, coordinates, system, state);
     return state;
+  }
+
+
+  template <int dim>
+  void StateTransfer<dim>::keep_energy(const Discretization<dim>     &discretization,
+                                       const ContactCoordinates<dim> &coordinates,
+                                       DynamicalSystem               &system,
+                                       State                         &state) const
+  {
+    Vector load;
+    if (has_load)
+      {
+        load = system.make_vector();
+        system.add_load(load, 1., state.time);
+      }
+    const double gain = energy_of(state, has_load ? &load : nullptr) - energy;
+    const double size =
+      dot(state.velocity, state.momentum) + dot(state.displacement, state.internal_force);
+    if (gain > round_off * size)
+      take_from_vibration(discretization, coordinates, gain, state);
   }
 
 

@@ -105,8 +105,8 @@ namespace signorini
            "  --version                  print the version\n"
            "  --help                     print this text\n\n"
            "A first scene is parameters/quick_start.prm.\n"
-           "Exit status: 0 done, 1 the run failed, 2 the command line or the scene has a "
-           "mistake.\n";
+           "Exit status: 0 done, 1 the run failed, 2 the command line or the scene has a mistake, "
+           "130 or 143\nended by Ctrl-C or SIGTERM after a step, with its state written.\n";
   }
 
   std::string version()

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/failure.h>
+#include <signorini/base/interruption.h>
 #include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
 
@@ -33,19 +34,6 @@ namespace signorini
       std::cerr << "signorini: " + failure.message + '\n' << std::flush;
     }
 
-    bool all_processes_come(const MPI_Comm comm)
-    {
-      MPI_Request request;
-      MPI_Ibarrier(comm, &request);
-      int          all_are_here = 0;
-      const double start        = MPI_Wtime();
-      while (!all_are_here && MPI_Wtime() - start < patience_in_seconds)
-        {
-          MPI_Test(&request, &all_are_here, MPI_STATUS_IGNORE);
-          std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
-      return all_are_here != 0;
-    }
   } // namespace
 
   Failure attempt(const std::function<void()> &action)
@@ -58,6 +46,10 @@ namespace signorini
     catch (const UserError &error)
       {
         return {2, error.what()};
+      }
+    catch (const Interrupted &interruption)
+      {
+        return {interruption.exit_status(), interruption.what()};
       }
     catch (const dealii::ExceptionBase &exception)
       {
@@ -99,12 +91,27 @@ namespace signorini
     return Communication::max(failure.status, comm);
   }
 
+  bool FailureReporter::all_fail() const
+  {
+    MPI_Request request;
+    MPI_Ibarrier(comm, &request);
+    int          all_are_here = 0;
+    const double start        = MPI_Wtime();
+    while (!all_are_here && MPI_Wtime() - start < patience_in_seconds)
+      {
+        MPI_Test(&request, &all_are_here, MPI_STATUS_IGNORE);
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    return all_are_here != 0;
+  }
+
+
   int FailureReporter::together(const std::function<void()> &action) const
   {
     const Failure failure = attempt(action);
     if (failure.status == 0)
       return 0;
-    const bool alike = all_processes_come(comm);
+    const bool alike = all_fail();
     if (!alike || dealii::Utilities::MPI::this_mpi_process(comm) == 0)
       report(failure);
     if (!alike)

@@ -31,13 +31,18 @@ namespace signorini
 
 
     /**
-     * Points per direction more than the degree needs. Where curved cells are refined, the same
-     * function is integrated by other points: what this changes in the energy has to be small.
+     * Points per direction more than the degree needs. Where cells that are no parallelepipeds are
+     * refined, the same function is integrated by other points: what this changes in the energy has
+     * to be small.
      */
     template <int dim>
-    unsigned int extra_points(const MeshGeometry<dim> &geometry)
+    unsigned int extra_points(const MeshGeometry<dim>                 &geometry,
+                              const std::vector<BodyDescription<dim>> &bodies)
     {
-      return geometry.has_base() && geometry.mapping().get_degree() > 1 ? 2 : 0;
+      const bool only_boxes = std::all_of(bodies.begin(), bodies.end(), [](const auto &body) {
+        return body.shape == BodyShape::box && !body.is_round();
+      });
+      return geometry.has_base() && !only_boxes ? 2 : 0;
     }
   } // namespace
 
@@ -53,7 +58,7 @@ namespace signorini
                changes ? refinements(descriptions) : std::vector<unsigned int>())
     , matrices_of_cells(descriptions,
                         mapping(),
-                        n_quadrature_points() + extra_points<dim>(geometry))
+                        n_quadrature_points() + extra_points<dim>(geometry, descriptions))
   {
     make_triangulation(descriptions, cells);
     find_bounding_boxes();

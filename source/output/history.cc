@@ -52,6 +52,8 @@ namespace signorini
                                               "products_combined",
                                               "products_stiffness",
                                               "products_mass",
+                                              "rejected_steps",
+                                              "fallbacks",
                                               "wall_time"};
 
     const std::vector<std::string> error_columns = {"displacement_error",
@@ -118,6 +120,8 @@ namespace signorini
               static_cast<double>(sums.products.combined),
               static_cast<double>(sums.products.stiffness),
               static_cast<double>(sums.products.mass),
+              static_cast<double>(sums.rejected_steps),
+              static_cast<double>(sums.fallbacks),
               row.wall_time};
     }
   } // namespace
@@ -132,6 +136,8 @@ namespace signorini
     active_set_iterations += row.report.corrector.active_set_iterations;
     linear_iterations += row.report.corrector.linear_iterations;
     predictor_iterations += row.report.predictor.linear_iterations;
+    rejected_steps += row.report.rejected_steps;
+    fallbacks += row.report.n_fallbacks();
   }
 
 

@@ -245,6 +245,15 @@ namespace signorini
   }
 
 
+  void RunLog::end_early(const std::string &text)
+  {
+    close_line();
+    finished = true;
+    if (first_process)
+      log << text << std::endl;
+  }
+
+
   void RunLog::finish()
   {
     close_line();

@@ -49,6 +49,8 @@ namespace signorini
     n_impulse_solves += row.report.impulse_iterations > 0;
     n_impulse_iterations += row.report.impulse_iterations;
     n_common_impulses += row.report.common_impulses;
+    n_rejected += row.report.rejected_steps;
+    n_fallbacks += row.report.n_fallbacks();
     add_contact(row);
   }
 
@@ -177,6 +179,13 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
+    if (n_rejected > 0)
+      text << "  rejected          " << n_rejected
+           << " attempts at steps, which were repeated in parts, with another size or on another "
+              "mesh\n";
+    if (n_fallbacks > 0)
+      text << "  fallbacks         " << n_fallbacks
+           << " times another method had to solve what the first one could not\n";
     if (subject.friction)
       text << "  friction          dissipated " << -work_friction + 0. << ", at most "
            << most_sticking << " nodes sticking, " << most_slipping

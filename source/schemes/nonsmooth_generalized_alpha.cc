@@ -92,9 +92,10 @@ namespace signorini
       jump_limits);
     fixed_point.run(FixedPoint::usual_depth);
     if (!fixed_point.converged())
-      throw RunError("The jumps of the velocity in the step from time " + std::to_string(state.time)
-                     + " were not found to nine digits. Choose a smaller Time/Step size, a larger "
-                       "Time/Spectral radius or, above 1e-9, a smaller Solver/Tolerance.");
+      throw StepError("The jumps of the velocity in the step from time "
+                      + std::to_string(state.time)
+                      + " were not found to nine digits. Choose a smaller Time/Step size, a larger "
+                        "Time/Spectral radius or, above 1e-9, a smaller Solver/Tolerance.");
     solution.effort = effort;
     return solution;
   }

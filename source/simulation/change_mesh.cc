@@ -34,8 +34,12 @@ namespace signorini
                    State                             &state,
                    dealii::TimerOutput               &timer)
   {
-    StateTransfer<dim> transfer(
-      mesh, meshed->discretization, meshed->surface, meshed->coordinates, state);
+    StateTransfer<dim> transfer(mesh,
+                                meshed->discretization,
+                                meshed->surface,
+                                meshed->coordinates,
+                                state,
+                                meshed->load(state.time));
     build_on_changed_mesh(mesh, scene, mesh_life_time, meshed, timer);
     dealii::TimerOutput::Scope scope(timer, "mesh: transfer of the state");
     // Vectors that are assigned to would keep their old ghosts if they own the same entries.

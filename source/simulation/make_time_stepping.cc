@@ -3,6 +3,7 @@
 
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/step_size/adaptive_steps.h>
+#include <signorini/step_size/fixed_steps.h>
 #include <signorini/step_size/force_estimate.h>
 #include <signorini/step_size/step_doubling.h>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/failure.h>
+#include <signorini/base/interruption.h>
 #include <signorini/base/user_error.h>
 #include <signorini/contact/overlap.h>
 #include <signorini/output/earlier_results.h>
@@ -95,43 +97,111 @@ namespace signorini
 
     const auto stepping = make_time_stepping(
       scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
-    while (!stepping->finished(state))
+    const FailureReporter failures(mesh.communicator());
+    try
       {
-        const StepReport         report = advance(*stepping, observation);
-        std::vector<std::string> news;
-        {
-          TimerOutput::Scope scope(timer, "diagnostics and tables");
-          news = observation.observe(state, report, stepping->finished(state));
-          for (const std::string &warning : news)
-            log.warning(warning);
-          meshed->system.set_energy(observation.energy_of_motion());
-          log.progress(state.step,
-                       scene.step_sizes.is_variable() ? 0 : scene.time.n_steps(),
-                       stepping->fraction_done(state),
-                       state.time,
-                       observation.contact().normal_force,
-                       observation.relative_energy_change(),
-                       observation.contact().n_active);
-        }
-        if (scene.time.stop_on_warning && !news.empty())
-          stop(news.front(), fields);
-        if (writes_fields(stepping->fraction_done(state)))
-          {
-            TimerOutput::Scope scope(timer, "field output");
-            observation.pause_clock();
-            fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
-            observation.resume_clock();
-          }
-        if (flags.any() && !stepping->finished(state))
-          adapt_mesh(*stepping, observation);
+        make_steps(*stepping, observation, fields, log);
       }
-
+    catch (...)
+      {
+        const std::exception_ptr reason = std::current_exception();
+        if (failures.all_fail())
+          end_early(reason, *stepping, observation, fields, log);
+        throw;
+      }
     timer.print_wall_time_statistics(mesh.communicator());
-    log.message(stepping->summary() + observation.summary() + meshed->system.cost_summary()
-                + timer_table.str());
+    log.message(summary(*stepping, observation) + timer_table.str());
     for (const std::string &warning : observation.warnings())
       log.warning(warning);
     log.finish();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::make_steps(TimeStepping     &stepping,
+                                   Observation<dim> &observation,
+                                   FieldOutput<dim> &fields,
+                                   RunLog           &log)
+  {
+    const Interruption interruption;
+    while (!stepping.finished(state))
+      {
+        const StepReport         report = advance(stepping, observation);
+        std::vector<std::string> news;
+        {
+          TimerOutput::Scope scope(timer, "diagnostics and tables");
+          news = observation.observe(state, report, stepping.finished(state));
+          for (const std::string &warning : news)
+            log.warning(warning);
+          meshed->system.set_energy(observation.energy_of_motion());
+          tell_progress(stepping.fraction_done(state), observation, log);
+        }
+        if (scene.time.stop_on_warning && !news.empty())
+          throw RunError("`Time/Stop on warning`: " + news.front());
+        if (writes_fields(stepping.fraction_done(state)))
+          write_fields(observation, fields);
+        if (stepping.finished(state))
+          return;
+        interruption.check(state.time, mesh.communicator());
+        if (flags.any())
+          adapt_mesh(stepping, observation);
+      }
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::tell_progress(const double            fraction,
+                                      const Observation<dim> &observation,
+                                      RunLog                 &log) const
+  {
+    const unsigned int n_steps  = scene.time.n_steps();
+    const bool         is_whole = !scene.step_sizes.is_variable()
+                          && std::lround(fraction * n_steps) == static_cast<long>(state.step);
+    log.progress(state.step,
+                 is_whole ? n_steps : 0,
+                 fraction,
+                 state.time,
+                 observation.contact().normal_force,
+                 observation.relative_energy_change(),
+                 observation.contact().n_active);
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::write_fields(Observation<dim> &observation, FieldOutput<dim> &fields)
+  {
+    TimerOutput::Scope scope(timer, "field output");
+    observation.pause_clock();
+    fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
+    observation.resume_clock();
+  }
+
+
+  template <int dim>
+  std::string Simulation<dim>::summary(const TimeStepping     &stepping,
+                                       const Observation<dim> &observation) const
+  {
+    return stepping.summary() + observation.summary() + meshed->system.cost_summary();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::end_early(const std::exception_ptr &reason,
+                                  const TimeStepping       &stepping,
+                                  Observation<dim>         &observation,
+                                  FieldOutput<dim>         &fields,
+                                  RunLog                   &log)
+  {
+    const std::string message = attempt([&] { std::rethrow_exception(reason); }).message;
+    // In the middle of a change of the mesh there is no state.
+    const bool has_state =
+      meshed && state.displacement.size() == meshed->discretization.dof_handler().n_dofs();
+    if (has_state && scene.output.vtu)
+      attempt([&] { write_fields(observation, fields); }); // the reason may be a full disk
+    if (has_state)
+      log.message(summary(stepping, observation));
+    log.end_early("The run ended early, at the time " + Patterns::Tools::to_string(state.time)
+                  + ": " + message + "\nWhat has been written is whole.");
   }
 
 
@@ -141,17 +211,20 @@ namespace signorini
     flags = MeshChange();
     if (!mesh_control.is_due(state.step + 1))
       return advance_on_this_mesh(stepping);
+    unsigned int rejected = 0;
     for (unsigned int repetition = 0;; ++repetition)
       {
-        const State      start  = state;
-        const StepReport report = advance_on_this_mesh(stepping);
+        const State start  = state;
+        StepReport  report = advance_on_this_mesh(stepping);
+        report.rejected_steps += rejected;
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
           flags = mesh_control.judge(*meshed, {start, state, report.step_size});
         }
         if (!flags.refines() || repetition == mesh_control.repetitions())
           return report;
-        state = start;
+        rejected = report.rejected_steps + 1;
+        state    = start;
         stepping.take_back();
         adapt_mesh(stepping, observation);
       }
@@ -306,15 +379,6 @@ namespace signorini
                        "`Refinements`, however fine the mesh becomes. Set `Mapping = curved`, or "
                        "leave the choice to `Mapping = automatic`.");
     return result;
-  }
-
-
-  template <int dim>
-  void Simulation<dim>::stop(const std::string &warning, FieldOutput<dim> &fields)
-  {
-    if (scene.output.vtu)
-      fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
-    throw RunError("`Time/Stop on warning`: " + warning);
   }
 
 

@@ -40,6 +40,7 @@ namespace signorini
 
   StepReport AdaptiveSteps::advance(DynamicalSystem &system, State &state)
   {
+    before = now;
     if (waiting)
       {
         TakenStep second = std::move(*waiting);
@@ -48,7 +49,6 @@ namespace signorini
       }
     StepTrial trial = find_trial(system, state);
     record_changes(state, trial);
-    estimate->accept(state, trial);
     TakenStep &last = trial.steps.back();
     if (parameters.end_time - last.state.time <= round_off * last.report.step_size)
       last.state.time = parameters.end_time;
@@ -76,26 +76,26 @@ namespace signorini
     // up a flight.
     const double reach =
       rules.flight_is_free ? touch - clear_of_touch * parameters.first : part_of_approach * touch;
-    const int shortest = rules.flight_is_free ? std::max(lowest, std::min(level, 0)) : lowest;
+    const int shortest = rules.flight_is_free ? std::max(lowest, std::min(now.level, 0)) : lowest;
     const int reached  = reach > 0. ? level_below(reach, parameters.first) : lowest;
-    level              = std::min(level, std::max(reached, shortest));
+    now.level          = std::min(now.level, std::max(reached, shortest));
   }
 
 
   void AdaptiveSteps::try_longer(const StepTrial &trial, const double factor)
   {
-    if (rest > 0 || !trial.is_known)
+    if (now.rest > 0 || !trial.is_known)
       return;
     if (rules.flight_is_free && trial.is_flight)
       {
-        level = highest;
+        now.level = highest;
         return;
       }
     // Vibrations that are not resolved have errors as large as themselves, however long the step
     // is.
     const double content = trial.is_flight ? rules.content_in_flight : rules.content;
     if (factor >= 2. || trial.error <= content * parameters.tolerance)
-      level = std::min(level + 1, highest);
+      now.level = std::min(now.level + 1, highest);
   }
 
 
@@ -106,31 +106,61 @@ namespace signorini
     new_mesh           = false;
     const double touch = time_to_touch(system, state, 2. * parameters.maximum);
     approach(touch);
-    level = std::max(level, lowest);
-    rest -= rest > 0;
-    for (;;)
+    now.level = std::max(now.level, lowest);
+    now.rest -= now.rest > 0;
+    for (unsigned int rejected = 0;; ++rejected)
       {
-        const double size  = span(state, touch);
-        StepTrial    trial = estimate->attempt(system, state, size, parameters.tolerance);
-        n_solved += trial.n_solved;
-        const double factor =
-          trial.error > 0. ? std::pow(safety * parameters.tolerance / trial.error, trial.exponent)
-                           : 2.; // of the size
-        if (trial.error <= parameters.tolerance || level == lowest)
+        std::optional<StepTrial> trial = attempt(system, state, span(state, touch));
+        if (!trial)
           {
-            try_longer(trial, factor);
-            return trial;
+            reject(1);
+            continue;
           }
-        ++n_rejected;
-        rest  = rules.rest;
-        level = std::max(lowest, level + (factor <= 0.25 ? -2 : -1));
+        const double factor =
+          trial->error > 0.
+            ? std::pow(safety * parameters.tolerance / trial->error, trial->exponent)
+            : 2.; // of the size
+        if (trial->error <= parameters.tolerance || now.level <= lowest)
+          {
+            try_longer(*trial, factor);
+            trial->steps.front().report.rejected_steps = rejected;
+            return std::move(*trial);
+          }
+        reject(std::min(factor <= 0.25 ? 2 : 1, now.level - lowest));
       }
+  }
+
+
+  std::optional<StepTrial>
+  AdaptiveSteps::attempt(DynamicalSystem &system, const State &state, const double size)
+  {
+    try
+      {
+        StepTrial trial = estimate->attempt(system, state, size, parameters.tolerance);
+        n_solved += trial.n_solved;
+        return trial;
+      }
+    catch (const StepError &error)
+      {
+        ++n_solved;
+        if (now.level + static_cast<int>(times_halved) <= lowest)
+          throw given_up(error, state.time, size);
+        return {};
+      }
+  }
+
+
+  void AdaptiveSteps::reject(const int levels)
+  {
+    ++n_rejected;
+    now.rest = rules.rest;
+    now.level -= levels;
   }
 
 
   double AdaptiveSteps::span(const State &state, const double touch) const
   {
-    double       size  = std::ldexp(parameters.first, level);
+    double       size  = std::ldexp(parameters.first, now.level);
     const double clear = clear_of_touch * std::min(size, parameters.first);
     const double left  = parameters.end_time - state.time;
     // No tiny last step: forces are changes of momentum divided by it.
@@ -146,12 +176,25 @@ namespace signorini
 
   StepReport AdaptiveSteps::hand_out(State &state, TakenStep &&step)
   {
+    estimate->accept(state, step.state);
     const double size = step.report.step_size;
-    smallest_size     = n_accepted == 0 ? size : std::min(smallest_size, size);
-    largest_size      = std::max(largest_size, size);
-    ++n_accepted;
+    now.smallest_size = now.n_accepted == 0 ? size : std::min(now.smallest_size, size);
+    now.largest_size  = std::max(now.largest_size, size);
+    ++now.n_accepted;
     state = std::move(step.state);
     return step.report;
+  }
+
+
+  void AdaptiveSteps::take_back()
+  {
+    ++n_rejected;
+    estimate->take_back();
+    // Only what was too long is so on a finer mesh, too.
+    const Memory later = now;
+    now                = before;
+    now.level          = std::min(later.level, before.level);
+    now.rest           = std::max(later.rest, before.rest);
   }
 
 
@@ -171,9 +214,9 @@ namespace signorini
   std::string AdaptiveSteps::summary() const
   {
     std::ostringstream text;
-    text << "  steps             " << n_accepted << " accepted, sizes from " << smallest_size
-         << " to " << largest_size << "; " << n_rejected << " attempts rejected; " << n_solved
-         << " steps computed for that\n";
+    text << "  steps             " << now.n_accepted << " accepted, sizes from "
+         << now.smallest_size << " to " << now.largest_size << "; " << n_rejected
+         << " attempts rejected; " << n_solved << " steps computed for that\n";
     return text.str();
   }
 } // namespace signorini

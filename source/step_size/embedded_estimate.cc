@@ -46,9 +46,9 @@ namespace signorini
   }
 
 
-  void EmbeddedEstimate::accept(const State &start, const StepTrial &trial)
+  void EmbeddedEstimate::accept(const State &start, const State &end)
   {
-    largest_energy = std::max(
-      {largest_energy, energy_of_motion(start), energy_of_motion(trial.steps.back().state)});
+    largest_energy_before = largest_energy;
+    largest_energy = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
   }
 } // namespace signorini

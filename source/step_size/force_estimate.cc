@@ -53,23 +53,29 @@ namespace signorini
   {
     const double before = start.contact_force.l1_norm();
     const double force  = std::max(before, end.contact_force.l1_norm());
-    const double energy =
-      std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
-    const double least   = noticeable * energy;
+    const double energy = std::max({so_far.energy, energy_of_motion(start), energy_of_motion(end)});
+    const double least  = noticeable * energy;
     const double elastic = std::max(elastic_energy(end), least);
-    const double so_far  = std::max(largest_elastic_energy, least);
-    const double growth  = elastic >= so_far ? std::sqrt(std::max(1., energy / elastic)) : 1.;
-    return std::max(largest_force, force * growth);
+    const double largest = std::max(so_far.elastic_energy, least);
+    const double growth  = elastic >= largest ? std::sqrt(std::max(1., energy / elastic)) : 1.;
+    return std::max(so_far.force, force * growth);
   }
 
 
-  void ForceEstimate::accept(const State &start, const StepTrial &trial)
+  void ForceEstimate::accept(const State &start, const State &end)
   {
-    motion.accept(start, trial);
-    const State &end = trial.steps.back().state;
-    largest_force    = std::max(largest_force, end.contact_force.l1_norm());
-    largest_energy   = std::max({largest_energy, energy_of_motion(start), energy_of_motion(end)});
-    largest_elastic_energy = std::max(largest_elastic_energy, elastic_energy(end));
+    motion.accept(start, end);
+    before        = so_far;
+    so_far.force  = std::max(so_far.force, end.contact_force.l1_norm());
+    so_far.energy = std::max({so_far.energy, energy_of_motion(start), energy_of_motion(end)});
+    so_far.elastic_energy = std::max(so_far.elastic_energy, elastic_energy(end));
+  }
+
+
+  void ForceEstimate::take_back()
+  {
+    motion.take_back();
+    so_far = before;
   }
 
 

@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/step_size/energy_norm.h>
 #include <signorini/step_size/step_estimate.h>
+
+#include <cmath>
+#include <sstream>
 
 namespace signorini
 {
+  StepError given_up(const StepError &error, const double time, const double size)
+  {
+    std::ostringstream text;
+    text << "no step from the time " << time << " was possible, down to the size " << size << ". "
+         << error.what();
+    return StepError(text.str());
+  }
+
+
   TakenStep
   take_step(TimeScheme &scheme, DynamicalSystem &system, const State &start, const double step_size)
   {
     TakenStep step{start, {}};
     step.report           = scheme.advance(system, step.state, step_size);
     step.report.step_size = step_size;
+    if (!std::isfinite(energy_of_motion(step.state)))
+      throw StepError("The energy at its end is not a finite number. Check the loads, velocities "
+                      "and material constants of the scene, or choose a smaller Time/Step size.");
     return step;
   }
 

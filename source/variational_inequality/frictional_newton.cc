@@ -91,7 +91,7 @@ namespace signorini
       }
 
     report.add(fallback.solve(problem, status, solution, residual));
-    report.fallback = true;
+    ++report.n_fallbacks;
     return report;
   }
 

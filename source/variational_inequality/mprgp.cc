@@ -272,7 +272,7 @@ namespace signorini
         norm = iteration.gradient_norm();
       }
     if (!(norm <= goal))
-      throw RunError(
+      throw StepError(
         "The inequality of this step was not solved to its tolerance: neither the active set "
         "method nor MPRGP converged. Choose a larger Solver/Tolerance or a smaller Time/Step "
         "size.");

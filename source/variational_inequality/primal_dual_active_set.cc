@@ -60,7 +60,7 @@ namespace signorini
       }
 
     report.add(fallback.solve(problem, active, solution, residual));
-    report.fallback = true;
+    ++report.n_fallbacks;
     return report;
   }
 

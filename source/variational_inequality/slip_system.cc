@@ -64,40 +64,129 @@ namespace signorini
   }
 
 
-  ConjugateGradients::Report SlipSystem::solve(const ConstrainedProblem &problem,
-                                               Vector                   &residual,
-                                               Vector                   &correction,
-                                               const Gmres::Goal        &goal,
-                                               const unsigned int        maximum_iterations)
+  /** K with the terms of the slipping nodes. */
+  class SlipSystem::Jacobian : public LinearOperator
   {
-    const auto scale = [&](Vector &vector) {
-      for (const Node &node : slipping)
-        {
-          const TangentVector values = tangential_entries(*node.friction, vector);
-          add_to_tangential_entries(*node.friction, node.scaling * values - values, vector);
-        }
-    };
-    const auto precondition = [&](Vector &destination, const Vector &source) {
-      scaled = source;
-      scale(scaled);
-      problem.preconditioner.vmult(destination, scaled);
-      scale(destination);
-    };
-    const auto jacobian = [&](Vector &destination, const Vector &source) {
-      problem.matrix.vmult(destination, source);
+  public:
+    Jacobian(const LinearOperator &matrix, const std::vector<Node> &slipping)
+      : matrix(matrix)
+      , slipping(slipping)
+    {
+    }
+
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      matrix.vmult(destination, source);
       for (const Node &node : slipping)
         add_to_tangential_entries(
           *node.friction,
           node.condition.stiffness * tangential_entries(*node.friction, source)
             - node.condition.coupling * destination.local_element(node.normal),
           destination);
-    };
+    }
 
+    void diagonal(Vector &destination) const override
+    {
+      matrix.diagonal(destination);
+      for (const Node &node : slipping)
+        add_to_tangential_entries(*node.friction, node.condition.stiffness.diagonal(), destination);
+    }
+
+  private:
+    const LinearOperator    &matrix;
+    const std::vector<Node> &slipping;
+  };
+
+
+  /** The preconditioner of K, scaled down where slip makes it stiff. */
+  class SlipSystem::Preconditioner : public MaskedPreconditioner
+  {
+  public:
+    Preconditioner(MaskedPreconditioner &of_matrix, const std::vector<Node> &slipping)
+      : of_matrix(of_matrix)
+      , slipping(slipping)
+    {
+    }
+
+    void set_mask(const Mask &mask) override { of_matrix.set_mask(mask); }
+
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      scaled = source;
+      scale(scaled);
+      of_matrix.vmult(destination, scaled);
+      scale(destination);
+    }
+
+  private:
+    MaskedPreconditioner    &of_matrix;
+    const std::vector<Node> &slipping;
+    mutable Vector           scaled;
+
+    void scale(Vector &vector) const
+    {
+      for (const Node &node : slipping)
+        {
+          const TangentVector values = tangential_entries(*node.friction, vector);
+          add_to_tangential_entries(*node.friction, node.scaling * values - values, vector);
+        }
+    }
+  };
+
+
+  ConjugateGradients::Report SlipSystem::solve(const ConstrainedProblem &problem,
+                                               Vector                   &residual,
+                                               Vector                   &correction,
+                                               const Gmres::Goal        &goal,
+                                               const unsigned int        maximum_iterations)
+  {
+    const Jacobian       jacobian(problem.matrix, slipping);
+    const Preconditioner preconditioner(problem.preconditioner, slipping);
+    unbalance(residual);
+    const auto report = gmres.solve(
+      [&](Vector &destination, const Vector &source) { jacobian.vmult(destination, source); },
+      [&](Vector &destination, const Vector &source) { preconditioner.vmult(destination, source); },
+      correction,
+      unbalanced,
+      goal,
+      maximum_iterations);
+    balance(correction, residual);
+    return report;
+  }
+
+
+  ConjugateGradients::Report SlipSystem::solve_symmetric(const ConstrainedProblem &problem,
+                                                         Vector                   &residual,
+                                                         Vector                   &correction,
+                                                         const double              tolerance,
+                                                         const double              reduction,
+                                                         const unsigned int maximum_iterations)
+  {
+    Assert(std::all_of(slipping.begin(),
+                       slipping.end(),
+                       [](const Node &node) { return node.condition.coupling.isZero(); }),
+           dealii::ExcMessage("Rows that see normal forces are not symmetric."));
+    const Jacobian       jacobian(problem.matrix, slipping);
+    const Preconditioner preconditioner(problem.preconditioner, slipping);
+    unbalance(residual);
+    correction.reinit(residual);
+    const auto report = conjugate_gradients.solve(
+      jacobian, preconditioner, correction, unbalanced, tolerance, reduction, maximum_iterations);
+    balance(correction, residual);
+    return report;
+  }
+
+
+  void SlipSystem::unbalance(const Vector &residual)
+  {
     unbalanced = residual;
     for (const Node &node : slipping)
       add_to_tangential_entries(*node.friction, -node.condition.force, unbalanced);
-    const auto report =
-      gmres.solve(jacobian, precondition, correction, unbalanced, goal, maximum_iterations);
+  }
+
+
+  void SlipSystem::balance(const Vector &correction, Vector &residual)
+  {
     // The new b - K x is what is unbalanced plus the forces by the linearised law.
     law_forces.clear();
     for (const Node &node : slipping)
@@ -111,6 +200,5 @@ namespace signorini
         add_to_tangential_entries(*node.friction, law_forces.back(), unbalanced);
       }
     residual.swap(unbalanced);
-    return report;
   }
 } // namespace signorini

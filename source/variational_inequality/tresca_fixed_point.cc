@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/variational_inequality/attainable_norm.h>
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/tresca_fixed_point.h>
 
@@ -12,6 +13,13 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** What is accepted at least, in what round-off leaves of a residual: ten times what
+     * TrescaMinimisation accepts. */
+    constexpr double bounds_beyond_round_off = 100.;
+  } // namespace
+
   SolveReport TrescaFixedPoint::solve(const ConstrainedProblem &problem,
                                       ActiveSet                &status,
                                       Vector                   &solution,
@@ -52,7 +60,8 @@ namespace signorini
           }
         products = dealii::Utilities::MPI::sum(products, solution.get_mpi_communicator());
         const double change = std::sqrt(products[0]);
-        if (change <= problem.tolerance)
+        if (change <= std::max(problem.tolerance,
+                               bounds_beyond_round_off * attainable_norm(problem, solution)))
           return report;
         if (products[1] < 0. && change > 0.5 * last_change)
           relaxation *= 0.5;
@@ -60,7 +69,7 @@ namespace signorini
         for (std::size_t k = 0; k < status.size(); ++k)
           bounds[k] += relaxation * changes[k];
       }
-    throw RunError(
+    throw StepError(
       "The inequality of this step was not solved to its tolerance: neither Newton's method nor "
       "the fixed point of Tresca's friction converged. The friction is too strong for this step: "
       "choose a smaller Time/Step size.");

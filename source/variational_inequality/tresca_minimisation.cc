@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/variational_inequality/attainable_norm.h>
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/slip_system.h>
 #include <signorini/variational_inequality/status_record.h>
@@ -24,6 +25,9 @@ namespace signorini
      * does no harm, as the next move goes on from the best point of its direction.
      */
     constexpr unsigned int maximum_linear_iterations = 10000;
+
+    /** What is accepted at least, in what round-off leaves of a residual. */
+    constexpr double beyond_round_off = 10.;
 
     /** Parts of a bound of friction that are none. */
     constexpr double round_off = 1e-13;
@@ -59,8 +63,7 @@ namespace signorini
             normal         = std::min(normal, problem.upper_bounds[k]);
           }
         stop_slip_of_round_off(); // of the guess
-        problem.matrix.vmult(residual, solution);
-        residual.sadd(-1., 1., problem.right_hand_side);
+        update_residual();
       }
 
       /**
@@ -112,11 +115,12 @@ namespace signorini
         slip.finish(solution.get_mpi_communicator());
         problem.preconditioner.set_mask(mask);
         product           = residual;
-        const auto report = slip.solve(
+        const auto report = slip.solve_symmetric(
           problem,
           product,
           direction,
-          [&](const double norm) { return std::max(problem.tolerance, 1e-2 * norm); },
+          std::max(problem.tolerance, beyond_round_off * attainable_norm(problem, solution)),
+          1e-2,
           maximum_linear_iterations);
         if (report.iterations == 0)
           return 0;
@@ -214,6 +218,39 @@ namespace signorini
           point.local_element(node.entries[j]) = value[j] - node.past[j];
       }
 
+      /** What friction bears at x: its bound along the slip; without slip what it has to. */
+      TangentVector force_of_friction(const std::size_t k) const
+      {
+        const NodeForces    node  = forces(k);
+        const TangentVector along = node.slip.norm() > 0. ? node.slip : node.tangential;
+        const double        size  = along.norm();
+        if (node.slip.norm() == 0. && size <= bounds[k])
+          return node.tangential;
+        return bounds[k] / size * along;
+      }
+
+      /**
+       * From x a part of the way: the force of friction times the direction, without what it bears
+       * at x.
+       */
+      double change_of_friction(const std::size_t k, const double length) const
+      {
+        const TangentVector change = tangential_entries(problem.friction[k], direction);
+        const TangentVector before = forces(k).slip;
+        const double        size = before.norm(), change_size = change.norm();
+        if (change_size == 0.)
+          return 0.;
+        if (size == 0.)
+          return bounds[k] * change_size - force_of_friction(k).dot(change);
+        const double after = (before + length * change).norm(), along = before.dot(change);
+        if (after == 0.)
+          return -bounds[k] * (change_size + along / size);
+        // (after / |after| - before / |before|) . change, without cancellation
+        return bounds[k] * length / (after * size)
+               * (size * change_size * change_size
+                  - along * (2. * along + length * change_size * change_size) / (size + after));
+      }
+
       /**
        * To the minimum of J on the segment from x to the target; entries that reach a bound or a
        * kink are there exactly.
@@ -223,13 +260,19 @@ namespace signorini
         direction = target;
         direction -= solution;
         problem.matrix.vmult(product, direction);
-        const double length = step_length(dot(residual, direction), dot(direction, product));
+        const double length = step_length(dot(direction, product));
         if (length == 1.)
           solution = target;
         else
           solution.add(length, direction);
-        residual.add(-length, product);
         stop_slip_of_round_off();
+        update_residual();
+      }
+
+      void update_residual()
+      {
+        problem.matrix.vmult(residual, solution);
+        residual.sadd(-1., 1., problem.right_hand_side);
       }
 
       /**
@@ -245,19 +288,23 @@ namespace signorini
             set_slip(solution, k, TangentVector::Zero());
       }
 
-      /** The zero of the derivative of J, which grows along the segment. */
-      double step_length(const double linear, const double curvature) const
+      /**
+       * The zero of the derivative of J, which grows along the segment. What friction balances is
+       * taken out node by node: it may be larger by the inverse of round-off than what is left.
+       */
+      double step_length(const double curvature)
       {
-        const auto derivative = [&](const double length) {
+        Vector &unbalanced = product;
+        unbalanced         = residual;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          if (has_friction(k))
+            add_to_tangential_entries(problem.friction[k], -force_of_friction(k), unbalanced);
+        const double linear     = dot(unbalanced, direction);
+        const auto   derivative = [&](const double length) {
           double friction = 0.;
           for (std::size_t k = 0; k < bounds.size(); ++k)
             if (has_friction(k))
-              {
-                const TangentVector change = tangential_entries(problem.friction[k], direction);
-                const TangentVector slip   = forces(k).slip + length * change;
-                const double        size   = slip.norm();
-                friction += bounds[k] * (size > 0. ? slip.dot(change) / size : -change.norm());
-              }
+              friction += change_of_friction(k, length);
           return length * curvature - linear + sum(friction, solution.get_mpi_communicator());
         };
         if (derivative(1.) <= 0.)
@@ -301,8 +348,8 @@ namespace signorini
           }
         descent.proximal_step();
       }
-    throw RunError("The inequality of this step was not solved to its tolerance: the minimisation "
-                   "with given bounds of friction did not converge. Choose a larger "
-                   "Solver/Tolerance or a smaller Time/Step size.");
+    throw StepError("The inequality of this step was not solved to its tolerance: the minimisation "
+                    "with given bounds of friction did not converge. Choose a larger "
+                    "Solver/Tolerance or a smaller Time/Step size.");
   }
 } // namespace signorini

@@ -282,7 +282,7 @@ TEST(StepEstimates, Orders)
     StepTrial first;
     first.steps.push_back(take_step(*scheme, system, before, tau));
     record_changes(before, first);
-    estimate.accept(before, first);
+    estimate.accept(before, first.steps.back().state);
     return estimate.attempt(system, first.steps.back().state, tau, 0.).error;
   };
   StepDoubling     doubling(*scheme);

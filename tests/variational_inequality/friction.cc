@@ -126,7 +126,7 @@ TEST(Friction, FindsTheOnlySolutionInTwoDimensions)
           }
       const auto answer = solve(newton, problem);
       n_iterations += answer.report.active_set_iterations;
-      n_fallbacks += answer.report.fallback;
+      n_fallbacks += answer.report.n_fallbacks;
       for (const char status : answer.status)
         ++(status == contact_status::stick  ? n_stick
            : status == contact_status::slip ? n_slip
@@ -152,7 +152,7 @@ TEST(Friction, SolversAgreeInThreeDimensions)
       TrescaFixedPoint  fixed_point;
       const auto        answer = solve(newton, problem);
       n_iterations += answer.report.active_set_iterations;
-      n_fallbacks += answer.report.fallback;
+      n_fallbacks += answer.report.n_fallbacks;
       expect_coulomb(problem, answer);
       const auto other = solve(fixed_point, problem, false);
       EXPECT_LT((answer.solution - other.solution).lpNorm<Eigen::Infinity>(), 1e-9);
@@ -236,7 +236,7 @@ TEST(Friction, FurtherNormalForces)
           FrictionalNewton newton(limits);
           const auto       answer = solve(newton, problem);
           expect_coulomb(problem, answer);
-          n_fallbacks += answer.report.fallback;
+          n_fallbacks += answer.report.n_fallbacks;
           n_hang += std::count(answer.status.begin(), answer.status.end(), contact_status::hang);
           n_open += std::count(answer.status.begin(), answer.status.end(), contact_status::open);
         }

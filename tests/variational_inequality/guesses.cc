@@ -64,7 +64,7 @@ TEST_P(AnyStart, TheRightGuessCostsNoFurtherSet)
   if (std::string(GetParam().solver) == "active_set")
     {
       EXPECT_LE(again.report.active_set_iterations, 2u); // a rough solve and an accurate one
-      EXPECT_FALSE(again.report.fallback);
+      EXPECT_FALSE(again.report.n_fallbacks);
     }
 }
 
@@ -80,7 +80,7 @@ TEST_P(AnyStart, BoundsThatAreJustReached)
       const Answer answer = solve(*solver, GetParam(), problem, ActiveSet(5, guess));
       EXPECT_LT((answer.solution - free).norm(), 1e-10);
       EXPECT_LT(answer.residual.norm(), 1e-10);
-      EXPECT_FALSE(answer.report.fallback);
+      EXPECT_FALSE(answer.report.n_fallbacks);
     }
 }
 

@@ -70,7 +70,7 @@ TEST(Cycle, EndsInTheGuaranteedMethod)
 {
   const DenseProblem problem = cycling_problem();
   const Answer       answer  = solve(solver_cases[0], problem);
-  EXPECT_TRUE(answer.report.fallback);
+  EXPECT_TRUE(answer.report.n_fallbacks);
   EXPECT_LT((answer.solution - brute_force(problem)).norm(), 1e-9);
 }
 
@@ -101,7 +101,7 @@ TEST(Failure, ALinearSolverThatGivesUpDoesNotEndTheSearch)
   PrimalDualActiveSet solver(limits);
   const DenseProblem  problem = cycling_problem();
   const Answer        answer  = solve(solver, solver_cases[1], problem, ActiveSet(5, 0));
-  EXPECT_TRUE(answer.report.fallback);
+  EXPECT_TRUE(answer.report.n_fallbacks);
   EXPECT_LT((answer.solution - brute_force(problem)).norm(), 1e-9);
 }
 

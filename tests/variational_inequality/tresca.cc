@@ -6,7 +6,8 @@
 // it, or it slips by more than round-off, and then the force of its bound along the slip balances
 // it. In between there is nothing: a node that stops within round-off of the kink of |slip| must
 // not report the force of its bound, when less holds it. The minimum is the only one: it does not
-// depend on the guess.
+// depend on the guess. A tolerance below round-off is met as well as round-off lets it: the minimum
+// of a million times larger data is a million times that of the data.
 
 #include <signorini/variational_inequality/tresca_minimisation.h>
 
@@ -167,4 +168,32 @@ TEST(TrescaMinimisation, StepsThatEndNextToTheKink)
         expect_minimum(problem, bounds, minimise(problem, bounds, 10. * problem.right_hand_side));
     }
   EXPECT_GT(n_stick, 1000u);
+}
+
+TEST(TrescaMinimisation, TolerancesBelowRoundOff)
+{
+  constexpr double factor  = 1e6;
+  unsigned int     n_stick = 0;
+  for (unsigned int seed = 0; seed < 100; ++seed)
+    for (const unsigned int n_tangents : {1, 2})
+      {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto problem = random_frictional(6, n_tangents, {}, seed);
+        const auto bounds  = random_bounds(seed);
+        const auto zero    = Eigen::VectorXd::Zero(problem.matrix.rows());
+        const auto answer  = minimise(problem, bounds, zero);
+        auto       large   = problem;
+        auto       larger  = bounds;
+        large.right_hand_side *= factor;
+        for (double &bound : large.upper_bounds)
+          bound *= factor;
+        for (double &bound : larger)
+          bound *= factor;
+        const auto same = minimise(large, larger, zero);
+        EXPECT_LT((same.solution / factor - answer.solution).lpNorm<Eigen::Infinity>(), 1e-10);
+        EXPECT_EQ(same.status, answer.status);
+        for (const char status : answer.status)
+          n_stick += contact_status::sticks(status);
+      }
+  EXPECT_GT(n_stick, 100u);
 }

@@ -123,7 +123,7 @@ namespace
           continue;
         ++statistics.n_contact;
         const unsigned int n = motion.report.corrector.active_set_iterations;
-        statistics.n_fallbacks += motion.report.corrector.fallback;
+        statistics.n_fallbacks += motion.report.corrector.n_fallbacks;
         statistics.n_iterations += n;
         statistics.most_iterations = std::max(statistics.most_iterations, n);
         for (const char status : motion.state.friction.status)

@@ -162,7 +162,7 @@ namespace
             for (unsigned int c = 0; c < dim; ++c)
               EXPECT_NEAR(now[c], initial[c], 1e-11 * scale) << step;
           }
-        n_fallbacks += motion.report.corrector.fallback;
+        n_fallbacks += motion.report.corrector.n_fallbacks;
         n_stick += wrong.n_stick;
         n_slip += wrong.n_slip;
         work += motion.report.work_friction;

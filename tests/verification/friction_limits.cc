@@ -88,7 +88,7 @@ namespace
         EXPECT_LT(std::abs(run.motion.booking.residual),
                   1e-10 * run.motion.ledger.initial().total())
           << step;
-        EXPECT_FALSE(run.motion.report.corrector.fallback) << step;
+        EXPECT_FALSE(run.motion.report.corrector.n_fallbacks) << step;
       }
     EXPECT_GT(sum_of_all_processes(n_stick), 20u);
   }

@@ -70,7 +70,7 @@ namespace
                                      active,
                                      u,
                                      residual);
-    EXPECT_FALSE(report.fallback);
+    EXPECT_FALSE(report.n_fallbacks);
     EXPECT_EQ(report.n_active, bodies.surface.n_global_nodes());
     for (unsigned int k = 0; k < n; ++k)
       EXPECT_NEAR(residual.local_element(coordinates.normal_entries()[k])
@@ -123,7 +123,7 @@ namespace
     for (unsigned int step = 0; step < 20; ++step)
       {
         const StepReport report = method->advance(system, state, tau);
-        EXPECT_FALSE(report.corrector.fallback);
+        EXPECT_FALSE(report.corrector.n_fallbacks);
         ASSERT_EQ(report.corrector.n_active, bodies.surface.n_global_nodes())
           << scheme << " " << step;
         EXPECT_EQ(report.predictor.n_active, 0u) << scheme << " " << step;

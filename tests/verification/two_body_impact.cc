@@ -112,7 +112,7 @@ namespace
         const StepReport report  = method->advance(system, state, scene.time.step_size);
         const auto       booking = ledger.book(state, report, nullptr);
         system.set_energy(ledger.current().kinetic + ledger.current().elastic);
-        EXPECT_FALSE(report.corrector.fallback || report.predictor.fallback) << step;
+        EXPECT_FALSE(report.corrector.n_fallbacks || report.predictor.n_fallbacks) << step;
         EXPECT_LT(std::abs(booking.residual), 1e-10 * ledger.initial().total()) << step;
         n_predicted += report.predictor.n_active;
         work += booking.contact + booking.predictor;

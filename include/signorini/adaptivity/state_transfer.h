@@ -20,6 +20,10 @@ namespace signorini
    * and the displacement in the energy of the elastic forces onto the admissible set, which moves
    * no free body (project_in_energy()). Contact forces go as stresses at contact nodes, slip as
    * values at nodes; a new node between two that stick or slip does what they do.
+   *
+   * No change of the mesh brings energy: what other points of quadrature, bounds that are in the
+   * way of a projection, or the work of loads on what a projection changes would add is taken out
+   * of the vibration (take_from_vibration()), as far as there is one.
    */
   template <int dim>
   class StateTransfer
@@ -27,13 +31,14 @@ namespace signorini
   public:
     /**
      * Take the state. The mesh must carry its final flags, and must change next; the other
-     * arguments must live until then. Collective.
+     * arguments must live until then. @param load at the time of the state, null: none. Collective.
      */
     StateTransfer(Mesh<dim>                     &mesh,
                   const Discretization<dim>     &discretization,
                   const ContactSurface<dim>     &surface,
                   const ContactCoordinates<dim> &coordinates,
-                  const State                   &state);
+                  const State                   &state,
+                  const Vector                  *load = nullptr);
 
     /**
      * The state on the new mesh. Where the finer geometry of the contact surface shows that the
@@ -50,7 +55,15 @@ namespace signorini
     const State        clock; ///< step and time
     const bool         has_acceleration, has_friction, has_last_step;
     const double       elastic_size; ///< energy norm of the old displacement
+    const bool         has_load;
+    const double       energy; ///< of the old state, with the potential of the load
     FieldTransfer<dim> fields;
+
+    /** Take what the state has gained out of its vibration. */
+    void keep_energy(const Discretization<dim> &,
+                     const ContactCoordinates<dim> &,
+                     DynamicalSystem &,
+                     State &) const;
   };
 } // namespace signorini
 

@@ -12,8 +12,8 @@
 namespace signorini
 {
   /**
-   * How something ended: exit status 0 (well), 1 (the run failed) or 2 (a mistake of the user),
-   * and why.
+   * How something ended: exit status 0 (well), 1 (the run failed), 2 (a mistake of the user) or
+   * 128 and more (interrupted), and why.
    */
   struct Failure
   {
@@ -48,6 +48,13 @@ namespace signorini
      * is aborted.
      */
     int together(const std::function<void()> &action) const;
+
+    /**
+     * To be called by a process on which something with communication has failed: whether all
+     * others fail, too, and come here within some seconds. If not, they may wait anywhere, and
+     * nothing collective can be done any more.
+     */
+    bool all_fail() const;
 
   private:
     MPI_Comm comm;

@@ -19,7 +19,7 @@ namespace signorini
     unsigned int active_set_iterations = 0;
     unsigned int linear_iterations     = 0;
     unsigned int n_active              = 0; ///< contact nodes held at their bound, on all processes
-    bool         fallback              = false; ///< the guaranteed method had to finish the work
+    unsigned int n_fallbacks = 0; ///< how often the guaranteed method had to finish the work
 
     /** Go on with another solve: iterations add up, the active nodes are those of the last one. */
     void add(const SolveReport &next)
@@ -27,7 +27,7 @@ namespace signorini
       active_set_iterations += next.active_set_iterations;
       linear_iterations += next.linear_iterations;
       n_active = next.n_active;
-      fallback = fallback || next.fallback;
+      n_fallbacks += next.n_fallbacks;
     }
   };
 } // namespace signorini

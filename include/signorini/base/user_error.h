@@ -38,6 +38,16 @@ namespace signorini
   };
 
   /**
+   * A step could not be solved from its state with its size; another size may do. All processes
+   * throw it together, so that what leads the steps can try again.
+   */
+  class StepError : public RunError
+  {
+  public:
+    using RunError::RunError;
+  };
+
+  /**
    * Call a function, and put the name of a file in front of the message of an error that leaves
    * it.
    */

@@ -39,6 +39,7 @@ namespace signorini
     EnergyBooking booking;
     ProductCount  products;
     unsigned int  active_set_iterations = 0, linear_iterations = 0, predictor_iterations = 0;
+    unsigned int  rejected_steps = 0, fallbacks = 0;
 
     void add(const HistoryRow &row);
   };

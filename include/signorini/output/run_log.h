@@ -60,6 +60,9 @@ namespace signorini
                   double       relative_energy_change,
                   unsigned int n_active);
 
+    /** How the run ended before its end, for the log only: others tell the user. */
+    void end_early(const std::string &text);
+
     /**
      * For everything else, such as tables of timers. Written to log and screen; swallows
      * everything on other processes.

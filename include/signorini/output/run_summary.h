@@ -68,6 +68,7 @@ namespace signorini
     unsigned long fewest_cells = 0, most_cells = 0;
     /** Of laursen-love, per node. */
     unsigned int   n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
+    unsigned int   n_rejected = 0, n_fallbacks = 0;
     double         first_contact = -1., last_contact = -1.;
     unsigned int   n_contact_steps = 0, phase = 0, longest_phase = 0; ///< steps with contact
     ContactSummary largest_contact;                                   ///< at the largest force

@@ -13,6 +13,7 @@
 
 #include <deal.II/base/timer.h>
 
+#include <exception>
 #include <sstream>
 
 namespace signorini
@@ -66,6 +67,10 @@ namespace signorini
     void set_initial_state();
     /** Refine the mesh of the initial state as far as the indicator wants it. */
     void adapt_initial_mesh();
+    /** All steps to the end of the run. @throws Interrupted */
+    void make_steps(TimeStepping &, Observation<dim> &, FieldOutput<dim> &, RunLog &);
+    void tell_progress(double fraction, const Observation<dim> &, RunLog &) const;
+    void write_fields(Observation<dim> &, FieldOutput<dim> &);
     /**
      * The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a
      * refined one.
@@ -81,8 +86,17 @@ namespace signorini
     std::string description() const;
     /** What is doubtful before the first step, a sentence each. */
     std::vector<std::string> warnings() const;
-    /** Write the last state and end the run. @throws RunError */
-    [[noreturn]] void stop(const std::string &warning, FieldOutput<dim> &fields);
+    /** After the last step. */
+    std::string summary(const TimeStepping &, const Observation<dim> &) const;
+    /**
+     * All processes fail together for a reason: write the last state, and say so in the log. What
+     * cannot be written any more is left out.
+     */
+    void end_early(const std::exception_ptr &reason,
+                   const TimeStepping &,
+                   Observation<dim> &,
+                   FieldOutput<dim> &,
+                   RunLog &);
   };
 } // namespace signorini
 

@@ -34,6 +34,8 @@ namespace signorini
    * - No step but the last one ends at the touch, where round-off would decide whether there is
    * contact. One that would end within an eighth of its size before or after it ends an eighth
    * after it; longer ones in free flight end an eighth of the first size before it, or earlier.
+   * - A step that cannot be solved is rejected, too; for that alone sizes go below the smallest
+   * one.
    * - Below the smallest size the shock on the mesh is what is wrong, and no step size helps.
    */
   class AdaptiveSteps : public TimeStepping
@@ -64,7 +66,7 @@ namespace signorini
     StepReport  advance(DynamicalSystem &system, State &state) override;
     double      fraction_done(const State &state) const override;
     void        forget() override;
-    void        take_back() override { --n_accepted; }
+    void        take_back() override;
     std::string summary() const override;
 
     unsigned int rejected() const { return n_rejected; }
@@ -77,19 +79,29 @@ namespace signorini
     const int                           highest;         ///< sizes are first 2^level
     int                                 lowest   = 0;    ///< on this mesh
     bool                                new_mesh = true; ///< since the last step
-    int                                 level    = 0;    ///< of the next step
-    unsigned int rest = 0; ///< steps that are not to be followed by a longer one
     std::optional<TakenStep>
       waiting; ///< the second half of a doubled step, when the first one has been handed out
-    unsigned int n_accepted = 0, n_rejected = 0, n_solved = 0;
-    double       smallest_size = 0., largest_size = 0.; ///< accepted so far
+    unsigned int n_rejected = 0, n_solved = 0;
 
-    double     minimum() const;
-    void       approach(double touch);
-    void       try_longer(const StepTrial &trial, double factor);
-    StepTrial  find_trial(DynamicalSystem &system, const State &state);
-    double     span(const State &state, double touch) const;
-    StepReport hand_out(State &state, TakenStep &&step);
+    /** What the step that was handed out last has changed. */
+    struct Memory
+    {
+      int          level         = 0; ///< of the next step
+      unsigned int rest          = 0; ///< steps that are not to be followed by a longer one
+      unsigned int n_accepted    = 0;
+      double       smallest_size = 0., largest_size = 0.; ///< accepted so far
+    };
+    Memory now, before; ///< the step that was handed out last
+
+    double    minimum() const;
+    void      approach(double touch);
+    void      try_longer(const StepTrial &trial, double factor);
+    StepTrial find_trial(DynamicalSystem &system, const State &state);
+    double    span(const State &state, double touch) const;
+    /** @return nothing if the step cannot be solved */
+    std::optional<StepTrial> attempt(DynamicalSystem &system, const State &state, double size);
+    void                     reject(int levels);
+    StepReport               hand_out(State &state, TakenStep &&step);
   };
 } // namespace signorini
 

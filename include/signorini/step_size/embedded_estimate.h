@@ -30,7 +30,8 @@ namespace signorini
 
     StepTrial
     attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
-    void accept(const State &start, const StepTrial &trial) override;
+    void accept(const State &start, const State &end) override;
+    void take_back() override { largest_energy = largest_energy_before; }
 
     /**
      * Errors in the energy norm are relative to this, the square root of the largest energy of the
@@ -40,7 +41,8 @@ namespace signorini
 
   private:
     TimeScheme &scheme;
-    double      largest_energy = 0.; ///< of the motion so far
+    double      largest_energy        = 0.; ///< of the motion so far
+    double      largest_energy_before = 0.; ///< the step that was accepted last
   };
 } // namespace signorini
 

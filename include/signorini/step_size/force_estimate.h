@@ -41,13 +41,18 @@ namespace signorini
 
     StepTrial
     attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
-    void      accept(const State &start, const StepTrial &trial) override;
+    void      accept(const State &start, const State &end) override;
+    void      take_back() override;
     StepRules rules() const override;
 
   private:
     EmbeddedEstimate motion;
     const double     unit;
-    double largest_force = 0., largest_energy = 0., largest_elastic_energy = 0.; ///< so far
+    struct Largest
+    {
+      double force = 0., energy = 0., elastic_energy = 0.;
+    };
+    Largest so_far, before; ///< the step that was accepted last
 
     double largest_expected_force(const State &start, const State &end) const;
   };

@@ -28,10 +28,8 @@ namespace signorini
 
     StepTrial
     attempt(DynamicalSystem &system, const State &start, double span, double tolerance) override;
-    void accept(const State &start, const StepTrial &trial) override
-    {
-      single.accept(start, trial);
-    }
+    void accept(const State &start, const State &end) override { single.accept(start, end); }
+    void take_back() override { single.take_back(); }
 
   private:
     TimeScheme      &scheme;

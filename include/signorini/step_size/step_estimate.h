@@ -4,6 +4,7 @@
 #ifndef signorini_step_size_step_estimate_h
 #define signorini_step_size_step_estimate_h
 
+#include <signorini/base/user_error.h>
 #include <signorini/time/time_scheme.h>
 
 namespace signorini
@@ -15,7 +16,16 @@ namespace signorini
     StepReport report;
   };
 
-  /** Make a step from a state, which is not touched. */
+  /** How often a step that cannot be solved is halved before the run ends. */
+  constexpr unsigned int times_halved = 5;
+
+  /** What to throw when that did not help either. @param size the smallest that was tried */
+  StepError given_up(const StepError &error, double time, double size);
+
+  /**
+   * Make a step from a state, which is not touched.
+   * @throws StepError on all processes if it cannot be solved, or if its end has no finite energy
+   */
   TakenStep
   take_step(TimeScheme &scheme, DynamicalSystem &system, const State &start, double step_size);
 
@@ -67,10 +77,13 @@ namespace signorini
     attempt(DynamicalSystem &system, const State &start, double span, double tolerance) = 0;
 
     /**
-     * The steps of a trial from this state count: what is kept for the next estimate follows them.
-     * Numbers only, no vectors: the mesh may change.
+     * A step counts: what is kept for the next estimate follows it. Numbers only, no vectors: the
+     * mesh may change.
      */
-    virtual void accept(const State & /*start*/, const StepTrial & /*trial*/) {}
+    virtual void accept(const State & /*start*/, const State & /*end*/) {}
+
+    /** The step that was accepted last does not count. */
+    virtual void take_back() {}
 
     virtual StepRules rules() const { return {}; }
   };

@@ -39,35 +39,6 @@ namespace signorini
     /** How the sizes came out, in words; empty if there is nothing to say. */
     virtual std::string summary() const { return ""; }
   };
-
-  /** Steps of equal size. */
-  class FixedSteps : public TimeStepping
-  {
-  public:
-    FixedSteps(TimeScheme &scheme, const double step_size, const unsigned int n_steps)
-      : scheme(scheme)
-      , step_size(step_size)
-      , n_steps(n_steps)
-    {
-    }
-
-    StepReport advance(DynamicalSystem &system, State &state) override
-    {
-      StepReport report = scheme.advance(system, state, step_size);
-      report.step_size  = step_size;
-      return report;
-    }
-
-    double fraction_done(const State &state) const override
-    {
-      return static_cast<double>(state.step) / n_steps;
-    }
-
-  private:
-    TimeScheme        &scheme;
-    const double       step_size;
-    const unsigned int n_steps;
-  };
 } // namespace signorini
 
 #endif

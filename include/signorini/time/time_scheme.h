@@ -31,6 +31,17 @@ namespace signorini
     Vector       support_force      = {};
     unsigned int impulse_iterations = 0; ///< laursen-love, per node: of the coupled equations
     bool common_impulses = false; ///< they had no solution; the common factor was taken instead
+    /**
+     * Attempts at this step that were thrown away: not solved, not accurate enough, or on a mesh
+     * that was too coarse. Written by who leads the steps.
+     */
+    unsigned int rejected_steps = 0;
+
+    /** Solves that a fallback had to finish or to replace. */
+    unsigned int n_fallbacks() const
+    {
+      return corrector.n_fallbacks + predictor.n_fallbacks + (common_impulses ? 1 : 0);
+    }
   };
 
   /** The balance of forces of a step, as error indicators see it. */
@@ -53,7 +64,8 @@ namespace signorini
    * Contract of advance(): on entry the state is complete (momentum = @f$M v@f$, internal_force =
    * @f$A u@f$) and admissible up to tolerance, and the system offers what the scheme needs; on exit
    * the state is the complete one of a step later. Nothing but `state` is changed, and if an
-   * exception leaves advance(), the state is as it was. The scheme keeps no memory between steps.
+   * exception leaves advance(), the state is as it was. A StepError leaves it on all processes
+   * alike, and the next step may be a shorter one. The scheme keeps no memory between steps.
    */
   class TimeScheme
   {

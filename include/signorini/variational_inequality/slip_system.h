@@ -17,7 +17,7 @@ namespace signorini
    *
    * The matrix K is not modified; these rows get their terms behind each product. The
    * preconditioner is that of K; directions that slip makes stiff (a small slip that is about to
-   * turn) are scaled down in it. Solved by GMRES.
+   * turn) are scaled down in it. Solved by GMRES, or without q by conjugate gradients.
    */
   class SlipSystem
   {
@@ -56,12 +56,23 @@ namespace signorini
                                      unsigned int              maximum_iterations);
 
     /**
+     * The same where no law depends on the normal force (q = 0) and Q is symmetric and has no
+     * negative curvature. @param tolerance, reduction see ConjugateGradients
+     */
+    ConjugateGradients::Report solve_symmetric(const ConstrainedProblem &problem,
+                                               Vector                   &residual,
+                                               Vector                   &correction,
+                                               double                    tolerance,
+                                               double                    reduction,
+                                               unsigned int              maximum_iterations);
+
+    /**
      * The forces that the linearised laws gave in the last solve, in the order of add(). They are
      * better than the residual in these rows, which also holds the error of a rough solve.
      */
     const std::vector<TangentVector> &forces() const { return law_forces; }
 
-    /** Norm of what was unbalanced at the start of the last solve. */
+    /** Norm of what was unbalanced at the start of the last solve(). */
     double initial_norm() const { return gmres.initial_norm(); }
 
   private:
@@ -76,7 +87,16 @@ namespace signorini
     std::vector<TangentVector> law_forces;
     bool                       any_slip = false, may_turn = false;
     Gmres                      gmres;
-    Vector                     scaled, unbalanced;
+    ConjugateGradients         conjugate_gradients;
+    Vector                     unbalanced;
+
+    class Jacobian;
+    class Preconditioner;
+
+    /** What K dx with the terms of the slipping nodes has to be. */
+    void unbalance(const Vector &residual);
+    /** The forces of the laws after a solve, and the residual with them. */
+    void balance(const Vector &correction, Vector &residual);
   };
 
   /** The tangential entries of a node. */

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Runs that meet what cannot be solved, and runs that are told to end. A step that fails is made in
+parts, and the times of the others stay what they are; where nothing helps, or at Ctrl-C, the run
+ends with one message, a status that says why, the fields of the last state and whole tables. Both
+happen alike on one and two processes."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import time
+
+import check_history
+
+BAR = check_history.scene_file("bar_2d")
+#: The fixed point of this scheme for the jumps of velocities does not converge in long steps.
+LONG_STEPS = ("Time/Scheme=nonsmooth-generalized-alpha", "Time/Step size=0.2")
+
+
+class EarlyEnd:
+    """A run that does not go to its end."""
+
+    def __init__(self, scene, name, overrides=(), processes=1, end_by=None):
+        """end_by: a signal, sent to the last process when the run has made some steps."""
+        self.folder = pathlib.Path(check_history.settings["folder"]) / name / "output"
+        command = [check_history.settings["executable"], str(scene), "--quiet"]
+        for override in (f"Output directory={self.folder}", *overrides):
+            command += ["--set", override]
+        if processes > 1:
+            command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
+        environment = dict(
+            os.environ,
+            OMPI_ALLOW_RUN_AS_ROOT="1",
+            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+            OMP_NUM_THREADS="1",
+        )
+        for old in self.folder.glob("history.csv"):
+            old.unlink()
+        with subprocess.Popen(
+            command,
+            env=environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        ) as process:
+            if end_by is not None:
+                self.wait_for_steps(process)
+                os.kill(last_process(process.pid), end_by)
+            _, self.errors = process.communicate(timeout=check_history.TIMEOUT)
+        self.status = process.returncode
+        self.message = [line for line in self.errors.splitlines() if line.startswith("signorini: ")]
+        self.message = [line for line in self.message if "warning" not in line]
+        self.history = check_history.read_table(self.folder / "history.csv")
+        self.log = (self.folder / "log.txt").read_text(encoding="utf-8")
+
+    def wait_for_steps(self, process):
+        """Until some rows are there."""
+        table = self.folder / "history.csv"
+        for _ in range(6000):
+            if process.poll() is not None:
+                raise AssertionError("the run ended by itself: " + process.stderr.read())
+            if table.exists() and table.read_text(encoding="utf-8").count("\n") > 5:
+                return
+            time.sleep(0.01)
+        raise AssertionError("the run does not begin")
+
+    def last_fields(self):
+        """The time of the last fields, and whether they are there."""
+        line = (self.folder / "volume.pvd").read_text(encoding="utf-8").split("<DataSet ")[-1]
+        file = line.split('file="')[1].split('"')[0]
+        return float(line.split('timestep="')[1].split('"')[0]), (self.folder / file).exists()
+
+
+def last_process(pid):
+    """Of a program that may have been started by mpirun: its last child, or itself."""
+    children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="utf-8").split()
+    return int(children[-1]) if children else pid
+
+
+class EarlyEnds(check_history.SceneTest):
+    def test_long_steps_are_made_in_parts(self):
+        runs = [
+            check_history.Run(BAR, f"parts_{processes}", LONG_STEPS, processes)
+            for processes in (1, 2)
+        ]
+        run = runs[0]
+        self.expect_ledger_closes(run)
+        rejected = run["rejected_steps"]
+        self.assertGreater(sum(rejected), 0)
+        self.assertIn(f"rejected          {sum(rejected):.0f} attempts", run.log)
+        for whole in range(1, 11):
+            self.assertLess(min(abs(t - 0.2 * whole) for t in run["time"]), 1e-12, whole)
+        for row in range(1, len(run)):
+            self.assertEqual(run["step"][row], row)
+            size = run["time"][row] - run["time"][row - 1]
+            self.assertAlmostEqual(run["step_size"][row], size, delta=1e-12)
+            if rejected[row]:
+                self.assertAlmostEqual(size, 0.2 / 2 ** rejected[row], delta=1e-12)
+        self.assertEqual(run["time"], runs[1]["time"])
+        self.assertEqual(rejected, runs[1]["rejected_steps"])
+
+    def test_what_cannot_be_solved_ends_the_run_with_its_last_state(self):
+        for processes in (1, 2):
+            run = EarlyEnd(
+                BAR,
+                f"hopeless_{processes}",
+                (*LONG_STEPS, "Solver/Tolerance=1e-2"),
+                processes,
+            )
+            self.assertEqual(run.status, 1, run.errors)
+            self.assertEqual(len(run.message), 1, run.errors)
+            end = run.history["time"][-1]
+            self.assertIn(f"no step from the time {end:.6g} was possible", run.message[0])
+            self.assertIn("were not found to nine digits. Choose", run.message[0])
+            self.assertIn(run.message[0][len("signorini: ") :], run.log)
+            self.assertIn("energy            changed by", run.log)
+            last, exists = run.last_fields()
+            self.assertAlmostEqual(last, end, delta=1e-5)
+            self.assertTrue(exists)
+
+    def test_signals_end_a_run_after_its_step(self):
+        for kind, processes in (
+            (signal.SIGINT, 1),
+            (signal.SIGTERM, 1),
+            (signal.SIGINT, 2),
+        ):
+            with self.subTest(signal=kind.name, processes=processes):
+                run = EarlyEnd(
+                    BAR,
+                    f"{kind.name}_{processes}",
+                    ["Time/Step size=1e-6", "Output/VTU states=1"],
+                    processes,
+                    kind,
+                )
+                self.assertEqual(run.status, 128 + kind, run.errors)
+                self.assertEqual(len(run.message), 1, run.errors)
+                end = run.history["time"][-1]
+                self.assertIn(f"interrupted by {kind.name} at the time {end:.6g}.", run.message[0])
+                self.assertIn("interrupted", run.log)
+                self.assertLess(end, 0.5)
+                last, exists = run.last_fields()
+                self.assertAlmostEqual(last, end, delta=1e-5 * end)
+                self.assertTrue(exists)
+
+    def test_the_reference_integration_fails_with_its_load(self):
+        """An exception in a function that SUNDIALS calls ends the run; none is forgotten."""
+        run = EarlyEnd(
+            check_history.scene_file("disc_2d"),
+            "reference",
+            (
+                "Time/Scheme=reference",
+                "Time/End time=0.1",
+                "Bodies/disc/Refinements=1",
+                "Bodies/disc/Body force=sqrt(0.033-t); 0",
+            ),
+        )
+        self.assertIn(run.status, (1, 2), run.errors)
+        self.assertEqual(len(run.message), 1, run.errors)
+        self.assertIn("'sqrt(0.033-t)' is not a finite number", run.message[0])
+        self.assertAlmostEqual(run.history["time"][-1], 0.03, delta=1e-12)
+
+    def test_sliding_on_many_cells(self):
+        """A block slides as a rigid body although a wave crosses 2200 cells in a step: what the
+        solver of friction falls back on meets tolerances that are below round-off, too."""
+        for processes in (1, 2):
+            run = check_history.Run(
+                check_history.scene_file("sliding_block"),
+                f"sliding_{processes}",
+                ["Bodies/block/Repetitions=128, 64", "Time/End time=0.02"],
+                processes,
+            )
+            # mass 20, velocity 1 - 3 t
+            self.expect_close(run["momentum_x"][-1], 20 * (1 - 3 * 0.02), 1e-8, "momentum")
+            self.expect_close(run["friction_force"][-1], 0.3 * 200, 1e-8, "friction")
+            self.assertEqual(run["slip_nodes"][-1], 129)
+
+
+if __name__ == "__main__":
+    check_history.main()
