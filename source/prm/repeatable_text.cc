@@ -46,8 +46,7 @@ namespace signorini
     for (std::string line; std::getline(in, line);)
       out << with_absolute_path(line, folder) << '\n';
     if (!later.empty())
-      out << "\n# Not in the file of the scene, but part of the run: values of the command line, "
-             "and where files lie.\n";
+      out << '\n' << beyond_the_file << '\n';
     for (const Statement &statement : later)
       write(statement, out);
     return out.str();

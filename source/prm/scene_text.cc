@@ -61,7 +61,8 @@ namespace signorini
         throw UserError(origin + ": " + message);
       }
 
-      std::string              origin; ///< of the current line
+      std::string              origin;              ///< of the current line
+      bool                     is_override = false; ///< are the statements of the current line
       std::vector<std::string> section;
       std::vector<std::string> section_origin;
     };
@@ -76,7 +77,8 @@ namespace signorini
           ++line_number;
           if (logical_line.empty())
             first_line = line_number;
-          origin = file_name + ", line " + std::to_string(first_line);
+          origin      = file_name + ", line " + std::to_string(first_line);
+          is_override = is_override || line == beyond_the_file;
           logical_line += line.substr(0, line.find('#'));
           const std::size_t last = logical_line.find_last_not_of(" \t\r");
           if (last != std::string::npos && logical_line[last] == '\\')
@@ -136,7 +138,7 @@ namespace signorini
       const std::string key = trim(assignment.substr(0, equal));
       if (key.empty())
         fail("`set " + assignment + "` names no key. Write `set key = value`.");
-      statements.push_back({section, key, trim(assignment.substr(equal + 1)), origin});
+      statements.push_back({section, key, trim(assignment.substr(equal + 1)), origin, is_override});
     }
 
     void Scanner::include(const std::string &line,
@@ -169,6 +171,8 @@ namespace signorini
       std::map<std::string, const Statement *> known; // by file and path
       for (const Statement &statement : statements)
         {
+          if (statement.is_override)
+            continue;
           const std::size_t comma = statement.origin.rfind(", line ");
           const auto [earlier, is_new] =
             known.emplace(statement.origin.substr(0, comma) + '\n' + statement.path(), &statement);

@@ -13,8 +13,8 @@ namespace signorini
                              const std::string              &owners,
                              const std::string              &choice)
   {
-    if (in.overridden(choice) && !in.overridden(key))
-      return;
+    if (in.overridden(choice))
+      return; // studies give keys to all of their runs
     if (in.given(key) && in.text(key) != declared.get(key))
       in.fail(key,
               "is only for " + owners + ", and has no effect with `" + choice + " = "

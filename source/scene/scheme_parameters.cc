@@ -117,6 +117,17 @@ namespace signorini
       };
       if (time.mass.predictor != PredictorMass::consistent && !scheme.predictor)
         refuse("Predictor mass", with_predictor());
+      if (time.mass.predictor == PredictorMass::lumped && scheme.projects_velocity
+          && time.mass.kind != MassKind::lumped)
+        in.fail("Predictor mass",
+                "= lumped does not fit Scheme = " + time.scheme
+                  + ", which changes the velocity by its projection: momentum would go to nodes "
+                    "that are not in contact, and the contact force would not account for it. "
+                    "Remove this key, set `Mass = lumped`, or take "
+                  + names([](const SchemeInfo &info) {
+                      return info.predictor && !info.projects_velocity;
+                    })
+                  + ".");
       if (!time.parameters.stop_sticking_nodes && !scheme.predictor)
         refuse("Stop sticking nodes", with_predictor());
       if (!time.parameters.impulses_per_node && !scheme.impulses)

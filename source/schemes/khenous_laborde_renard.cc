@@ -49,7 +49,7 @@ namespace signorini
     b.add(scale, new_load, -scale, state.internal_force);
 
     IncrementSolution solution;
-    const NormalGap gap = system.normal_gap(state.displacement);
+    const NormalGap   gap = system.normal_gap(state.displacement);
     system.solve({scale, 0., b, gap, state, tau, scale}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;

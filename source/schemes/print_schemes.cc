@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/schemes/alpha_rule.h>
 #include <signorini/schemes/scheme_table.h>
 
 #include <ostream>
@@ -62,6 +63,7 @@ namespace signorini
             << ", \"predictor\": " << truth(info.predictor)
             << ",\n   \"force_before_end\": " << quoted(info.force_before_end)
             << ", \"parameter\": " << quoted(info.parameter)
+            << ", \"automatic\": " << AlphaRule::usual_radius
             << ", \"mean_velocity\": " << truth(info.mean_velocity)
             << ",\n   \"changing_mesh\": " << truth(info.changing_mesh)
             << ", \"variable_step\": " << truth(info.variable_step()) << "}";

@@ -58,7 +58,8 @@ namespace signorini
 
     AlphaRule alpha_rule(const SchemeParameters &parameters)
     {
-      return AlphaRule::with_spectral_radius(parameters.spectral_radius.value_or(0.8));
+      return AlphaRule::with_spectral_radius(
+        parameters.spectral_radius.value_or(AlphaRule::usual_radius));
     }
 
     /** The schemes of ThetaRule. */
@@ -108,11 +109,12 @@ namespace signorini
 
     SchemeInfo contact_stabilized_projected()
     {
-      SchemeInfo info = contact_stabilized();
-      info.name       = "contact-stabilized-projected";
-      info.summary    = "contact-stabilized whose projection acts on the velocity, too: nodes that "
-                        "stay in contact have no normal velocity";
-      info.make       = [](const SchemeParameters &parameters) -> Made {
+      SchemeInfo info        = contact_stabilized();
+      info.name              = "contact-stabilized-projected";
+      info.projects_velocity = true;
+      info.summary = "contact-stabilized whose projection acts on the velocity, too: nodes that "
+                     "stay in contact have no normal velocity";
+      info.make    = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes,
                                                             theta_rule(parameters));
       };

@@ -24,6 +24,8 @@ TEST(Combinations, OfSchemes)
 {
   expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},
          {"Predictor mass = lumped", "Scheme = newmark", "Remove"});
+  expect({{"Time/Scheme", "contact-stabilized-projected"}, {"Time/Predictor mass", "lumped"}},
+         {"Predictor mass = lumped", "Mass = lumped", "or take contact-stabilized."});
   expect({{"Time/Mass", "redistributed"}}, // the scheme is contact-stabilized
          {"Mass = redistributed",
           "makes no sense with Scheme = contact-stabilized",

@@ -51,7 +51,7 @@ TEST(Reading, TimeAndTopLevel)
   const Scene<3> scene = read();
   EXPECT_EQ(scene.output_directory, "output/test");
   EXPECT_EQ(scene.mapping, CellGeometry::linear);
-  EXPECT_EQ(scene.time.scheme, "contact-stabilized");
+  EXPECT_EQ(scene.time.scheme, "contact-stabilized-projected");
   EXPECT_EQ(scene.time.mass.kind, MassKind::consistent);
   EXPECT_EQ(scene.time.mass.predictor, PredictorMass::consistent);
   EXPECT_DOUBLE_EQ(scene.time.step_size, 5e-3);

@@ -31,6 +31,8 @@ subsection Bodies
   end
 end
 """
+#: Shipped scenes that are tested here.
+SCENES = ("steel_ball",)
 OMEGA = math.pi * 30 / 20
 #: A steel ball of radius 10 mm and 1 m/s on a rigid plane: largest force, duration of contact.
 HERTZ_FORCE, HERTZ_DURATION = 2309.0, 52.3e-6

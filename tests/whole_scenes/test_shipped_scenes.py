@@ -10,6 +10,7 @@ bodies and those with friction have tests of their own.
 
 import check_history
 import test_adaptivity
+import test_damping
 import test_friction
 import test_two_bodies
 
@@ -74,6 +75,7 @@ class ShippedScenes(check_history.SceneTest):
                     *test_two_bodies.FREE_SCENES,
                     *test_friction.SCENES,
                     *test_adaptivity.SCENES,
+                    *test_damping.SCENES,
                 ]
             ),
         )

@@ -56,7 +56,8 @@ def before_end(keys):
     """How far before the end of the step the contact force belongs, as a part of the step. keys: of
     the section Time."""
     scheme = scheme_of(keys)
-    value = float(keys[scheme["parameter"]]) if scheme["parameter"] else 0.0
+    text = keys[scheme["parameter"]] if scheme["parameter"] else "0"
+    value = scheme["automatic"] if text == "automatic" else float(text)
     return Expression(scheme["force_before_end"], f"{scheme['name']}: force_before_end", ("p",))(
         value
     )

@@ -4,7 +4,6 @@
 #ifndef signorini_prm_scene_text_h
 #define signorini_prm_scene_text_h
 
-
 #include <iosfwd>
 #include <string>
 #include <utility>
@@ -15,6 +14,12 @@ namespace signorini
   /** `--set "Section/Subsection/Key=value"`: path of the key and the value. */
   using Override = std::pair<std::string, std::string>;
 
+  /**
+   * The comment after which the copy of a scene goes on with what its file does not say: values of
+   * the command line, and where files lie. Such statements may set keys again.
+   */
+  constexpr const char *beyond_the_file = "# Not in the file of the scene, but part of the run.";
+
   /** `set key = value`, or with an empty key: `subsection` of the last name in @p section. */
   struct Statement
   {
@@ -22,7 +27,7 @@ namespace signorini
     std::string              key;
     std::string              value;
     std::string              origin;              ///< "scene.prm, line 12" or "scene.prm, --set"
-    bool                     is_override = false; ///< from the command line
+    bool                     is_override = false; ///< from the command line, or once was
 
     /** `Section/Subsection/Key`. */
     std::string path() const;

@@ -10,8 +10,8 @@ namespace signorini
 {
   /**
    * Refuse a key that is given, with another value than its default, although nothing looks at it.
-   * A file that lists all keys with their defaults stays valid, and so does a file whose choice is
-   * changed on the command line only.
+   * A file that lists all keys with their defaults stays valid, and so does any file whose choice
+   * is made on the command line.
    * @param declared a handler with the keys of this section at its top
    * @param owners who looks at the key, in words
    * @param choice key that says that they are not there, such as Shape

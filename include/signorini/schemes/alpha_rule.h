@@ -23,6 +23,9 @@ namespace signorini
   class AlphaRule
   {
   public:
+    /** Spectral radius where nobody says another one. */
+    static constexpr double usual_radius = 0.8;
+
     AlphaRule(double alpha_m, double alpha_f);
 
     /** The method of a spectral radius at infinite frequency, 0 <= rho <= 1. */

@@ -72,7 +72,8 @@ namespace signorini
     MasslessNodesAre massless;    ///< contact nodes without mass
     std::string      why_refused; ///< massless nodes: the reason, a clause after a colon or comma
     bool             predictor;   ///< projects a predictor: `Predictor mass`, `Stop sticking nodes`
-    bool             impulses;    ///< gives impulses back: `Impulses`
+    bool             projects_velocity; ///< by that projection, too
+    bool             impulses;          ///< gives impulses back: `Impulses`
     bool macro_elements; ///< the redistributed mass is that of macro-elements unless another one is
                          ///< asked for
     StepBalance balance;
