@@ -178,13 +178,13 @@ namespace signorini
       automatic,
       Anything(),
       "Of " + with_parameter("Spectral radius")
-        + ": the factor by which amplitudes of motions that are much faster than a step change in "
-          "each, between 0 (most damping) and 1 (none; no unit). automatic: 0.8 for "
+        + ": the factor by which displacements that are much faster than a step change in each, "
+          "between 0 (most damping) and 1 (none; no unit). automatic: 0.8 for "
         + names([](const SchemeInfo &info) {
             return info.has_parameter("Spectral radius") && !info.damping;
           })
         + "; for " + names([](const SchemeInfo &info) { return info.damps_unresolved; })
-        + " 1 up to Courant number 40 of the smallest cells and 0.8 from 80 on; else 1.");
+        + " 1 up to Courant number 40 of the smallest cells and 0.6 from 80 on; else 1.");
     declare("Reference tolerance",
             "1e-8",
             "accepted relative error per step of the integrator, between 1e-12 and 1e-2.");

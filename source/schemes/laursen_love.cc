@@ -94,7 +94,7 @@ namespace signorini
     report.work_friction    = friction.work;
     State end =
       end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
-    rule.book_dissipation(system, state, end, d, change_by_rule, report);
+    rule.book_dissipation(system, state, end, d, report);
     swap(state, end);
     return report;
   }

@@ -14,10 +14,9 @@ namespace signorini
     const double    touching = touching_distance(system.length());
     for (std::size_t k = 0; k < bounds.size(); ++k)
       {
-        // The new velocity is zero where d.nu = (1 - theta) tau v.nu.
-        const bool touches = bounds[k] - tau / 2. * approach[k] <= touching;
+        const double half_step = tau / 2. * approach[k];
         bounds[k] =
-          touches ? (1. - rule.theta) * tau * approach[k] : std::numeric_limits<double>::infinity();
+          bounds[k] - half_step <= touching ? half_step : std::numeric_limits<double>::infinity();
       }
     const Vector            b        = rule.right_hand_side(system, state, tau);
     const IncrementSolution solution = rule.solve(system, state, tau, b, bounds);

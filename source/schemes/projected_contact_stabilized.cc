@@ -27,7 +27,7 @@ namespace signorini
         b += motion.predictor.mass_correction;
         // Friction belongs to all of the normal force, r + M c / tau^2.
         Vector projection_reaction = motion.predictor.mass_correction;
-        projection_reaction *= rule.theta;
+        projection_reaction *= 0.5;
         motion.solution = rule.solve(system, state, tau, b, gap, &projection_reaction);
         correctors.add(motion.solution.effort);
       }
@@ -82,7 +82,7 @@ namespace signorini
     report.work_friction    = friction.work;
     State end =
       end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
-    rule.book_dissipation(system, state, end, d, change_by_rule, report);
+    rule.book_dissipation(system, state, end, d, report);
     swap(state, end);
     return report;
   }

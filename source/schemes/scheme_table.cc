@@ -45,15 +45,15 @@ namespace signorini
       return info;
     }
 
-    ThetaRule theta_rule(const SchemeParameters &parameters)
+    TrapezoidalRule trapezoidal_rule(const SchemeParameters &parameters)
     {
-      return ThetaRule::with_spectral_radius(parameters.spectral_radius.value_or(1.));
+      return TrapezoidalRule(parameters.spectral_radius.value_or(1.));
     }
 
     template <typename Scheme>
     Made make_with_rule(const SchemeParameters &parameters)
     {
-      return std::make_unique<Scheme>(theta_rule(parameters));
+      return std::make_unique<Scheme>(trapezoidal_rule(parameters));
     }
 
     AlphaRule alpha_rule(const SchemeParameters &parameters)
@@ -62,9 +62,10 @@ namespace signorini
         parameters.spectral_radius.value_or(AlphaRule::usual_radius));
     }
 
-    /** The schemes of ThetaRule. */
-    SchemeInfo
-    with_theta_rule(const std::string &name, const EnergyLaw energy, const std::string &summary)
+    /** The schemes of TrapezoidalRule. */
+    SchemeInfo with_trapezoidal_rule(const std::string &name,
+                                     const EnergyLaw    energy,
+                                     const std::string &summary)
     {
       SchemeInfo info       = common(name, energy, summary);
       info.damping          = true;
@@ -92,7 +93,7 @@ namespace signorini
 
     SchemeInfo contact_stabilized()
     {
-      SchemeInfo info = with_theta_rule(
+      SchemeInfo info = with_trapezoidal_rule(
         "contact-stabilized",
         EnergyLaw::dissipates,
         "Newmark with a predictor that respects the contact condition; smooth contact forces");
@@ -101,7 +102,7 @@ namespace signorini
                             ": its predictor stops the mass of contact nodes, and they have none");
       info.make = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ContactStabilizedNewmark>(parameters.stop_sticking_nodes,
-                                                          theta_rule(parameters));
+                                                          trapezoidal_rule(parameters));
       };
       return info;
     }
@@ -116,7 +117,7 @@ namespace signorini
                      "stay in contact have no normal velocity";
       info.make    = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ProjectedContactStabilized>(parameters.stop_sticking_nodes,
-                                                            theta_rule(parameters));
+                                                            trapezoidal_rule(parameters));
       };
       return info;
     }
@@ -124,11 +125,12 @@ namespace signorini
 
     SchemeInfo contact_implicit()
     {
-      SchemeInfo info = with_theta_rule("contact-implicit",
-                                        EnergyLaw::dissipates,
-                                        "Newmark without a predictor; contact forces oscillate");
-      info.friction   = true;
-      info.make       = make_with_rule<ContactImplicitNewmark>;
+      SchemeInfo info =
+        with_trapezoidal_rule("contact-implicit",
+                              EnergyLaw::dissipates,
+                              "Newmark without a predictor; contact forces oscillate");
+      info.friction = true;
+      info.make     = make_with_rule<ContactImplicitNewmark>;
       return info;
     }
 
@@ -136,9 +138,9 @@ namespace signorini
     SchemeInfo laursen_chawla()
     {
       SchemeInfo info =
-        with_theta_rule("laursen-chawla",
-                        EnergyLaw::conserves,
-                        "contact as a condition of persistency; allows penetration");
+        with_trapezoidal_rule("laursen-chawla",
+                              EnergyLaw::conserves,
+                              "contact as a condition of persistency; allows penetration");
       info.friction = true;
       info.make     = make_with_rule<LaursenChawla>;
       return info;
@@ -147,13 +149,14 @@ namespace signorini
 
     SchemeInfo laursen_love()
     {
-      SchemeInfo info = with_theta_rule(
+      SchemeInfo info = with_trapezoidal_rule(
         "laursen-love", EnergyLaw::conserves, "gives lost energy back by impulses; no penetration");
       info.friction = info.impulses = true;
       refuse_massless_nodes(
         info, ": impulses on contact nodes without mass have no effect that is finite");
       info.make = [](const SchemeParameters &parameters) -> Made {
-        return std::make_unique<LaursenLove>(parameters.impulses_per_node, theta_rule(parameters));
+        return std::make_unique<LaursenLove>(parameters.impulses_per_node,
+                                             trapezoidal_rule(parameters));
       };
       return info;
     }
@@ -179,9 +182,9 @@ namespace signorini
 
     SchemeInfo hager_hueeber_wohlmuth()
     {
-      SchemeInfo info = with_theta_rule("hager-hueeber-wohlmuth",
-                                        EnergyLaw::conserves,
-                                        "laursen-chawla with contact nodes without mass");
+      SchemeInfo info = with_trapezoidal_rule("hager-hueeber-wohlmuth",
+                                              EnergyLaw::conserves,
+                                              "laursen-chawla with contact nodes without mass");
       need_massless_nodes(info);
       info.friction = info.macro_elements = true;
       info.make                           = make_with_rule<HagerHueeberWohlmuth>;
@@ -191,7 +194,7 @@ namespace signorini
 
     SchemeInfo newmark()
     {
-      SchemeInfo info = with_theta_rule(
+      SchemeInfo info = with_trapezoidal_rule(
         "newmark", EnergyLaw::none, "the classical scheme with contact; gains energy at impact");
       info.friction         = true;
       info.balance          = StepBalance::both_ends;
@@ -265,9 +268,9 @@ namespace signorini
     SchemeInfo moreau_jean()
     {
       SchemeInfo info =
-        with_theta_rule("moreau-jean",
-                        EnergyLaw::none,
-                        "contact as a condition of velocities; penetrates; for comparison");
+        with_trapezoidal_rule("moreau-jean",
+                              EnergyLaw::none,
+                              "contact as a condition of velocities; penetrates; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
       info.make = make_with_rule<MoreauJean>;
       return info;
@@ -298,7 +301,7 @@ namespace signorini
   double automatic_spectral_radius(const double courant_number)
   {
     const double into_damping = std::log2(std::max(courant_number, 1.) / 40.);
-    return 1. - 0.2 * std::clamp(into_damping, 0., 1.);
+    return 1. - 0.4 * std::clamp(into_damping, 0., 1.);
   }
 
 

@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_contact_implicit_newmark_h
 #define signorini_schemes_contact_implicit_newmark_h
 
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -27,7 +27,7 @@ namespace signorini
   class ContactImplicitNewmark : public TimeScheme
   {
   public:
-    explicit ContactImplicitNewmark(const ThetaRule &rule = ThetaRule())
+    explicit ContactImplicitNewmark(const TrapezoidalRule &rule = TrapezoidalRule())
       : rule(rule)
     {
     }
@@ -35,7 +35,7 @@ namespace signorini
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
   private:
-    const ThetaRule rule;
+    const TrapezoidalRule rule;
   };
 } // namespace signorini
 

@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_contact_stabilized_newmark_h
 #define signorini_schemes_contact_stabilized_newmark_h
 
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -41,8 +41,8 @@ namespace signorini
   class ContactStabilizedNewmark : public TimeScheme
   {
   public:
-    explicit ContactStabilizedNewmark(const bool       stop_sticking_nodes = true,
-                                      const ThetaRule &rule                = ThetaRule())
+    explicit ContactStabilizedNewmark(const bool             stop_sticking_nodes = true,
+                                      const TrapezoidalRule &rule = TrapezoidalRule())
       : stop_sticking_nodes(stop_sticking_nodes)
       , rule(rule)
     {
@@ -58,8 +58,8 @@ namespace signorini
     }
 
   private:
-    const bool      stop_sticking_nodes;
-    const ThetaRule rule;
+    const bool            stop_sticking_nodes;
+    const TrapezoidalRule rule;
   };
 } // namespace signorini
 

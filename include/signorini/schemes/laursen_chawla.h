@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_laursen_chawla_h
 #define signorini_schemes_laursen_chawla_h
 
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -26,7 +26,7 @@ namespace signorini
   class LaursenChawla : public TimeScheme
   {
   public:
-    explicit LaursenChawla(const ThetaRule &rule = ThetaRule())
+    explicit LaursenChawla(const TrapezoidalRule &rule = TrapezoidalRule())
       : rule(rule)
     {
     }
@@ -34,7 +34,7 @@ namespace signorini
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
   private:
-    const ThetaRule rule;
+    const TrapezoidalRule rule;
   };
 } // namespace signorini
 

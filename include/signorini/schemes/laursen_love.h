@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_laursen_love_h
 #define signorini_schemes_laursen_love_h
 
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -36,7 +36,8 @@ namespace signorini
   class LaursenLove : public TimeScheme
   {
   public:
-    explicit LaursenLove(const bool separate_nodes = true, const ThetaRule &rule = ThetaRule())
+    explicit LaursenLove(const bool             separate_nodes = true,
+                         const TrapezoidalRule &rule           = TrapezoidalRule())
       : separate_nodes(separate_nodes)
       , rule(rule)
     {
@@ -52,8 +53,8 @@ namespace signorini
     }
 
   private:
-    const bool      separate_nodes;
-    const ThetaRule rule;
+    const bool            separate_nodes;
+    const TrapezoidalRule rule;
   };
 } // namespace signorini
 

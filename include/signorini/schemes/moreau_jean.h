@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_moreau_jean_h
 #define signorini_schemes_moreau_jean_h
 
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -32,7 +32,7 @@ namespace signorini
   class MoreauJean : public TimeScheme
   {
   public:
-    explicit MoreauJean(const ThetaRule &rule = ThetaRule())
+    explicit MoreauJean(const TrapezoidalRule &rule = TrapezoidalRule())
       : rule(rule)
     {
     }
@@ -40,7 +40,7 @@ namespace signorini
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
   private:
-    const ThetaRule rule;
+    const TrapezoidalRule rule;
   };
 } // namespace signorini
 

@@ -4,7 +4,7 @@
 #ifndef signorini_schemes_newmark_h
 #define signorini_schemes_newmark_h
 
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -28,7 +28,7 @@ namespace signorini
   class Newmark : public TimeScheme
   {
   public:
-    explicit Newmark(const ThetaRule &rule = ThetaRule())
+    explicit Newmark(const TrapezoidalRule &rule = TrapezoidalRule())
       : rule(rule)
     {
     }
@@ -36,7 +36,7 @@ namespace signorini
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
   private:
-    const ThetaRule rule;
+    const TrapezoidalRule rule;
   };
 } // namespace signorini
 

@@ -5,7 +5,7 @@
 #define signorini_schemes_projected_contact_stabilized_h
 
 #include <signorini/schemes/projected_predictor.h>
-#include <signorini/schemes/theta_rule.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 
 namespace signorini
 {
@@ -44,8 +44,8 @@ namespace signorini
   class ProjectedContactStabilized : public TimeScheme
   {
   public:
-    explicit ProjectedContactStabilized(const bool       stop_sticking_nodes = true,
-                                        const ThetaRule &rule                = ThetaRule())
+    explicit ProjectedContactStabilized(const bool             stop_sticking_nodes = true,
+                                        const TrapezoidalRule &rule = TrapezoidalRule())
       : stop_sticking_nodes(stop_sticking_nodes)
       , rule(rule)
     {
@@ -61,8 +61,8 @@ namespace signorini
     }
 
   private:
-    const bool      stop_sticking_nodes;
-    const ThetaRule rule;
+    const bool            stop_sticking_nodes;
+    const TrapezoidalRule rule;
 
     /** Predictor and increment of a step. */
     struct Motion

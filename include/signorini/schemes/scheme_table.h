@@ -87,7 +87,7 @@ namespace signorini
     std::string              force_before_end;
     std::string              parameter;
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
-    /** Damps what the step cannot resolve unless a spectral radius is given: ThetaRule. */
+    /** Damps what the step cannot resolve unless a spectral radius is given: TrapezoidalRule. */
     bool        damps_unresolved;
     bool        damping;          ///< knows viscous damping of bodies
     bool        mean_velocity;    ///< velocities of contact nodes are means over the step
@@ -106,7 +106,7 @@ namespace signorini
 
   /**
    * The spectral radius of schemes that damp what the step cannot resolve, where the scene does not
-   * say it: 1 up to Courant number 40, 0.8 from 80 on, between them by the logarithm. The reasons
+   * say it: 1 up to Courant number 40, 0.6 from 80 on, between them by the logarithm. The reasons
    * and measurements are in doc/schemes.md.
    * @param courant_number of the smallest cells
    */
