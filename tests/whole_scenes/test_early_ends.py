@@ -47,7 +47,7 @@ class EarlyEnd:
         ) as process:
             if end_by is not None:
                 self.wait_for_steps(process)
-                os.kill(last_process(process.pid), end_by)
+                os.kill(last_process(process.pid) if processes > 1 else process.pid, end_by)
             _, self.errors = process.communicate(timeout=check_history.TIMEOUT)
         self.status = process.returncode
         self.message = [line for line in self.errors.splitlines() if line.startswith("signorini: ")]
@@ -74,9 +74,9 @@ class EarlyEnd:
 
 
 def last_process(pid):
-    """Of a program that may have been started by mpirun: its last child, or itself."""
+    """Of a program that was started by mpirun: its last child."""
     children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="utf-8").split()
-    return int(children[-1]) if children else pid
+    return int(children[-1])
 
 
 class EarlyEnds(check_history.SceneTest):
