@@ -54,9 +54,10 @@ TEST(Combinations, OfSchemes)
 
 TEST(Combinations, OfKeysAndShapesOrSchemesThatDoNotLookAtThem)
 {
-  expect(
-    {{"Time/Scheme", "newmark"}, {"Time/HHT alpha", "-0.2"}},
-    {"HHT alpha = -0.2: is only for hht-alpha", "no effect with `Scheme = newmark`", "Remove"});
+  expect({{"Time/HHT alpha", "-0.2"}},
+         {"HHT alpha = -0.2: is only for hht-alpha",
+          "no effect with `Scheme = contact-stabilized-projected`",
+          "Remove"});
   expect({{"Time/Newmark beta", "0.3"}}, {"Newmark beta = 0.3: is only for khenous-"});
   expect({{"Obstacles/floor/Radius", "2"}},
          {"Obstacles/floor/Radius = 2: is only for the shape sphere or cylinder",

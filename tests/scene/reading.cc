@@ -221,10 +221,11 @@ TEST(Reading, SchemesWithFriction)
       read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Scheme", scheme}})
         .pairs[0]
         .friction.any);
-  EXPECT_TRUE(
-    read({{"Contact/ball : floor/Friction coefficient", "0.3"}, {"Time/Predictor mass", "lumped"}})
-      .pairs[0]
-      .friction.any);
+  EXPECT_TRUE(read({{"Contact/ball : floor/Friction coefficient", "0.3"},
+                    {"Time/Scheme", "contact-stabilized"},
+                    {"Time/Predictor mass", "lumped"}})
+                .pairs[0]
+                .friction.any);
 }
 
 TEST(Reading, StickingNodesAndStart)
