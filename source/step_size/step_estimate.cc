@@ -24,7 +24,9 @@ namespace signorini
     TakenStep step{start, {}};
     step.report           = scheme.advance(system, step.state, step_size);
     step.report.step_size = step_size;
-    if (!std::isfinite(energy_of_motion(step.state)))
+    // deal.II asserts that scalar products are finite, so the entries are looked at first.
+    if (!std::isfinite(step.state.velocity.l1_norm() + step.state.displacement.l1_norm())
+        || !std::isfinite(energy_of_motion(step.state)))
       throw StepError("The energy at its end is not a finite number. Check the loads, velocities "
                       "and material constants of the scene, or choose a smaller Time/Step size.");
     return step;
