@@ -38,14 +38,14 @@ namespace signorini
   void print_schemes(std::ostream &out)
   {
     out << "| scheme | energy at contact | friction | massless contact nodes | predictor | contact "
-           "force belongs to | changing mesh | variable step | in one sentence |\n"
-           "|---|---|---|---|---|---|---|---|---|\n";
+           "force belongs to | penetrates | changing mesh | variable step | in one sentence |\n"
+           "|---|---|---|---|---|---|---|---|---|---|\n";
     for (const SchemeInfo &info : scheme_table())
       out << "| `" << info.name << "` | " << name_of(info.energy) << " | "
           << yes_or_no(info.friction) << " | " << name_of(info.massless) << " | "
           << yes_or_no(info.predictor) << " | " << instant(info) << " | "
-          << yes_or_no(info.changing_mesh) << " | " << yes_or_no(info.variable_step()) << " | "
-          << info.summary << " |\n";
+          << yes_or_no(info.penetrates) << " | " << yes_or_no(info.changing_mesh) << " | "
+          << yes_or_no(info.variable_step()) << " | " << info.summary << " |\n";
   }
 
 
@@ -65,6 +65,7 @@ namespace signorini
             << ", \"parameter\": " << quoted(info.parameter)
             << ", \"automatic\": " << AlphaRule::usual_radius
             << ", \"mean_velocity\": " << truth(info.mean_velocity)
+            << ", \"penetrates\": " << truth(info.penetrates)
             << ",\n   \"changing_mesh\": " << truth(info.changing_mesh)
             << ", \"variable_step\": " << truth(info.variable_step()) << "}";
         separator = ",\n";

@@ -141,8 +141,8 @@ namespace signorini
         with_trapezoidal_rule("laursen-chawla",
                               EnergyLaw::conserves,
                               "contact as a condition of persistency; allows penetration");
-      info.friction = true;
-      info.make     = make_with_rule<LaursenChawla>;
+      info.friction = info.penetrates = true;
+      info.make                       = make_with_rule<LaursenChawla>;
       return info;
     }
 
@@ -186,8 +186,8 @@ namespace signorini
                                               EnergyLaw::conserves,
                                               "laursen-chawla with contact nodes without mass");
       need_massless_nodes(info);
-      info.friction = info.macro_elements = true;
-      info.make                           = make_with_rule<HagerHueeberWohlmuth>;
+      info.friction = info.macro_elements = info.penetrates = true;
+      info.make                                             = make_with_rule<HagerHueeberWohlmuth>;
       return info;
     }
 
@@ -242,8 +242,9 @@ namespace signorini
                EnergyLaw::none,
                "generalized-alpha with contact as jumps of the velocity; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
-      info.keys = {"Spectral radius"};
-      info.make = [](const SchemeParameters &parameters) -> Made {
+      info.penetrates = true;
+      info.keys       = {"Spectral radius"};
+      info.make       = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<NonsmoothGeneralizedAlpha>(alpha_rule(parameters));
       };
       return info;
@@ -272,7 +273,8 @@ namespace signorini
                               EnergyLaw::none,
                               "contact as a condition of velocities; penetrates; for comparison");
       refuse_massless_nodes(info, needs_accelerations);
-      info.make = make_with_rule<MoreauJean>;
+      info.penetrates = true;
+      info.make       = make_with_rule<MoreauJean>;
       return info;
     }
 

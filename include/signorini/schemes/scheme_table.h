@@ -89,9 +89,10 @@ namespace signorini
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
     /** Damps what the step cannot resolve unless a spectral radius is given: TrapezoidalRule. */
     bool        damps_unresolved;
-    bool        damping;          ///< knows viscous damping of bodies
-    bool        mean_velocity;    ///< velocities of contact nodes are means over the step
-    bool        changing_mesh;    ///< the mesh may change between steps
+    bool        damping;       ///< knows viscous damping of bodies
+    bool        penetrates;    ///< nodes may end a step inside of what they touch, at any step size
+    bool        mean_velocity; ///< velocities of contact nodes are means over the step
+    bool        changing_mesh; ///< the mesh may change between steps
     bool        moving_dirichlet; ///< prescribed displacements may change in time
     std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
                                ///< have equal sizes
