@@ -12,6 +12,10 @@ namespace signorini
      * y += (A + weight M) x, with a weight per row, in one pass over the upper triangle: each block
      * acts once as it is and once transposed. What is wanted is known at compile time, so that a
      * missing matrix is not even read.
+     *
+     * The blocks of a row of A add up to zero, as a translation has no stress. So A acts on
+     * differences of displacements, and its diagonal blocks are not needed: a body that has moved
+     * far has forces with the round-off of its strains, not of its way.
      */
     template <int dim, bool with_mass, bool with_stiffness, typename Weight>
     void multiply(const ElasticMatrices<dim> &matrices,
@@ -30,17 +34,21 @@ namespace signorini
           Lanes<double>       sum         = load(y + 4 * row);
           for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
             {
-              const unsigned int column = pattern.columns[k];
-              if constexpr (with_stiffness)
-                sum += block_product<dim>(matrices.stiffness[k].data(), x + 4 * column);
+              const unsigned int  column   = pattern.columns[k];
+              const Lanes<double> x_column = load(x + 4 * column);
               if constexpr (with_mass)
-                sum += mass_weight * mass[k] * load(x + 4 * column);
-              if (column == row || column >= pattern.n_owned)
+                sum += mass_weight * mass[k] * x_column;
+              if (column == row)
+                continue;
+              const Lanes<double> difference = x_column - x_row;
+              if constexpr (with_stiffness)
+                sum += block_product<dim, double>(matrices.stiffness[k].data(), difference);
+              if (column >= pattern.n_owned)
                 continue;
               Lanes<double> mirrored = load(y + 4 * column);
               if constexpr (with_stiffness)
-                mirrored +=
-                  block_transposed_product<dim, double>(matrices.stiffness[k].data(), x_row);
+                mirrored -=
+                  block_transposed_product<dim, double>(matrices.stiffness[k].data(), difference);
               if constexpr (with_mass)
                 mirrored += mass_weight * mass[k] * x_row;
               std::memcpy(y + 4 * column, &mirrored, sizeof(mirrored));

@@ -40,6 +40,38 @@ subsection Contact
 end
 """
 
+FAR = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.05
+  set End time  = 10
+end
+subsection Bodies
+  set Names = box
+  subsection box
+    set Shape                = box
+    set Lower corner         = 0, 0
+    set Upper corner         = 1, 1
+    set Refinements          = 3
+    set Young's modulus      = 1
+    set Poisson's ratio      = 0.3
+    set Density              = 1
+    set Initial displacement = 100; -100
+    set Initial velocity     = 0; -1e-5
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Point  = 0, -100.00001
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = box : floor
+end
+"""
+
 #: Where steps are a fixed point of several solutions, these must be good enough to find it.
 ROUGH = {"nonsmooth-generalized-alpha": 1e-8}
 
@@ -66,6 +98,16 @@ class Ledger(check_history.SceneTest):
                 rough = ROUGH.get(scheme, 1e-2)
                 self.assertGreater(self.residual(scheme, rough), rough / 100)
                 self.assertLess(self.residual(scheme, 2e-11), check_history.ACCURACY)
+
+    def test_a_body_far_from_where_it_began_keeps_its_digits(self):
+        """A hundred lengths away, at 1e-5 of the wave speed, round-off of the displacement is 1e-14
+        lengths, and a strain of 1e-5 has nine digits. Products of the displacement itself would
+        leave none: their round-off is 1e-16 of the energy of a strain of 100."""
+        run = check_history.Run(FAR, "far")
+        self.expect_contact(run)
+        scale = max(run["total_energy"])
+        self.assertLess(max(abs(residual) for residual in run["energy_residual"]) / scale, 1e-7)
+        self.assertLess(max(run["total_energy"]), 1.0000001 * run["total_energy"][0])
 
 
 if __name__ == "__main__":

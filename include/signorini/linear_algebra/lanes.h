@@ -35,6 +35,15 @@ namespace signorini
     return sum;
   }
 
+  template <int dim, typename Number>
+  inline Lanes<Number> block_product(const Number *block, const Lanes<Number> x)
+  {
+    Lanes<Number> sum = load(block) * x[0];
+    for (int c = 1; c < dim; ++c)
+      sum += load(block + dim * c) * x[c];
+    return sum;
+  }
+
   /**
    * Set the lanes beyond the components of a node to zero, as block_transposed_product() wants
    * them.
