@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/diagnostics/resolution.h>
 #include <signorini/diagnostics/validity.h>
 
 #include <algorithm>
@@ -52,11 +53,19 @@ namespace signorini
        "trust shape, energy and contact of this body; end the run earlier, or let it turn less."},
       {&ValidityReading::strain,
        false,
-       0.05,
+       large_strain,
        0.01,
        " % strained at one place",
        "Strains are linear, and so is Hooke's law: the error is about as large. A slower impact, a "
        "lower load or a stiffer material stays within them."},
+      {&ValidityReading::alternation,
+       false,
+       3.,
+       1.,
+       " times as fast to and fro from step to step, at a contact node, as it moves on",
+       "Steps are too long for these vibrations: velocities and stresses near the contact are "
+       "wrong, forces and energies are not. Give smaller steps, or damp what steps do not resolve "
+       "with a smaller `Time/Spectral radius` (doc/schemes.md)."},
       {&ValidityReading::sliding,
        true,
        1.,

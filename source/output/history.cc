@@ -167,6 +167,13 @@ namespace signorini
   void History<dim>::write(const HistoryRow &row)
   {
     since_last_row.add(row);
+    write_skipped(row);
+  }
+
+
+  template <int dim>
+  void History<dim>::write_skipped(const HistoryRow &row)
+  {
     std::vector<double> values = values_of(row, std::exchange(since_last_row, StepSums()));
     if (with_errors)
       for (const double error : {row.errors.displacement,

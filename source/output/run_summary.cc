@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/diagnostics/resolution.h>
 #include <signorini/output/run_summary.h>
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int few_steps = 8; ///< of a contact: hardly more than its ends
-
     /** Per cent: of what is exactly nothing only round-off is left. */
     double without_round_off(const double value)
     {
@@ -124,8 +123,7 @@ namespace signorini
           " steps the equations of the impulses of single nodes were not solved; the common factor "
           "of `Time/Impulses = common` was taken instead. The energy is right, the share of each "
           "node is not.");
-    const unsigned int few_nodes = subject.dimension == 3 ? 9 : 4;
-    if (largest_contact.n_active < few_nodes
+    if (largest_contact.n_active < few_nodes(subject.dimension)
         && 2 * largest_contact.n_active < largest_contact.n_nodes)
       say("at the largest force only ",
           largest_contact.n_active,

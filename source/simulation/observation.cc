@@ -93,7 +93,8 @@ namespace signorini
   {
     meshed      = &new_meshed;
     body_motion = BodyMotion<dim>(meshed->discretization);
-    probes      = make_probes(scene, *meshed);
+    alternation.forget();
+    probes = make_probes(scene, *meshed);
     tables.use_mesh(*meshed, body_motion, state);
     ledger.transfer(state, meshed->load(state.time));
     run_summary.change_mesh(meshed->discretization.mesh().triangulation().n_global_active_cells());
@@ -137,6 +138,12 @@ namespace signorini
         energy_of_strains = elastic;
       }
     reading.strain = strains;
+    reading.alternation =
+      alternation.add(meshed->surface,
+                      state.velocity,
+                      std::sqrt(2. * run_summary.largest_energy_of_motion() / body_motion.mass()),
+                      scene.bodies.size(),
+                      discretization.communicator());
     return reading;
   }
 
@@ -191,11 +198,13 @@ namespace signorini
       {
         history.write(row);
         tables.write(state, row.report);
+        skipped.reset();
       }
     else
       {
         history.skip(row);
         tables.skip(state);
+        skipped = row.report;
       }
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
@@ -205,6 +214,19 @@ namespace signorini
           history.write_probe(p, state.time, reading);
       }
     products_before = meshed->discretization.matrices().products();
+  }
+
+
+  template <int dim>
+  void Observation<dim>::finish(const State &state)
+  {
+    if (!skipped)
+      return;
+    history.write_skipped(evaluate(state, *skipped, EnergyBooking()));
+    tables.write(state, *skipped);
+    for (unsigned int p = 0; p < probes.size(); ++p)
+      history.write_probe(p, state.time, probes[p].read(state));
+    skipped.reset();
   }
 
 

@@ -10,6 +10,7 @@
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/element_warnings.h>
+#include <signorini/simulation/expectations.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
@@ -196,6 +197,8 @@ namespace signorini
     // In the middle of a change of the mesh there is no state.
     const bool has_state =
       meshed && state.displacement.size() == meshed->discretization.dof_handler().n_dofs();
+    if (has_state)
+      attempt([&] { observation.finish(state); });
     if (has_state && scene.output.vtu)
       attempt([&] { write_fields(observation, fields); }); // the reason may be a full disk
     if (has_state)
@@ -263,6 +266,7 @@ namespace signorini
     set_initial_state();
     if (mesh_control.any())
       adapt_initial_mesh();
+    expected = expectations(scene, *meshed, state);
   }
 
 
@@ -356,8 +360,9 @@ namespace signorini
            << perturbation_of_velocities() << " of themselves\n";
     for (const std::string &note : meshed->surface.notes())
       text << "  note: " << note << "\n";
-    for (const std::string &note : start_remarks.notes)
-      text << "  note: " << note << "\n";
+    for (const Remarks *remarks : {&start_remarks, &expected})
+      for (const std::string &note : remarks->notes)
+        text << "  note: " << note << "\n";
     return text.str();
   }
 
@@ -366,6 +371,7 @@ namespace signorini
   std::vector<std::string> Simulation<dim>::warnings() const
   {
     std::vector<std::string> result = start_remarks.warnings;
+    result.insert(result.end(), expected.warnings.begin(), expected.warnings.end());
     for (const std::string &warning : element_warnings(mesh))
       result.push_back(warning);
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)

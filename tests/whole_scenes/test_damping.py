@@ -99,12 +99,14 @@ class Damping(check_history.SceneTest):
                 self.expect_no_gain_of_energy(run)
                 self.assertLess(sum(run["work_scheme"]), -0.005 * run["total_energy"][0])
                 self.assertIn("spectral radius", run.log)
+                self.assertNotIn("to and fro", run.log)
 
     def test_without_damping_it_rings_but_no_force_acts_across_a_gap(self):
         run, end, speed = self.steel_ball("ringing", "Time/Spectral radius=1")
         self.assertGreater(speed, 10000.0, "else the test of damping shows nothing")
         self.expect_close(end, HERTZ_DURATION, 0.05 + 1 / 65, "end of contact")
         self.assertEqual(max(map(abs, run["work_scheme"])), 0.0)
+        self.assertIn("times as fast to and fro from step to step", run.log)
 
 
 if __name__ == "__main__":

@@ -120,6 +120,20 @@ class EarlyEnds(check_history.SceneTest):
             self.assertAlmostEqual(last, end, delta=1e-5)
             self.assertTrue(exists)
 
+    def test_the_last_step_has_a_row_whether_it_was_due_or_not(self):
+        """The run ends at the same step however many rows it writes; what adds up is whole."""
+        every = EarlyEnd(BAR, "every", (*LONG_STEPS, "Solver/Tolerance=1e-2"), 1).history
+        some = EarlyEnd(
+            BAR, "some", (*LONG_STEPS, "Solver/Tolerance=1e-2", "Output/History every=1000"), 1
+        ).history
+        self.assertGreater(len(every["time"]), 3)
+        self.assertEqual(len(some["time"]), 2)
+        for column in ("time", "total_energy", "contact_force", "momentum_x"):
+            self.assertEqual(some[column][-1], every[column][-1], column)
+        for column in ("work_contact", "work_external", "linear_iterations", "rejected_steps"):
+            total = sum(every[column])
+            self.assertAlmostEqual(some[column][-1], total, delta=1e-12 * abs(total), msg=column)
+
     def test_signals_end_a_run_after_its_step(self):
         for kind, processes in (
             (signal.SIGINT, 1),

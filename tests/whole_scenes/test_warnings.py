@@ -151,6 +151,40 @@ class Warnings(check_history.SceneTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.expect_warning(result.stderr, "only 1 of ", "Local refinements")
 
+    def expected_of(self, *overrides):
+        """What --validate says of the steel ball."""
+        command = [
+            check_history.settings["executable"],
+            str(check_history.scene_file("steel_ball")),
+            "--validate",
+        ]
+        for override in overrides:
+            command += ["--set", override]
+        result = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout
+
+    def test_what_is_to_be_expected_is_said_before_the_run(self):
+        """Hertz's force is 2309 N in 52.3 microseconds, 65 steps; the curvature is that of the
+        cells. Without local refinement a node or two would have to carry it, and steps of 10
+        microseconds are too long. A fast ball is not one for linear strains."""
+        text = self.expected_of()
+        self.assertNotIn("warning", text)
+        line = next(line for line in text.splitlines() if "'ball : plane'" in line)
+        self.assertIn("at time 0 with speed 1e+03", line)
+        words = line.replace(",", "").split()
+        force = float(words[words.index("force") + 1])
+        duration = float(words[words.index("for") + 1])
+        self.expect_close(force, 2309, 0.1, "force")
+        self.expect_close(duration, 52.3e-6, 0.1, "duration")
+        for override, part in (
+            ("Bodies/ball/Local refinements=0", "refine the mesh where the bodies touch"),
+            ("Time/Step size=10e-6", "reduce `Time/Step size`"),
+            ("Bodies/ball/Initial velocity=0;0;-2e4", "Strains are linear"),
+        ):
+            with self.subTest(override=override):
+                self.expect_warning(self.expected_of(override), "'ball : plane'", part)
+
 
 if __name__ == "__main__":
     check_history.main()

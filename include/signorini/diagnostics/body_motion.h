@@ -7,6 +7,8 @@
 #include <signorini/discretization/discretization.h>
 #include <signorini/time/state.h>
 
+#include <numeric>
+
 namespace signorini
 {
   /** One body at one instant. Energies and momenta are those of the mass of the scheme. */
@@ -43,6 +45,11 @@ namespace signorini
 
     /** Each body at one instant, the same on all processes. Collective. */
     std::vector<BodyReading> read(const State &state) const;
+
+    const std::vector<double> &masses_of_bodies() const { return masses; }
+
+    /** Of all bodies. */
+    double mass() const { return std::accumulate(masses.begin(), masses.end(), 0.); }
 
   private:
     static constexpr unsigned int n_axes = dim == 2 ? 1 : 3;

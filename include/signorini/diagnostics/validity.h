@@ -18,6 +18,8 @@ namespace signorini
     std::vector<double> rotation; ///< of bodies, radians
     std::vector<double> strain;   ///< of bodies, the largest principal one
     std::vector<double> sliding;  ///< of bodies in pairs on each other, in sizes of a face
+    /** Of contact nodes of bodies: alternating velocities over those of the motion. */
+    std::vector<double> alternation = {};
   };
 
   /**

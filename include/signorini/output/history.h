@@ -61,6 +61,8 @@ namespace signorini
     void write(const HistoryRow &row);
     /** A step without a row of its own: what adds up is part of the next row. */
     void skip(const HistoryRow &row) { since_last_row.add(row); }
+    /** The step that was skipped last gets a row after all. */
+    void write_skipped(const HistoryRow &row);
     void write_probe(unsigned int probe, double time, const ProbeReading &reading);
 
   private:

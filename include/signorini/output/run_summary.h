@@ -49,6 +49,9 @@ namespace signorini
      */
     double relative_energy_change() const { return relative(change); }
 
+    /** Kinetic and elastic. */
+    double largest_energy_of_motion() const { return largest_energy; }
+
     /** Energy balance, contact and oscillation. */
     std::string text() const;
 

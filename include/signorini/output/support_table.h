@@ -36,7 +36,11 @@ namespace signorini
     CsvTable                       table;
     const bool                     mean_contact_force;
     std::unique_ptr<Supports<dim>> supports;
-    Forces                         handed_on_before; ///< at the start of the step
+    /** What contact hands on to the nodes, at the start and the end of the latest step. */
+    Forces       handed_on_before, handed_on;
+    unsigned int latest_step = 0;
+
+    void go_on_to(const State &state);
   };
 } // namespace signorini
 

@@ -4,6 +4,7 @@
 #ifndef signorini_simulation_observation_h
 #define signorini_simulation_observation_h
 
+#include <signorini/diagnostics/alternation.h>
 #include <signorini/diagnostics/body_motion.h>
 #include <signorini/diagnostics/missing_pairs.h>
 #include <signorini/diagnostics/oscillation.h>
@@ -14,6 +15,8 @@
 #include <signorini/simulation/step_tables.h>
 
 #include <deal.II/base/timer.h>
+
+#include <optional>
 
 namespace signorini
 {
@@ -37,6 +40,9 @@ namespace signorini
      * @return what begins to be doubtful with it, see Validity and MissingPairs
      */
     std::vector<std::string> observe(const State &state, const StepReport &report, bool is_last);
+
+    /** The run ends early: the last step gets its rows, whether they were due or not. */
+    void finish(const State &state);
 
     const ContactSummary &contact() const { return contact_now; }
 
@@ -73,11 +79,13 @@ namespace signorini
     std::vector<double>     strains; ///< of the bodies, when they were last evaluated
     double                  energy_of_strains = 0.; ///< elastic, at that time
     std::vector<Zigzag>     velocity_zigzags;
+    Alternation<dim>        alternation;
     dealii::Timer           clock;
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count
 
-    ErrorNorms latest_errors;
+    ErrorNorms                latest_errors;
+    std::optional<StepReport> skipped; ///< of the last step, if it has no rows
 
     HistoryRow evaluate(const State &state, const StepReport &report, const EnergyBooking &booking);
     /** Into all tables, if it is time to. */

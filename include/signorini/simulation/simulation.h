@@ -55,6 +55,7 @@ namespace signorini
     unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
 
     Remarks start_remarks; ///< about the initial state
+    Remarks expected;      ///< of what is to come
 
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/diagnostics/first_touch.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Dense>
+
+#include <cmath>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    constexpr double patch = 2.5; ///< radius around the place, in distances of nodes
+    constexpr double round =
+      1e-2; ///< rise of a patch, in distances of nodes, from which it is round
+    constexpr double misfit = 0.2; ///< of a paraboloid, part of what rises
+
+    /** The nodes of a pair as it approaches. */
+    template <int dim>
+    class Approach
+    {
+    public:
+      Approach(const ContactSurface<dim> &surface,
+               const Vector              &displacement,
+               const Vector              &velocity,
+               const MPI_Comm             communicator)
+        : nodes(surface.nodes())
+        , distances(surface.distance(displacement))
+        , speeds(surface.relative_normal(velocity))
+        , communicator(communicator)
+      {
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          speeds[k] *= nodes[k].distance_per_gap();
+      }
+
+      FirstTouch first_touch(const unsigned int pair) const
+      {
+        FirstTouch   touch;
+        double       time  = std::numeric_limits<double>::infinity();
+        unsigned int first = 0;
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          if (nodes[k].pair == pair && speeds[k] > 0. && distances[k] / speeds[k] < time)
+            {
+              time  = distances[k] / speeds[k];
+              first = k;
+            }
+        const auto times = Utilities::MPI::min_max_avg(time, communicator);
+        if (!std::isfinite(times.min))
+          return touch;
+        // speed, distance, radius of the patch, position, frame
+        std::array<double, 3 + dim + dim * dim> place{};
+        if (Utilities::MPI::this_mpi_process(communicator) == times.min_index)
+          {
+            const ContactNode<dim> &node = nodes[first];
+            place[0]                     = speeds[first];
+            place[1]                     = distances[first];
+            place[2]                     = patch * std::pow(node.weight, 1. / (dim - 1));
+            for (unsigned int c = 0; c < dim; ++c)
+              place[3 + c] = node.position[c];
+            std::copy(node.frame.begin(), node.frame.end(), &place[3 + dim]);
+          }
+        place       = Utilities::MPI::broadcast(communicator, place, times.min_index);
+        touch.time  = times.min;
+        touch.speed = place[0];
+        fit(pair, place, touch);
+        return touch;
+      }
+
+    private:
+      static constexpr unsigned int n_unknowns = 1 + (dim - 1) + 1;
+      using Row                                = Eigen::Matrix<double, n_unknowns, 1>;
+
+      const std::vector<ContactNode<dim>> &nodes;
+      std::vector<double>                  distances, speeds;
+      MPI_Comm                             communicator;
+
+      /** distance - distance of the first node = a + b.t + 1/(2R) |t|^2, by least squares. */
+      template <typename Place>
+      void fit(const unsigned int pair, const Place &place, FirstTouch &touch) const
+      {
+        // matrix, right-hand side; square of the distances; number and area of nodes; area and
+        // number of those that meet at once
+        std::vector<double> sums(n_unknowns * n_unknowns + n_unknowns + 5, 0.);
+        Eigen::Map<Eigen::Matrix<double, n_unknowns, n_unknowns>> matrix(sums.data());
+        Eigen::Map<Row> right_hand_side(sums.data() + n_unknowns * n_unknowns);
+        double         *others  = sums.data() + n_unknowns * (n_unknowns + 1);
+        const double    spacing = place[2] / patch;
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          {
+            if (nodes[k].pair != pair)
+              continue;
+            const double rise = distances[k] - place[1];
+            if (std::abs(rise) < 1e-6 * spacing)
+              {
+                others[3] += nodes[k].weight;
+                others[4] += 1.;
+              }
+            const Row row = unknowns_at(nodes[k].position, place);
+            if (2. * row[dim] > place[2] * place[2])
+              continue;
+            matrix += row * row.transpose();
+            right_hand_side += rise * row;
+            others[0] += rise * rise;
+            others[1] += 1.;
+            others[2] += nodes[k].weight;
+          }
+        Utilities::MPI::sum(sums, communicator, sums);
+        touch.node_spacing = std::pow(others[2] / others[1], 1. / (dim - 1));
+        touch.area         = others[3];
+        touch.n_at_once    = static_cast<unsigned int>(others[4]);
+        if (others[0] < std::pow(round * spacing, 2) * others[1]) // all distances are equal
+          {
+            touch.is_smooth = true;
+            return;
+          }
+        if (others[1] < n_unknowns)
+          return;
+        const Row    solution = matrix.ldlt().solve(Row(right_hand_side));
+        const double left     = others[0] - solution.dot(right_hand_side);
+        // The lowest point must be near: a tilted face has hardly any curvature.
+        const double slope = solution.template segment<dim - 1>(1).norm();
+        touch.is_smooth    = left < misfit * misfit * others[0] && slope < solution[dim] * place[2];
+        if (touch.is_smooth)
+          touch.curvature = solution[dim];
+      }
+
+      /** The functions 1, t, |t|^2 / 2 at a position. */
+      template <typename Place>
+      static Row unknowns_at(const Point<dim> &position, const Place &place)
+      {
+        Row row = Row::Zero();
+        row[0]  = 1.;
+        for (unsigned int t = 0; t + 1 < dim; ++t)
+          for (unsigned int c = 0; c < dim; ++c)
+            row[1 + t] += place[3 + dim + dim * (t + 1) + c] * (position[c] - place[3 + c]);
+        row[dim] = row.template segment<dim - 1>(1).squaredNorm() / 2.;
+        return row;
+      }
+    };
+  } // namespace
+
+
+  template <int dim>
+  std::vector<FirstTouch> first_touches(const ContactSurface<dim> &surface,
+                                        const Vector              &displacement,
+                                        const Vector              &velocity,
+                                        const MPI_Comm             communicator)
+  {
+    const Approach<dim>     approach(surface, displacement, velocity, communicator);
+    std::vector<FirstTouch> touches;
+    for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
+      touches.push_back(approach.first_touch(pair));
+    return touches;
+  }
+
+
+  template std::vector<FirstTouch>
+  first_touches(const ContactSurface<2> &, const Vector &, const Vector &, MPI_Comm);
+  template std::vector<FirstTouch>
+  first_touches(const ContactSurface<3> &, const Vector &, const Vector &, MPI_Comm);
+} // namespace signorini

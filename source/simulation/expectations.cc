@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/diagnostics/body_motion.h>
+#include <signorini/diagnostics/expected_impact.h>
+#include <signorini/diagnostics/resolution.h>
+#include <signorini/simulation/expectations.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+
+    /** All bodies as sides of an impact; those with a Dirichlet condition do not give way. */
+    template <int dim>
+    std::vector<Collider> colliders(const MeshedScene<dim> &meshed)
+    {
+      const Discretization<dim> &discretization = meshed.discretization;
+      const std::vector<double>  masses = BodyMotion<dim>(discretization).masses_of_bodies();
+      std::vector<Collider>      result;
+      for (std::size_t body = 0; body < masses.size(); ++body)
+        {
+          const Material &material = discretization.mesh().bodies()[body].material;
+          const double    nu       = material.poissons_ratio;
+          const bool      is_held  = !discretization.mesh().bodies()[body].dirichlet.empty();
+          result.push_back({is_held ? infinite : masses[body],
+                            masses[body] / material.density,
+                            material.youngs_modulus / (1. - nu * nu),
+                            material.pressure_wave_speed(),
+                            material.density});
+        }
+      return result;
+    }
+
+
+    /** In the words of the summary, which judges the same after the run. */
+    std::vector<std::string> doubts(const std::string    &pair,
+                                    const ExpectedImpact &impact,
+                                    const double          n_steps,
+                                    const unsigned int    dimension,
+                                    const bool            is_round)
+    {
+      std::vector<std::string> result;
+      const auto               say = [&](const auto &...parts) {
+        std::ostringstream text;
+        text.precision(2);
+        text << "the first impact of the pair '" << pair << "' is expected to ";
+        (text << ... << parts);
+        result.push_back(text.str());
+      };
+      if (is_round && impact.n_nodes < few_nodes(dimension))
+        say("be carried by ",
+            std::max(1., std::round(impact.n_nodes)),
+            " or two nodes. Force and duration of such a contact may be wrong by 30 %: refine the "
+            "mesh where the bodies touch (`Local refinements`, section Adaptivity).");
+      // A plane wave is the shortest contact that there is: what bulges sideways comes back later.
+      if (n_steps < (is_round ? few_steps : few_steps / 2))
+        say(
+          "last ", n_steps, " steps. Force and impulse need some twenty: reduce `Time/Step size`.");
+      if (impact.strain > large_strain)
+        say("strain a body by ",
+            100. * impact.strain,
+            " %. Strains are linear, and so is Hooke's law: the error is about as large.");
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  Remarks expectations(const Scene<dim> &scene, const MeshedScene<dim> &meshed, const State &state)
+  {
+    Remarks                     remarks;
+    const std::vector<Collider> bodies = colliders(meshed);
+    const Collider              rigid{infinite, infinite, infinite, infinite, infinite};
+    const auto                  touches = first_touches(
+      meshed.surface, state.displacement, state.velocity, meshed.discretization.communicator());
+    for (std::size_t p = 0; p < touches.size(); ++p)
+      {
+        const FirstTouch &touch = touches[p];
+        if (!touch.is_smooth || state.time + touch.time >= scene.time.end_time)
+          continue;
+        const PairDescription &pair   = meshed.surface.pairs()[p];
+        const ExpectedImpact   impact = expected_impact<dim>(
+          touch, bodies[pair.slave], pair.of_two_bodies() ? bodies[pair.master] : rigid);
+        if (!std::isfinite(impact.duration))
+          continue; // nothing can give way
+        // What touches at the start does so up to round-off.
+        const double time =
+          state.time + (touch.time < 1e-9 * scene.time.end_time ? 0. : touch.time);
+        const double n_steps =
+          scene.step_sizes.is_variable() ? infinite : impact.duration / scene.time.step_size;
+        const bool         is_round = touch.curvature > 0.;
+        std::ostringstream text;
+        text.precision(3);
+        text << "expected of the first impact of '" << pair.name << "', at time " << time
+             << " with speed " << touch.speed << ": force " << impact.force << ", contact for "
+             << impact.duration;
+        if (std::isfinite(n_steps))
+          text << " (" << n_steps << " steps)";
+        text << " on " << std::round(impact.n_nodes) << " nodes, strain " << 100. * impact.strain
+             << " % (" << (is_round ? "Hertz" : "a plane wave") << ", without other forces)";
+        remarks.notes.push_back(text.str());
+        for (const std::string &doubt : doubts(pair.name, impact, n_steps, dim, is_round))
+          remarks.warnings.push_back(doubt);
+      }
+    return remarks;
+  }
+
+
+  template Remarks expectations(const Scene<2> &, const MeshedScene<2> &, const State &);
+  template Remarks expectations(const Scene<3> &, const MeshedScene<3> &, const State &);
+} // namespace signorini
