@@ -26,6 +26,10 @@ namespace signorini
         throw UserError(
           "--set \"" + assignment
           + "\": a key and a value are needed. Write --set \"Section/Subsection/Key=value\".");
+      if (assignment.find('#') != std::string::npos)
+        throw UserError("--set \"" + assignment
+                        + "\": '#' begins a comment in a scene, and its copy could not be run. "
+                          "Choose a value without it.");
       return {trim(assignment.substr(0, equal)), trim(assignment.substr(equal + 1))};
     }
 

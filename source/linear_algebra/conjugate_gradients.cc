@@ -2,8 +2,10 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
+#include <signorini/linear_algebra/lanczos.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini
@@ -12,7 +14,20 @@ namespace signorini
   {
     constexpr double good_guess  = 0.01; ///< in tolerances
     constexpr double improvement = 0.1;  ///< of one that is not as good
-  }                                      // namespace
+
+    /** Smallest eigenvalue of P^-1 K below which the norm of P is no longer that of K. */
+    constexpr double far_from_one = 0.1;
+
+    /**
+     * By how much the norm of the residual must be smaller than what is accepted: the square of the
+     * error in the norm of K is up to 1/lambda times that of the residual in that of P^-1.
+     */
+    double trust_in(const LanczosMatrix &lanczos)
+    {
+      const double lambda = lanczos.smallest_eigenvalue();
+      return lambda > 0. ? std::min(1., std::sqrt(lambda / far_from_one)) : 1.; // 0 by round-off
+    }
+  } // namespace
 
 
   ConjugateGradients::Report ConjugateGradients::solve(const LinearOperator       &matrix,
@@ -43,21 +58,31 @@ namespace signorini
     const double accepted    = std::max(tolerance, reduction * norm);
     const double goal =
       may_improve ? std::max(good_guess * tolerance, improvement * norm) : accepted;
+
+    LanczosMatrix lanczos;
+    const auto    iterate_to = [&](const double smaller_norm) {
+      while (norm_square > smaller_norm * smaller_norm && report.iterations < maximum_iterations)
+        {
+          matrix.vmult(product, direction);
+          ++report.iterations;
+          const double curvature = dot(direction, product);
+          if (!(curvature > 0.)) // round-off, or a matrix that is not positive definite: the caller
+                                 // judges the result
+            return;
+          const double step = norm_square / curvature;
+          advance(step, direction, solution, product, residual);
+          preconditioner.vmult(preconditioned, residual);
+          const double new_norm_square = dot(residual, preconditioned);
+          const double kept            = new_norm_square / norm_square;
+          lanczos.add(step, kept);
+          extend_direction(preconditioned, kept, direction);
+          norm_square = new_norm_square;
+        }
+    };
     direction = preconditioned;
-    while (norm_square > goal * goal && report.iterations < maximum_iterations)
-      {
-        matrix.vmult(product, direction);
-        ++report.iterations;
-        const double curvature = dot(direction, product);
-        if (!(curvature > 0.)) // round-off, or a matrix that is not positive definite: the caller
-                               // judges the result
-          break;
-        advance(norm_square / curvature, direction, solution, product, residual);
-        preconditioner.vmult(preconditioned, residual);
-        const double new_norm_square = dot(residual, preconditioned);
-        extend_direction(preconditioned, new_norm_square / norm_square, direction);
-        norm_square = new_norm_square;
-      }
+    iterate_to(goal);
+    if (reduction == 0. && !may_improve && norm_square <= goal * goal)
+      iterate_to(goal * trust_in(lanczos));
     // A negative square means that the preconditioner is not positive definite, and this is no
     // norm.
     report.converged = std::abs(norm_square) <= accepted * accepted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/elastic_contact_system.h>
 #include <signorini/system/scales.h>
 #include <signorini/variational_inequality/frictional_newton.h>
@@ -111,10 +112,20 @@ namespace signorini
 
   template <int dim>
   void ElasticContactSystem<dim>::guess_from_start(const IncrementProblem &problem,
+                                                   const LinearOperator   &matrix,
+                                                   const Vector           &right_hand_side,
                                                    Vector                 &increment)
   {
     increment.equ(problem.step_size, problem.start.velocity);
     coordinates.displacement_to_contact(increment);
+    const double reach =
+      std::max(increment.linfty_norm(), touching_distance(discretization.mesh().body_size()));
+    // In long steps velocities are no increments: they alternate. The part of them that has the
+    // least energy is never worse than none, and as good as all of them in short steps.
+    Vector product = right_hand_side;
+    matrix.vmult(product, increment);
+    if (const double energy = dot(increment, product); energy > 0.)
+      increment *= std::clamp(dot(increment, right_hand_side) / energy, 0., 1.);
     Vector force = problem.start.contact_force;
     coordinates.force_to_contact(force);
     for (unsigned int k = 0; k < active.size(); ++k)
@@ -123,7 +134,9 @@ namespace signorini
         // status yet.
         active[k] =
           problem.start.friction.any() ? problem.start.friction.status[k] : contact_status::open;
-        if (is_pressed(force.local_element(coordinates.normal_entries()[k])))
+        // On a finer mesh forces are spread to nodes that do not touch.
+        if (is_pressed(force.local_element(coordinates.normal_entries()[k]))
+            && problem.bounds[k] <= reach)
           active[k] = std::max(active[k], contact_status::slip);
       }
   }
@@ -167,7 +180,7 @@ namespace signorini
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
     if (!matrix.forecast.guess(right_hand_side, increment))
-      guess_from_start(problem, increment);
+      guess_from_start(problem, *matrix.product, right_hand_side, increment);
     expect_contact(increment, problem.bounds);
 
     Friction friction_of_nodes;

@@ -5,6 +5,7 @@
 // along, know how far they are, and find the same solution on any number of processes.
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
+#include <signorini/linear_algebra/lanczos.h>
 
 #include <gtest/gtest.h>
 
@@ -279,4 +280,59 @@ TEST(ConjugateGradients, AnyNumberOfProcessesFindsTheSameSolution)
         EXPECT_NEAR(
           distributed.solution.local_element(dim * p + c), serial.solution(dim * q + c), 1e-10);
   EXPECT_EQ(dealii::Utilities::MPI::sum(n_compared, MPI_COMM_WORLD), serial.solution.size());
+}
+
+TEST(LanczosMatrix, KnowsTheSmallestEigenvalue)
+{
+  EXPECT_EQ(LanczosMatrix().smallest_eigenvalue(), 1.);
+  // Conjugate gradients on a diagonal matrix, without a preconditioner.
+  const Eigen::VectorXd diagonal = (Eigen::VectorXd(6) << 0.003, 0.4, 1., 2., 5., 9.).finished();
+  Eigen::VectorXd       residual = Eigen::VectorXd::Ones(6), direction = residual;
+  LanczosMatrix         lanczos;
+  for (int iteration = 0; iteration < 6; ++iteration)
+    {
+      const Eigen::VectorXd product = diagonal.cwiseProduct(direction);
+      const double          before  = residual.squaredNorm();
+      const double          alpha   = before / direction.dot(product);
+      residual -= alpha * product;
+      const double beta = residual.squaredNorm() / before;
+      direction         = residual + beta * direction;
+      lanczos.add(alpha, beta);
+    }
+  EXPECT_NEAR(lanczos.smallest_eigenvalue(), 0.003, 1e-9);
+}
+
+// A preconditioner that takes the matrix for a million times as large makes the residual look a
+// thousand times smaller than the error is.
+TEST(ConjugateGradients, TheToleranceBoundsTheErrorWithABadPreconditioner)
+{
+  class Weak : public MaskedPreconditioner
+  {
+  public:
+    explicit Weak(const Preconditioner &good)
+      : good(good)
+    {
+    }
+    void set_mask(const Mask &) override {}
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      good.vmult(destination, source);
+      destination *= 1e-6;
+    }
+
+  private:
+    const Preconditioner &good;
+  };
+  LinearSystem        system(MPI_COMM_SELF);
+  const DenseSolution exact(system);
+  const double        tolerance = 1e-6;
+  const auto          report    = ConjugateGradients().solve(system.matrix,
+                                                 Weak(system.preconditioner),
+                                                 system.solution,
+                                                 system.residual,
+                                                 tolerance,
+                                                 0.,
+                                                 200);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LT(exact.error_norm(system.solution), 5. * tolerance);
 }

@@ -109,6 +109,7 @@ class CommandLine(unittest.TestCase):
         self.expect_mistake(["--validate"], "no scene", "quick_start.prm")
         self.expect_mistake(["--set"], "--set", "Section/Subsection/Key=value")
         self.expect_mistake([QUICK_START, "--set", "Time/Step size"], "Time/Step size", "value")
+        self.expect_mistake([QUICK_START, "--set", "Output directory=a#1"], "a#1", "comment")
         self.expect_mistake([QUICK_START, "--resume"], "unknown option --resume")
         self.expect_mistake([QUICK_START, QUICK_START], "two scenes")
         self.expect_mistake(["missing.prm"], "missing.prm", "no such file")

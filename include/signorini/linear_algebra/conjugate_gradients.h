@@ -29,7 +29,9 @@ namespace signorini
      * @param solution  on entry a guess, on exit the solution; held entries are not changed
      * @param residual  b - K x of all entries, on entry and on exit
      * @param tolerance bound for (residual' P^-1 residual)^(1/2) over the free entries, P the
-     *                  preconditioner: an estimate of the error in the norm of K
+     *                  preconditioner: an estimate of the error in the norm of K. Where the
+     *                  iterations show that P^-1 K has an eigenvalue far below 1, for which it is a
+     *                  bad one, they go on accordingly; not if `reduction` ends them
      * @param reduction stop earlier if this norm has fallen by this factor since the start
      *                  (0: never)
      * @param is_guess  the solution on entry continues earlier solutions. What is wrong with it is

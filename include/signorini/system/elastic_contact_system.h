@@ -126,7 +126,10 @@ namespace signorini
      * The velocity goes on, and contact is where it was: where no increments are known, on a new
      * mesh or with a new size of steps.
      */
-    void guess_from_start(const IncrementProblem &problem, Vector &increment);
+    void guess_from_start(const IncrementProblem &problem,
+                          const LinearOperator   &matrix,
+                          const Vector           &right_hand_side,
+                          Vector                 &increment);
 
     /** A node that the first guess drives into the obstacle is expected to touch. */
     void expect_contact(const Vector &increment, const NormalGap &bounds);
