@@ -38,10 +38,10 @@ namespace signorini
   } // namespace
 
 
-  std::string repeatable_text(const SceneText &scene, const std::vector<Statement> &later)
+  std::string repeatable_text(const SceneText &text, const std::vector<Statement> &later)
   {
-    const std::filesystem::path folder = std::filesystem::path(scene.file_name).parent_path();
-    std::istringstream          in(scene.original);
+    const std::filesystem::path folder = std::filesystem::path(text.file_name).parent_path();
+    std::istringstream          in(text.original);
     std::ostringstream          out;
     for (std::string line; std::getline(in, line);)
       out << with_absolute_path(line, folder) << '\n';

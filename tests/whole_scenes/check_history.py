@@ -47,6 +47,47 @@ def scene_file(name):
     return next(PARAMETERS.rglob(f"{name}.prm"))
 
 
+def on_floor(*surfaces, more=""):
+    """The sections of a floor at height 0, in 2d, and of what may touch it; `more` pairs follow."""
+    pairs = ", ".join(f"{surface} : floor" for surface in surfaces)
+    return f"""subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = {pairs}{more}
+end
+"""
+
+
+def bar(name, *entries):
+    """The section of a body in 2d that moves as a bar of length 10 with wave speed 30: without
+    Poisson's ratio, one cell thick. Further entries: "key=value"."""
+    entries = "".join(f"    set {entry}\n" for entry in entries)
+    return f"""  subsection {name}
+    set Shape           = box
+    set Lower corner    = 0, 0
+    set Upper corner    = 10, 0.1
+    set Repetitions     = 100, 1
+    set Young's modulus = 900
+    set Poisson's ratio = 0
+    set Density         = 1
+{entries}  end
+"""
+
+
+def environment():
+    """In which a scene runs, also by root and beside other runs."""
+    return dict(
+        os.environ,
+        OMPI_ALLOW_RUN_AS_ROOT="1",
+        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
+        OMP_NUM_THREADS="1",
+    )
+
+
 def read_table(path):
     """The columns of a table by name."""
     with open(path, newline="", encoding="utf-8") as file:
@@ -78,14 +119,13 @@ class Run:
             command += ["--set", override]
         if processes > 1:
             command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
-        environment = dict(
-            os.environ,
-            OMPI_ALLOW_RUN_AS_ROOT="1",
-            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-            OMP_NUM_THREADS="1",
-        )
         result = subprocess.run(
-            command, env=environment, capture_output=True, text=True, timeout=TIMEOUT, check=False
+            command,
+            env=environment(),
+            capture_output=True,
+            text=True,
+            timeout=TIMEOUT,
+            check=False,
         )
         if result.returncode != 0:
             raise AssertionError(

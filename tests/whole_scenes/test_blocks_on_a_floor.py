@@ -32,16 +32,7 @@ subsection Bodies
     set Density          = 1
   end
 end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = left[2] : floor, right[2] : floor, {pair}
-end
-"""
+""" + check_history.on_floor("left[2]", "right[2]", more=", {pair}")
 
 
 def ucd(x):

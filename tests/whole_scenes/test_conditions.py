@@ -49,7 +49,8 @@ end
 """
 
 #: A bar of length 10 and cross section 0.1 that is pulled at its end, without any contact.
-PULLED_BAR = """
+PULLED_BAR = (
+    """
 set Dimension = 2
 subsection Time
   set Step size = 5e-3
@@ -57,18 +58,11 @@ subsection Time
 end
 subsection Bodies
   set Names = bar
-  subsection bar
-    set Shape           = box
-    set Lower corner    = 0, 0
-    set Upper corner    = 10, 0.1
-    set Repetitions     = 100, 1
-    set Young's modulus = 900
-    set Poisson's ratio = 0
-    set Density         = 1
-    set Dirichlet       = 0: -t; 0
-  end
-end
 """
+    + check_history.bar("bar", "Dirichlet=0: -t; 0")
+    + """end
+"""
+)
 
 
 class Conditions(check_history.SceneTest):

@@ -10,7 +10,8 @@ import check_history
 
 #: The first mode of a bar that is held at one end: with nu = 0 a sine, which the mesh contains, of
 #: angular frequency pi c/(2 L), c = 30 and L = 10.
-BAR = """
+BAR = (
+    """
 set Dimension = 2
 subsection Time
   set Step size = 5e-3
@@ -18,19 +19,11 @@ subsection Time
 end
 subsection Bodies
   set Names = bar
-  subsection bar
-    set Shape            = box
-    set Lower corner     = 0, 0
-    set Upper corner     = 10, 0.1
-    set Repetitions      = 100, 1
-    set Young's modulus  = 900
-    set Poisson's ratio  = 0
-    set Density          = 1
-    set Dirichlet        = 0: 0; 0
-    set Initial velocity = sin(pi*x/20); 0
-  end
-end
 """
+    + check_history.bar("bar", "Dirichlet=0: 0; 0", "Initial velocity=sin(pi*x/20); 0")
+    + """end
+"""
+)
 #: Shipped scenes that are tested here.
 SCENES = ("steel_ball",)
 OMEGA = math.pi * 30 / 20

@@ -30,17 +30,11 @@ class EarlyEnd:
             command += ["--set", override]
         if processes > 1:
             command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
-        environment = dict(
-            os.environ,
-            OMPI_ALLOW_RUN_AS_ROOT="1",
-            OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-            OMP_NUM_THREADS="1",
-        )
         for old in self.folder.glob("history.csv"):
             old.unlink()
         with subprocess.Popen(
             command,
-            env=environment,
+            env=check_history.environment(),
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,

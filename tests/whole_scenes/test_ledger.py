@@ -29,16 +29,7 @@ subsection Bodies
     set Body force       = 3*sin(9*t); -5*t*x
   end
 end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = disc : floor
-end
-"""
+""" + check_history.on_floor("disc")
 
 FAR = """
 set Dimension = 2

@@ -8,7 +8,8 @@ more than that the block must not feel, whatever the scheme."""
 
 import check_history
 
-BLOCK_AND_BALL = """
+BLOCK_AND_BALL = (
+    """
 set Dimension = 2
 subsection Time
   set Start     = equilibrium
@@ -38,16 +39,9 @@ subsection Bodies
     set Initial velocity = 0; -2
   end
 end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = block[2] : floor, ball : floor
-end
-subsection Probes
+"""
+    + check_history.on_floor("block[2]", "ball")
+    + """subsection Probes
   set Names = foot, pole
   subsection foot
     set Point = 0.5, 0
@@ -57,6 +51,7 @@ subsection Probes
   end
 end
 """
+)
 
 
 class SeparateContacts(check_history.SceneTest):

@@ -32,16 +32,7 @@ subsection Bodies
     set Dirichlet       = 3: 0.02*sin(20*t); 0.03*(cos(30*t)-1) | 0: 0.02*sin(20*t); -
   end
 end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = block[2] : floor
-end
-"""
+""" + check_history.on_floor("block[2]")
 WEIGHT = (0.0, -20.0, 0.0)
 CEILING, GUIDE = "support_block_3", "support_block_0"
 

@@ -50,17 +50,7 @@ subsection Time
 end
 subsection Bodies
   set Names = right
-  subsection right
-    set Shape            = box
-    set Lower corner     = 0, 0
-    set Upper corner     = 10, 0.1
-    set Repetitions      = 100, 1
-    set Young's modulus  = 900
-    set Poisson's ratio  = 0
-    set Density          = 1
-    set Initial velocity = -10; 0
-  end
-end
+{check_history.bar("right", "Initial velocity=-10; 0")}end
 subsection Obstacles
   set Names = wall
   subsection wall

@@ -39,16 +39,7 @@ subsection Bodies
     set Density          = 1
   end
 end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = spinner : floor, other : floor
-end
-"""
+""" + check_history.on_floor("spinner", "other")
 
 #: A square that falls on a ball with its side turned away at first: it faces nothing.
 BEHIND = """

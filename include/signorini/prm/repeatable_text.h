@@ -13,7 +13,7 @@ namespace signorini
    * absolute paths of included files, followed by what was said elsewhere.
    * @param later statements that come after the file, such as those of the command line
    */
-  std::string repeatable_text(const SceneText &scene, const std::vector<Statement> &later);
+  std::string repeatable_text(const SceneText &text, const std::vector<Statement> &later);
 } // namespace signorini
 
 #endif
