@@ -21,7 +21,8 @@ namespace signorini
    * The ghosts are those of the given matrices and, beyond, the nodes that this process is coupled
    * with across the contact surface, so that a domain decomposition overlaps there, too, even if
    * each body lives on a process of its own. Collective.
-   * @return matrices whose `stiffness` is the sum and whose `mass` is zero
+   * @return matrices whose `stiffness` is the sum and whose `mass` is zero; entries for a factor,
+   * not for products, which take it that no translation has a stress
    */
   template <int dim>
   ElasticMatrices<dim> relative_matrix(const ElasticMatrices<dim>    &matrices,
