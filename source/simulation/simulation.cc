@@ -13,7 +13,7 @@
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
-#include <signorini/system/static_equilibrium.h>
+#include <signorini/system/start_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,13 +287,18 @@ namespace signorini
     state = initial_state(meshed->discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == StartKind::equilibrium)
-      n_equilibrium_steps = naming_file<RunError>(scene.file_name, [&] {
-        return StaticEquilibrium<dim>(
-                 meshed->discretization, meshed->surface, meshed->coordinates, scene.solver)
-          .find(state, meshed->load(0.));
+      equilibrium = naming_file<RunError>(scene.file_name, [&] {
+        return start_in_equilibrium(meshed->discretization,
+                                    meshed->surface,
+                                    meshed->coordinates,
+                                    scene.solver,
+                                    meshed->load(0.),
+                                    state);
       });
-    start_remarks = start_with_conditions(
-      meshed->discretization, meshed->coordinates, scene.time.step_size, state);
+    start_remarks = Remarks();
+    if (scheme_info(scene.time.scheme).inertia)
+      start_remarks = start_with_conditions(
+        meshed->discretization, meshed->coordinates, scene.time.step_size, state);
     for (const std::string &note : meshed->dirichlet.check_shared_nodes(scene.time.end_time))
       start_remarks.notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);
@@ -336,17 +341,24 @@ namespace signorini
         && scheme_parameters.spectral_radius.value_or(1.) < 1.)
       text << "  spectral radius   " << *scheme_parameters.spectral_radius
            << ", because the smallest cells are much faster than a step\n";
-    if (n_equilibrium_steps > 0)
-      text << "  start             equilibrium, found in " << n_equilibrium_steps
-           << " proximal steps\n";
+    if (scene.time.start == StartKind::equilibrium)
+      text << "  start             equilibrium, found with " << equilibrium.n_products
+           << " products with A\n";
+    if (!equilibrium.unheld.empty())
+      text << "  not held          " << equilibrium.unheld
+           << ": begins to move, as neither Dirichlet conditions nor contact hold it against "
+              "its loads\n";
     if (!meshed->mass_note.empty())
       text << "  mass              " << meshed->mass_note << "\n";
     text << "  bodies            " << scene.bodies.size() << ", "
          << mesh.triangulation().n_global_active_cells() << " cells, "
          << meshed->discretization.dof_handler().n_dofs() << " degrees of freedom"
-         << "\n  contact nodes     " << meshed->surface.n_global_nodes() << "\n  Courant number    "
-         << mesh.courant_number(scene.time.step_size) << "\n  processes         "
-         << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
+         << "\n  contact nodes     " << meshed->surface.n_global_nodes();
+    const double courant_number = mesh.courant_number(scene.time.step_size);
+    if (scheme_info(scene.time.scheme).inertia)
+      text << "\n  Courant number    " << courant_number;
+    text << "\n  processes         " << Utilities::MPI::n_mpi_processes(mesh.communicator())
+         << "\n";
     if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
       text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
            << " nodes of the contact surface have a prescribed normal displacement, and take no "
