@@ -319,8 +319,10 @@ namespace signorini
     const ProductCount &products = discretization.matrices().products();
     std::ostringstream  text;
     text << "  products          " << products.combined << " with M + s A, " << products.stiffness
-         << " with A, " << products.mass << " with M; preconditioner "
-         << step_matrices.preconditioner_name() << "\n";
+         << " with A, " << products.mass << " with M";
+    if (!step_matrices.preconditioner_name().empty())
+      text << "; preconditioner " << step_matrices.preconditioner_name();
+    text << "\n";
     if (step_matrices.n_built() > 1)
       text << "  step matrices     " << step_matrices.n_built() << " preconditioners built\n";
     return text.str();
