@@ -6,6 +6,12 @@
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
 #include <deal.II/lac/trilinos_sparsity_pattern.h>
 
+#include <Epetra_CrsMatrix.h>
+#include <Epetra_MultiVector.h>
+#include <Teuchos_ParameterList.hpp>
+
+#include <cmath>
+
 namespace signorini
 {
   using namespace dealii;
@@ -50,15 +56,63 @@ namespace signorini
       data.constant_modes = constant_modes;
       return data;
     }
+
+    template <int dim>
+    constexpr unsigned int n_rigid_motions = dim *(dim + 1) / 2;
+
+    /** 1 where a Dirichlet condition prescribes a Cartesian component, else 0; with ghosts. */
+    template <int dim>
+    Vector dirichlet_components(const Discretization<dim>     &discretization,
+                                const ContactCoordinates<dim> &coordinates)
+    {
+      Vector held = discretization.make_vector();
+      for (const unsigned int entry : coordinates.dirichlet_entries())
+        held.local_element(entry) = 1.;
+      coordinates.rotate_from_frames(held); // prescribed entries are along axes, or against them
+      for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
+        held.local_element(i) = std::abs(held.local_element(i)) > 0.5 ? 1. : 0.;
+      held.update_ghost_values();
+      return held;
+    }
+
+
+    /**
+     * Translations, then rotations of each body about its middle, in units of its size: one vector
+     * of all owned entries behind the other.
+     */
+    template <int dim>
+    std::vector<double> rigid_motions(const Discretization<dim>       &discretization,
+                                      const std::vector<unsigned int> &bodies)
+    {
+      const unsigned int  n = dim * bodies.size();
+      std::vector<double> modes(n_rigid_motions<dim> * n, 0.);
+      for (unsigned int node = 0; node < bodies.size(); ++node)
+        {
+          for (unsigned int c = 0; c < dim; ++c)
+            modes[c * n + dim * node + c] = 1.;
+          if (discretization.matrices().pattern.is_empty(node))
+            continue; // a hanging node is of no body
+          const auto x = (discretization.node_positions()[node]
+                          - discretization.mesh().bounding_box(bodies[node]).center())
+                         / discretization.mesh().body_size(bodies[node]);
+          for (unsigned int k = dim; k < n_rigid_motions<dim>; ++k)
+            {
+              const unsigned int axis = dim == 2 ? 2 : k - dim;
+              const unsigned int a = (axis + 1) % 3, b = (axis + 2) % 3;
+              modes[k * n + dim * node + a] = -x[b];
+              modes[k * n + dim * node + b] = x[a];
+            }
+        }
+      return modes;
+    }
   } // namespace
 
 
   template <int dim>
-  Multilevel<dim>::Multilevel(const ElasticMatrices<dim>    &matrices,
-                              const ContactCoordinates<dim> &coordinates,
-                              const MatrixSum               &sum)
-    : coordinates(coordinates)
-    , cartesian(matrices.pattern.partitioner)
+  template <typename SumOf>
+  void Multilevel<dim>::assemble(const ElasticMatrices<dim> &matrices,
+                                 const SumOf                &sum_of,
+                                 const Vector               *held)
   {
     const NodePattern &pattern        = matrices.pattern;
     const auto        &partitioner    = *pattern.partitioner;
@@ -85,12 +139,16 @@ namespace signorini
     for (const auto row : owned)
       sparsity.add(row, row);
     matrix.reinit(trilinos_pattern(sparsity, owned, cartesian.get_mpi_communicator()));
+    const auto is_held = [&](const types::global_dof_index dof) {
+      return held != nullptr && held->local_element(partitioner.global_to_local(dof)) != 0.;
+    };
     for_each_entry([&](const auto         row,
                        const auto         column,
                        const unsigned int node,
                        const unsigned int k,
                        const unsigned int entry) {
-      matrix.set(row, column, matrices.combined_block(node, k, sum)[entry]);
+      const double value = matrices.combined_block(node, k, sum_of(node))[entry];
+      matrix.set(row, column, row != column && (is_held(row) || is_held(column)) ? 0. : value);
     });
     for (unsigned int node = 0; node < pattern.n_owned; ++node)
       if (pattern.is_empty(node)) // a hanging node
@@ -100,9 +158,51 @@ namespace signorini
             matrix.set(row, row, 1.);
           }
     matrix.compress(VectorOperation::insert);
-
-    multigrid.initialize(matrix, multigrid_parameters<dim>(owned.n_elements()));
     mask.assign(owned.n_elements(), 0);
+  }
+
+
+  template <int dim>
+  Multilevel<dim>::Multilevel(const ElasticMatrices<dim>    &matrices,
+                              const ContactCoordinates<dim> &coordinates,
+                              const MatrixSum               &sum)
+    : coordinates(coordinates)
+    , cartesian(matrices.pattern.partitioner)
+  {
+    assemble(
+      matrices, [&](unsigned int) { return sum; }, nullptr);
+    multigrid.initialize(matrix, multigrid_parameters<dim>(mask.size()));
+  }
+
+
+  template <int dim>
+  Multilevel<dim>::Multilevel(const Discretization<dim>     &discretization,
+                              const ContactCoordinates<dim> &coordinates,
+                              const std::vector<double>     &mass_factors)
+    : coordinates(coordinates)
+    , cartesian(discretization.make_vector())
+  {
+    const Vector                    held   = dirichlet_components(discretization, coordinates);
+    const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
+    assemble(
+      discretization.matrices(),
+      [&](const unsigned int node) {
+        return MatrixSum{mass_factors[bodies[node]], 1.};
+      },
+      &held);
+
+    Teuchos::ParameterList              parameters;
+    std::unique_ptr<Epetra_MultiVector> constant_modes;
+    multigrid_parameters<dim>(mask.size())
+      .set_parameters(parameters, constant_modes, matrix.trilinos_matrix());
+    std::vector<double> modes = rigid_motions(discretization, bodies);
+    // No coupling is weak: cells of slender bodies may be thin, and what bends them is not.
+    parameters.set("aggregation: threshold", 0.);
+    parameters.set("PDE equations", static_cast<int>(dim));
+    parameters.set("null space: type", "pre-computed");
+    parameters.set("null space: dimension", static_cast<int>(n_rigid_motions<dim>));
+    parameters.set("null space: vectors", modes.data());
+    multigrid.initialize(matrix, parameters);
   }
 
 

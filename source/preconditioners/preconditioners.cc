@@ -5,6 +5,8 @@
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/preconditioners/relative_matrix.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   namespace
@@ -155,6 +157,20 @@ namespace signorini
 
   template <int dim>
   std::unique_ptr<MaskedPreconditioner>
+  make_static_preconditioner(const PreconditionerKind       kind,
+                             const Discretization<dim>     &discretization,
+                             const ContactCoordinates<dim> &coordinates,
+                             const std::vector<double>     &mass_factors)
+  {
+    if (kind == PreconditionerKind::automatic || kind == PreconditionerKind::ml)
+      return std::make_unique<Multilevel<dim>>(discretization, coordinates, mass_factors);
+    const double largest = *std::max_element(mass_factors.begin(), mass_factors.end());
+    return make_preconditioner(kind, discretization.matrices(), coordinates, {largest, 1.});
+  }
+
+
+  template <int dim>
+  std::unique_ptr<MaskedPreconditioner>
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
                            const ContactCoordinates<dim> &coordinates)
   {
@@ -169,6 +185,11 @@ namespace signorini
     const ElasticMatrices<dim> &,                                                                  \
     const ContactCoordinates<dim> &,                                                               \
     const MatrixSum &);                                                                            \
+  template std::unique_ptr<MaskedPreconditioner> make_static_preconditioner(                       \
+    PreconditionerKind,                                                                            \
+    const Discretization<dim> &,                                                                   \
+    const ContactCoordinates<dim> &,                                                               \
+    const std::vector<double> &);                                                                  \
   template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(                         \
     const ElasticMatrices<dim> &, const ContactCoordinates<dim> &);
   INSTANTIATE(2)

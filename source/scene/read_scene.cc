@@ -58,6 +58,20 @@ namespace signorini
     }
 
     template <int dim>
+    void check_initial_velocities(const SectionReader &in, const Scene<dim> &scene)
+    {
+      if (scheme_info(scene.time.scheme).inertia)
+        return;
+      for (const BodyDescription<dim> &body : scene.bodies)
+        for (const std::string &expression : body.initial_velocity)
+          if (constant_value(expression) != 0.)
+            in.section(body.name).fail("Initial velocity",
+                                       "has no effect with `Time/Scheme = " + scene.time.scheme
+                                         + "`, which has no inertia. Remove this key, or take a "
+                                           "scheme that moves masses.");
+    }
+
+    template <int dim>
     void check_damping(const SectionReader &in, const Scene<dim> &scene)
     {
       if (scheme_info(scene.time.scheme).damping)
@@ -173,6 +187,7 @@ namespace signorini
     for (const std::string &name : names.bodies)
       scene.bodies.push_back(parse_body<dim>(in.section("Bodies").section(name), name));
     check_start(in.section("Bodies"), scene);
+    check_initial_velocities(in.section("Bodies"), scene);
     for (const std::string &name : names.obstacles)
       scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
     scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);

@@ -80,6 +80,10 @@ namespace signorini
       const SchemeInfo &scheme = scheme_info(time.scheme);
       MassParameters   &mass   = time.mass;
       const bool        needed = scheme.massless == MasslessNodesAre::needed;
+      if (!scheme.inertia && mass.kind == MassKind::lumped)
+        in.fail("Mass",
+                "has no effect with Scheme = " + time.scheme + scheme.why_refused
+                  + ". Remove this key.");
       if (needed && mass.kind == MassKind::lumped)
         in.fail("Mass",
                 "does not fit Scheme = " + time.scheme

@@ -31,7 +31,8 @@ namespace signorini
                       name_of(defaults.preconditioner),
                       choices_of<PreconditionerKind>(),
                       "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, ml "
-                      "(algebraic multigrid), or automatic (chosen from the Courant number).");
+                      "(algebraic multigrid), or automatic (chosen from the Courant number; ml for "
+                      "static problems).");
     prm.declare_entry("Tolerance",
                       as_text(defaults.tolerance),
                       Double(),

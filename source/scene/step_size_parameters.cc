@@ -66,6 +66,11 @@ namespace signorini
         check_unused("Maximum step size", sizes.maximum, defaults.maximum);
         return sizes;
       }
+    if (!scheme_info(time.scheme).inertia)
+      in.fail("Step size control",
+              "does not fit Scheme = " + time.scheme
+                + ": it follows the motion, and load steps have none. Remove this key, and choose "
+                  "`Step size` by how far loads may grow in a step.");
     if (!scheme_info(time.scheme).variable_step())
       in.fail("Step size control",
               "does not fit Scheme = " + time.scheme

@@ -46,8 +46,11 @@ namespace signorini
                       "equilibrium: with the static equilibrium under the loads and the contact of "
                       "time 0; rigid motions that nothing holds stay free. The initial velocity "
                       "counts in both.");
-    prm.declare_entry(
-      "Step size", "0", Double(), "Length of a time step, in units of time. Must be given.");
+    prm.declare_entry("Step size",
+                      "0",
+                      Double(),
+                      "Length of a time step, in units of time; without inertia that of a load "
+                      "step. Must be given.");
     prm.declare_entry("End time",
                       "0",
                       Double(),

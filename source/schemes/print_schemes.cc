@@ -67,7 +67,8 @@ namespace signorini
             << ", \"mean_velocity\": " << truth(info.mean_velocity)
             << ", \"penetrates\": " << truth(info.penetrates)
             << ",\n   \"changing_mesh\": " << truth(info.changing_mesh)
-            << ", \"variable_step\": " << truth(info.variable_step()) << "}";
+            << ", \"variable_step\": " << truth(info.variable_step())
+            << ", \"inertia\": " << truth(info.inertia) << "}";
         separator = ",\n";
       }
     out << "\n]\n";

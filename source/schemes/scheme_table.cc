@@ -11,6 +11,7 @@
 #include <signorini/schemes/khenous_laborde_renard.h>
 #include <signorini/schemes/laursen_chawla.h>
 #include <signorini/schemes/laursen_love.h>
+#include <signorini/schemes/load_steps.h>
 #include <signorini/schemes/moreau_jean.h>
 #include <signorini/schemes/newmark.h>
 #include <signorini/schemes/nonsmooth_generalized_alpha.h>
@@ -42,6 +43,7 @@ namespace signorini
       info.force_before_end = "0.5";
       info.changing_mesh    = true;
       info.moving_dirichlet = true;
+      info.inertia          = true;
       return info;
     }
 
@@ -266,6 +268,20 @@ namespace signorini
     }
 
 
+    SchemeInfo load_steps()
+    {
+      SchemeInfo info =
+        common("static", EnergyLaw::none, "no inertia: load steps from equilibrium to equilibrium");
+      info.friction         = true;
+      info.balance          = StepBalance::end;
+      info.force_before_end = "0";
+      info.inertia          = false;
+      info.make = [](const SchemeParameters &) -> Made { return std::make_unique<LoadSteps>(); };
+      refuse_massless_nodes(info, ", which moves no mass");
+      return info;
+    }
+
+
     SchemeInfo moreau_jean()
     {
       SchemeInfo info =
@@ -322,7 +338,8 @@ namespace signorini
                                                   nonsmooth_generalized_alpha(),
                                                   backward_euler(),
                                                   moreau_jean(),
-                                                  reference()};
+                                                  reference(),
+                                                  load_steps()};
     return table;
   }
 

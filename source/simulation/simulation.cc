@@ -9,12 +9,11 @@
 #include <signorini/output/obstacle_surfaces.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/change_mesh.h>
-#include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/expectations.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
-#include <signorini/system/static_equilibrium.h>
+#include <signorini/system/start_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
@@ -291,13 +290,18 @@ namespace signorini
     state = initial_state(meshed->discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == StartKind::equilibrium)
-      n_equilibrium_steps = naming_file<RunError>(scene.file_name, [&] {
-        return StaticEquilibrium<dim>(
-                 meshed->discretization, meshed->surface, meshed->coordinates, scene.solver)
-          .find(state, meshed->load(0.));
+      equilibrium = naming_file<RunError>(scene.file_name, [&] {
+        return start_in_equilibrium(meshed->discretization,
+                                    meshed->surface,
+                                    meshed->coordinates,
+                                    scene.solver,
+                                    meshed->load(0.),
+                                    state);
       });
-    start_remarks = start_with_conditions(
-      meshed->discretization, meshed->coordinates, scene.time.step_size, state);
+    start_remarks = Remarks();
+    if (scheme_info(scene.time.scheme).inertia)
+      start_remarks = start_with_conditions(
+        meshed->discretization, meshed->coordinates, scene.time.step_size, state);
     for (const std::string &note : meshed->dirichlet.check_shared_nodes(scene.time.end_time))
       start_remarks.notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);
@@ -323,68 +327,6 @@ namespace signorini
       return fraction >= 1. || state.step % scene.output.vtu_every == 0;
     const int interval = static_cast<int>(scene.output.vtu_states * std::min(fraction, 1.) + 1e-9);
     return std::exchange(latest_interval, interval) != interval;
-  }
-
-
-  template <int dim>
-  std::string Simulation<dim>::description() const
-  {
-    std::ostringstream text;
-    text << "  scheme            " << scene.time.scheme << ", ";
-    if (scene.step_sizes.is_variable())
-      text << "steps by " << name_of(scene.step_sizes.control) << ", the first of ";
-    else
-      text << scene.time.n_steps() << " steps of ";
-    text << scene.time.step_size << "\n";
-    if (!scene.time.parameters.spectral_radius
-        && scheme_parameters.spectral_radius.value_or(1.) < 1.)
-      text << "  spectral radius   " << *scheme_parameters.spectral_radius
-           << ", because the smallest cells are much faster than a step\n";
-    if (n_equilibrium_steps > 0)
-      text << "  start             equilibrium, found in " << n_equilibrium_steps
-           << " proximal steps\n";
-    if (!meshed->mass_note.empty())
-      text << "  mass              " << meshed->mass_note << "\n";
-    text << "  bodies            " << scene.bodies.size() << ", "
-         << mesh.triangulation().n_global_active_cells() << " cells, "
-         << meshed->discretization.dof_handler().n_dofs() << " degrees of freedom"
-         << "\n  contact nodes     " << meshed->surface.n_global_nodes() << "\n  Courant number    "
-         << mesh.courant_number(scene.time.step_size) << "\n  processes         "
-         << Utilities::MPI::n_mpi_processes(mesh.communicator()) << "\n";
-    if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
-      text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
-           << " nodes of the contact surface have a prescribed normal displacement, and take no "
-              "part in contact\n";
-    if (perturbation_of_velocities() != 0.)
-      text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
-           << perturbation_of_velocities() << " of themselves\n";
-    for (const std::string &note : meshed->surface.notes())
-      text << "  note: " << note << "\n";
-    for (const Remarks *remarks : {&start_remarks, &expected})
-      for (const std::string &note : remarks->notes)
-        text << "  note: " << note << "\n";
-    return text.str();
-  }
-
-
-  template <int dim>
-  std::vector<std::string> Simulation<dim>::warnings() const
-  {
-    std::vector<std::string> result = start_remarks.warnings;
-    result.insert(result.end(), expected.warnings.begin(), expected.warnings.end());
-    for (const std::string &warning : element_warnings(mesh))
-      result.push_back(warning);
-    if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
-      result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
-                       "its obstacle, or all of them are prescribed.");
-    if (mesh_control.any() && scene.mapping != CellGeometry::curved
-        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
-             return body.is_round();
-           }))
-      result.push_back("On a mesh that changes, a round body keeps the facets of its initial "
-                       "`Refinements`, however fine the mesh becomes. Set `Mapping = curved`, or "
-                       "leave the choice to `Mapping = automatic`.");
-    return result;
   }
 
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/elastic_contact_system.h>
 #include <signorini/system/scales.h>
-#include <signorini/variational_inequality/frictional_newton.h>
-#include <signorini/variational_inequality/primal_dual_active_set.h>
+#include <signorini/variational_inequality/make_solver.h>
+
+#include <deal.II/base/patterns.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,19 +15,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    /** Without friction, none of its cost. */
-    std::unique_ptr<ConstrainedSolver> make_solver(const bool             with_friction,
-                                                   const ActiveSetLimits &limits)
-    {
-      if (with_friction)
-        return std::make_unique<FrictionalNewton>(limits);
-      return std::make_unique<PrimalDualActiveSet>(limits);
-    }
-  } // namespace
-
-
   template <int dim>
   ElasticContactSystem<dim>::ElasticContactSystem(const Discretization<dim>     &discretization,
                                                   const ContactSurface<dim>     &surface,
@@ -126,31 +115,38 @@ namespace signorini
     matrix.vmult(product, increment);
     if (const double energy = dot(increment, product); energy > 0.)
       increment *= std::clamp(dot(increment, right_hand_side) / energy, 0., 1.);
-    Vector force = problem.start.contact_force;
+    guess_status(problem.start);
+    // On a finer mesh forces are spread to nodes that do not touch.
+    for (unsigned int k = 0; k < active.size(); ++k)
+      if (problem.bounds[k] > reach)
+        active[k] = contact_status::open;
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::guess_status(const State &start)
+  {
+    Vector force = start.contact_force;
     coordinates.force_to_contact(force);
     for (unsigned int k = 0; k < active.size(); ++k)
       {
         // New nodes between those that stick and those that slip are under pressure, but have no
         // status yet.
-        active[k] =
-          problem.start.friction.any() ? problem.start.friction.status[k] : contact_status::open;
-        // On a finer mesh forces are spread to nodes that do not touch.
-        if (is_pressed(force.local_element(coordinates.normal_entries()[k]))
-            && problem.bounds[k] <= reach)
+        active[k] = start.friction.any() ? start.friction.status[k] : contact_status::open;
+        if (is_pressed(force.local_element(coordinates.normal_entries()[k])))
           active[k] = std::max(active[k], contact_status::slip);
       }
   }
 
 
   template <int dim>
-  std::vector<double>
-  ElasticContactSystem<dim>::prescribed_increments(const IncrementProblem &problem) const
+  std::vector<double> ElasticContactSystem<dim>::prescribed_increments(const State &start,
+                                                                       const double step_size) const
   {
-    std::vector<double> prescribed =
-      coordinates.dirichlet_values(problem.start.time + problem.step_size);
+    std::vector<double> prescribed = coordinates.dirichlet_values(start.time + step_size);
     if (prescribed.empty())
       return prescribed;
-    Vector displacement = problem.start.displacement;
+    Vector displacement = start.displacement;
     coordinates.rotate_to_frames(displacement); // prescribed entries are not relative
     for (unsigned int j = 0; j < prescribed.size(); ++j)
       prescribed[j] -= displacement.local_element(coordinates.dirichlet_entries()[j]);
@@ -190,7 +186,7 @@ namespace signorini
                                            touching_distance(discretization.mesh().body_size()),
                                            problem.further_reaction);
 
-    const std::vector<double> prescribed = prescribed_increments(problem);
+    const std::vector<double> prescribed = prescribed_increments(problem.start, problem.step_size);
     Vector                    residual   = discretization.make_vector();
     const ConstrainedProblem  constrained{
       *matrix.product,
@@ -206,6 +202,50 @@ namespace signorini
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.forecast.remember(right_hand_side, increment, residual);
 
+    extract(friction_of_nodes, residual, problem.further_reaction != nullptr, solution);
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::equilibrate(const LoadStep &step, IncrementSolution &solution)
+  {
+    if (!static_equilibrium)
+      {
+        dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
+        static_equilibrium = std::make_unique<StaticEquilibrium<dim>>(
+          discretization, coordinates, parameters.solver, friction.any());
+      }
+    dealii::TimerOutput::Scope scope(timer, "step: inequality");
+    const std::vector<double>  prescribed = prescribed_increments(step.start, step.step_size);
+    const Friction             laws =
+      friction.any() ? friction.of_step(
+        1., step.bounds, touching_distance(discretization.mesh().body_size()), nullptr)
+                                 : Friction();
+    guess_status(step.start);
+
+    StaticProblem problem{step.force, step.bounds, prescribed, laws};
+    problem.energy             = energy_scale;
+    const StaticSolution found = static_equilibrium->find_held(problem, active);
+    if (!found.is_held)
+      throw RunError("There is no static equilibrium at time "
+                     + dealii::Patterns::Tools::to_string(step.start.time + step.step_size)
+                     + ": neither Dirichlet conditions nor contact hold what the loads move: "
+                     + static_equilibrium->unheld_motion(found)
+                     + ". Prescribe a displacement against this motion, let loads balance, give "
+                       "the contact more friction or pressure, or take a scheme with inertia.");
+    active             = found.status;
+    solution.increment = found.increment;
+    solution.effort    = found.effort;
+    extract(laws, found.residual, false, solution);
+  }
+
+
+  template <int dim>
+  void ElasticContactSystem<dim>::extract(const Friction    &friction_of_nodes,
+                                          const Vector      &residual,
+                                          const bool         pressed_from_elsewhere,
+                                          IncrementSolution &solution) const
+  {
     solution.contact_reaction = coordinates.normal_reaction(active, residual);
     solution.normal_reaction.clear();
     for (const unsigned int i : coordinates.normal_entries())
@@ -215,13 +255,16 @@ namespace signorini
       solution.dirichlet_reaction.local_element(i) = -residual.local_element(i);
     if (friction.any())
       {
-        const bool pressed_from_elsewhere = problem.further_reaction != nullptr;
-        friction.extract(
-          friction_of_nodes, active, increment, residual, pressed_from_elsewhere, solution);
+        friction.extract(friction_of_nodes,
+                         active,
+                         solution.increment,
+                         residual,
+                         pressed_from_elsewhere,
+                         solution);
         coordinates.force_to_cartesian(solution.friction_reaction);
       }
 
-    coordinates.displacement_to_cartesian(increment);
+    coordinates.displacement_to_cartesian(solution.increment);
     coordinates.force_to_cartesian(solution.contact_reaction);
     coordinates.force_to_cartesian(solution.dirichlet_reaction);
   }
@@ -291,8 +334,10 @@ namespace signorini
     const ProductCount &products = discretization.matrices().products();
     std::ostringstream  text;
     text << "  products          " << products.combined << " with M + s A, " << products.stiffness
-         << " with A, " << products.mass << " with M; preconditioner "
-         << step_matrices.preconditioner_name() << "\n";
+         << " with A, " << products.mass << " with M";
+    if (!step_matrices.preconditioner_name().empty())
+      text << "; preconditioner " << step_matrices.preconditioner_name();
+    text << "\n";
     if (step_matrices.n_built() > 1)
       text << "  step matrices     " << step_matrices.n_built() << " preconditioners built\n";
     return text.str();

@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <cmath>
 
@@ -37,6 +38,7 @@ namespace signorini
   RigidModes<dim>::RigidModes(const Discretization<dim>     &discretization,
                               const ContactCoordinates<dim> &coordinates)
     : discretization(discretization)
+    , coordinates(coordinates)
   {
     const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
     for (unsigned int body = 0; body < discretization.mesh().bodies().size(); ++body)
@@ -50,15 +52,23 @@ namespace signorini
                 for (unsigned int c = 0; c < dim; ++c)
                   mode.displacement.local_element(dim * node + c) =
                     rigid_motion(which, discretization.node_positions()[node])[c];
+            dealii::Tensor<1, 3> rotation;
+            if (which >= dim)
+              rotation[dim == 2 ? 2 : which - dim] = 1.;
             // Twice: far from the origin a rotation is nearly a translation.
             for (unsigned int pass = 0; pass < 2; ++pass)
               for (std::size_t j = first; j < modes.size(); ++j)
-                mode.displacement.add(-dot(modes[j].momentum, mode.displacement),
-                                      modes[j].displacement);
+                {
+                  const double part = dot(modes[j].momentum, mode.displacement);
+                  mode.displacement.add(-part, modes[j].displacement);
+                  rotation -= part * rotations[j];
+                }
             discretization.matrices().apply_mass(mode.momentum, mode.displacement);
             const double size = std::sqrt(dot(mode.momentum, mode.displacement));
             mode.displacement /= size;
             mode.momentum /= size;
+            rotations.push_back(rotation / size);
+            sizes.push_back(mode.displacement.linfty_norm());
             local.push_back(mode.displacement);
             coordinates.displacement_to_contact(local.back());
             modes.push_back(std::move(mode));
@@ -68,32 +78,82 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<Motion> RigidModes<dim>::free_of(const std::vector<unsigned int> &entries) const
+  std::vector<Vector> RigidModes<dim>::momenta_in_contact() const
+  {
+    std::vector<Vector> momenta;
+    for (const Motion &mode : modes)
+      {
+        momenta.push_back(mode.momentum);
+        coordinates.force_to_contact(momenta.back());
+      }
+    return momenta;
+  }
+
+
+  template <int dim>
+  void RigidModes<dim>::add_in_contact(const Eigen::VectorXd &amplitudes,
+                                       Vector                &displacement) const
+  {
+    AssertDimension(amplitudes.size(), size());
+    for (unsigned int i = 0; i < size(); ++i)
+      displacement.add(amplitudes[i], local[i]);
+  }
+
+
+  template <int dim>
+  Eigen::VectorXd RigidModes<dim>::sizes_of_products(const Vector &forces) const
+  {
+    std::vector<double> sums(size(), 0.);
+    for (unsigned int i = 0; i < size(); ++i)
+      for (unsigned int k = 0; k < forces.locally_owned_size(); ++k)
+        sums[i] += std::abs(local[i].local_element(k)) * forces.local_element(k);
+    dealii::Utilities::MPI::sum(sums, discretization.communicator(), sums);
+    return Eigen::Map<const Eigen::VectorXd>(sums.data(), sums.size());
+  }
+
+
+  template <int dim>
+  Eigen::MatrixXd RigidModes<dim>::free_amplitudes(const std::vector<unsigned int> &entries) const
   {
     for ([[maybe_unused]] const unsigned int entry : entries)
       AssertIndexRange(entry, dim * discretization.matrices().pattern.n_owned);
-    const Eigen::Index n    = modes.size();
-    Eigen::MatrixXd    gram = Eigen::MatrixXd::Zero(n, n);
+    // Motions of displacement 1: bodies may differ in mass by many orders of magnitude.
+    const Eigen::Index    n     = modes.size();
+    const Eigen::VectorXd scale = Eigen::Map<const Eigen::VectorXd>(sizes.data(), n).cwiseInverse();
+    Eigen::MatrixXd       gram  = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
       for (Eigen::Index j = 0; j < n; ++j)
         for (const unsigned int entry : entries)
-          gram(i, j) += local[i].local_element(entry) * local[j].local_element(entry);
+          gram(i, j) +=
+            scale[i] * local[i].local_element(entry) * scale[j] * local[j].local_element(entry);
     const dealii::ArrayView<double> sums(gram.data(), gram.size());
     dealii::Utilities::MPI::sum(
       dealii::ArrayView<const double>(sums), discretization.communicator(), sums);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(gram);
-    std::vector<Motion>                                  free;
-    for (Eigen::Index k = 0; k < n; ++k)
-      if (eigen.eigenvalues()[k] <= 1e-10 * eigen.eigenvalues()[n - 1]
-          || eigen.eigenvalues()[n - 1] == 0.)
-        {
-          free.push_back({discretization.make_vector(), discretization.make_vector()});
-          for (Eigen::Index i = 0; i < n; ++i)
-            {
-              free.back().displacement.add(eigen.eigenvectors()(i, k), modes[i].displacement);
-              free.back().momentum.add(eigen.eigenvectors()(i, k), modes[i].momentum);
-            }
-        }
+    const double                                         largest = eigen.eigenvalues()[n - 1];
+    Eigen::Index                                         n_free  = 0;
+    while (n_free < n && eigen.eigenvalues()[n_free] <= 1e-10 * largest)
+      ++n_free;
+    const Eigen::MatrixXd free = scale.asDiagonal() * eigen.eigenvectors().leftCols(n_free);
+    return Eigen::HouseholderQR<Eigen::MatrixXd>(free).householderQ()
+           * Eigen::MatrixXd::Identity(n, n_free);
+  }
+
+
+  template <int dim>
+  std::vector<Motion> RigidModes<dim>::free_of(const std::vector<unsigned int> &entries) const
+  {
+    const Eigen::MatrixXd amplitudes = free_amplitudes(entries);
+    std::vector<Motion>   free;
+    for (Eigen::Index k = 0; k < amplitudes.cols(); ++k)
+      {
+        free.push_back({discretization.make_vector(), discretization.make_vector()});
+        for (Eigen::Index i = 0; i < amplitudes.rows(); ++i)
+          {
+            free.back().displacement.add(amplitudes(i, k), modes[i].displacement);
+            free.back().momentum.add(amplitudes(i, k), modes[i].momentum);
+          }
+      }
     return free;
   }
 

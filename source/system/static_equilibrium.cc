@@ -2,224 +2,210 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/linear_algebra/vector_kernels.h>
-#include <signorini/preconditioners/preconditioners.h>
+#include <signorini/system/motion_in_words.h>
 #include <signorini/system/scales.h>
 #include <signorini/system/static_equilibrium.h>
-#include <signorini/variational_inequality/frictional_newton.h>
+#include <signorini/variational_inequality/make_solver.h>
 
-#include <algorithm>
+#include <deal.II/base/mpi.h>
+
 #include <cmath>
-#include <limits>
 
 namespace signorini
 {
   namespace
   {
-    constexpr unsigned int maximum_steps = 200;
+    constexpr unsigned int maximum_steps = 50;
 
-    /** The definite problem of every proximal step, (A + sigma M) u = b with contact. */
+    /** Of springs where contact holds: weaker than the bending of a body a thousand times as long
+     * as thick. */
+    constexpr double weak = 1e-6;
+
+    /** Of solutions whose anchors are still moving: in parts of this motion. */
+    constexpr double rough = 1e-3;
+
+    /** Forces on rigid motions, relative to all that acts on them, that are none. */
+    constexpr double balanced = 1e-8;
+
+    /** Mass that makes the matrix of the preconditioner definite, for bodies with free motions. */
     template <int dim>
-    class ProximalProblem
+    std::vector<double> mass_factors(const Eigen::MatrixXd &loose, const double factor)
     {
-    public:
-      ProximalProblem(const Discretization<dim>     &discretization,
-                      const ContactCoordinates<dim> &coordinates,
-                      const SolverParameters        &parameters,
-                      const double                   sigma)
-        : parameters(parameters)
-        , coordinates(coordinates)
-        , matrix(discretization.matrices(), coordinates, {sigma, 1.})
-        , solver(parameters.limits)
-        , prescribed(coordinates.dirichlet_values(0.))
-        , bound_tolerance(1e-12 * discretization.mesh().body_size())
-      {
-        PreconditionerKind kind = parameters.preconditioner;
-        if (kind == PreconditionerKind::automatic)
-          kind = choose_preconditioner(discretization.mesh().courant_number(1. / std::sqrt(sigma)),
-                                       maximum_steps);
-        preconditioner =
-          make_preconditioner(kind, discretization.matrices(), coordinates, {sigma, 1.});
-      }
-
-      /**
-       * @param force              b, Cartesian
-       * @param solution, residual in contact coordinates, the former also a guess
-       */
-      void solve(Vector           force,
-                 const NormalGap &gap,
-                 const Friction  &laws,
-                 ActiveSet       &status,
-                 Vector          &solution,
-                 Vector          &residual)
-      {
-        coordinates.force_to_contact(force);
-        if (tolerance < 0.)
-          tolerance =
-            1e-2 * parameters.tolerance
-            * response_size(
-              matrix, *preconditioner, force, coordinates.dirichlet_entries(), prescribed);
-        solver.solve({matrix,
-                      *preconditioner,
-                      force,
-                      coordinates.normal_entries(),
-                      gap,
-                      coordinates.dirichlet_entries(),
-                      prescribed,
-                      tolerance,
-                      bound_tolerance,
-                      laws},
-                     status,
-                     solution,
-                     residual);
-      }
-
-    private:
-      const SolverParameters               &parameters;
-      const ContactCoordinates<dim>        &coordinates;
-      const StepOperator<dim>               matrix;
-      std::unique_ptr<MaskedPreconditioner> preconditioner;
-      FrictionalNewton                      solver;
-      const std::vector<double>             prescribed;
-      const double                          bound_tolerance;
-      double                                tolerance = -1.; ///< known with the first force
-    };
-
-
-    /**
-     * Take free motions out of a change of the displacement. @return the largest of their
-     * amplitudes
-     */
-    double
-    take_out(const std::vector<Motion> &free, const double sigma, Motion &change, Vector &balance)
-    {
-      double largest = 0.;
-      for (const Motion &mode : free)
-        {
-          const double amplitude = dot(change.momentum, mode.displacement);
-          largest                = std::max(largest, std::abs(amplitude));
-          change.displacement.add(-amplitude, mode.displacement);
-          change.momentum.add(-amplitude, mode.momentum);
-          balance.add(-sigma * amplitude, mode.momentum);
-        }
-      return largest;
-    }
-
-
-    /** In the norm of M. */
-    double size_of(const Motion &motion)
-    {
-      return std::sqrt(std::max(0., dot(motion.momentum, motion.displacement)));
+      constexpr Eigen::Index n_motions = RigidModes<dim>::n_motions;
+      std::vector<double>    factors(loose.rows() / n_motions);
+      for (std::size_t body = 0; body < factors.size(); ++body)
+        factors[body] =
+          loose.middleRows(body * n_motions, n_motions).cwiseAbs().sum() > 0. ? factor : 0.;
+      return factors;
     }
   } // namespace
 
 
   template <int dim>
   StaticEquilibrium<dim>::StaticEquilibrium(const Discretization<dim>     &discretization,
-                                            const ContactSurface<dim>     &surface,
                                             const ContactCoordinates<dim> &coordinates,
-                                            const SolverParameters        &parameters)
+                                            const SolverParameters        &parameters,
+                                            const bool                     with_friction)
     : discretization(discretization)
-    , surface(surface)
     , coordinates(coordinates)
     , parameters(parameters)
-    , friction(coordinates, discretization.communicator())
+    , rigid(discretization, coordinates)
+    , loose(rigid.free_amplitudes(coordinates.dirichlet_entries()))
+    , stiffness_of_springs(std::pow(0.1 * discretization.mesh().lowest_frequency(), 2))
+    , stiffness(discretization.matrices(), coordinates, {0., 1.})
+    , matrix(stiffness, rigid)
+    , preconditioner(make_static_preconditioner(parameters.preconditioner,
+                                                discretization,
+                                                coordinates,
+                                                mass_factors<dim>(loose, stiffness_of_springs)))
+    , solver(make_solver(with_friction, parameters.limits))
   {
   }
 
 
   template <int dim>
-  unsigned int StaticEquilibrium<dim>::find(State &state, const Vector *load)
+  StaticSolution StaticEquilibrium<dim>::solve(const StaticProblem &problem, ActiveSet status)
   {
-    // Small compared with the lowest frequency of compact bodies.
-    const double          sigma = std::pow(0.1 * discretization.mesh().lowest_frequency(), 2);
-    ProximalProblem<dim>  problem(discretization, coordinates, parameters, sigma);
-    const RigidModes<dim> rigid(discretization, coordinates);
+    StaticSolution solution;
+    solution.increment = solution.residual = discretization.make_vector();
+    solution.status                        = std::move(status);
+    solution.acceleration                  = Eigen::VectorXd::Zero(rigid.size());
 
-    const Vector    zero = discretization.make_vector();
-    const NormalGap gap  = surface.normal_gap(zero);
-    const Friction  laws = friction_of_nodes(gap, state.velocity);
-    ActiveSet       status(gap.size(), contact_status::open);
-    Vector          balance  = load != nullptr ? *load : zero; // f - M a
-    Vector          solution = zero, residual = zero;
-    Motion          now{zero, zero};
-    for (unsigned int step = 1; step <= maximum_steps; ++step)
+    const double    response  = response_to(problem);
+    const double    accepted  = 1e-2 * parameters.tolerance * response;
+    double          moved     = loose.cols() > 0 ? response : 0.; // anchors, in the norm of K
+    double          tolerance = std::max(accepted, rough * std::min(moved, response));
+    Eigen::VectorXd last      = solution.acceleration; // rigid part of d, where it is anchored
+    Eigen::MatrixXd S         = springs(problem.near_contact_only ? loose : loose.leftCols(0));
+    while (solution.n_steps++ < maximum_steps)
       {
-        Vector force = balance;
-        force.add(sigma, now.momentum);
-        problem.solve(std::move(force), gap, laws, status, solution, residual);
-
-        Motion change    = now;
-        now.displacement = solution;
-        coordinates.displacement_to_cartesian(now.displacement);
-        discretization.matrices().apply_mass(now.momentum, now.displacement);
-        change.displacement.sadd(-1., 1., now.displacement);
-        change.momentum.sadd(-1., 1., now.momentum);
-
-        // What drives a free motion becomes its acceleration; the rest of the change tells how far
-        // the equilibrium is.
-        const std::vector<Motion> free       = rigid.free_of(coordinates.held_entries(status));
-        const double              driven     = take_out(free, sigma, change, balance);
-        const double              unbalanced = std::hypot(size_of(change), driven);
-        if (unbalanced <= 1e-12 * size_of(now))
+        solve_anchored(problem, S, last, tolerance, solution);
+        const Eigen::VectorXd now   = matrix.amplitudes(solution.increment);
+        const Eigen::VectorXd borne = S * (now - last);
+        const Eigen::MatrixXd free =
+          rigid.free_amplitudes(coordinates.held_entries(solution.status));
+        const auto project = [&](const Eigen::VectorXd &motion) {
+          return Eigen::VectorXd(free * (free.transpose() * motion));
+        };
+        moved                 = std::sqrt(borne.dot(now - last));
+        solution.acceleration = project(solution.acceleration + borne);
+        if (moved <= accepted && tolerance == accepted)
           {
-            for (const Motion &mode : free)
-              now.displacement.add(-dot(now.momentum, mode.displacement), mode.displacement);
-            state.displacement = now.displacement;
-            set_forces(state, laws, status, solution, residual);
-            return step;
+            rigid.add_in_contact(-project(now), solution.increment);
+            solution.is_held = !is_driven(problem, solution, accepted);
+            return solution;
           }
+        // What is free goes on in its direction, as slip does, but no further than with springs
+        // that are not weak.
+        last += borne / stiffness_of_springs;
+        last = now + project(last - now);
+        rigid.add_in_contact(last - now, solution.increment);
+        S         = springs(free);
+        tolerance = std::max(accepted, rough * std::min(moved, response));
       }
-    throw RunError("Time/Start = equilibrium: no static equilibrium was found in "
-                   + std::to_string(maximum_steps)
-                   + " iterations. Loads may tip a body over, or roll it. Set `Start = given` to "
-                     "begin with undeformed bodies.");
+    throw StepError("no static equilibrium was found: what contact holds of the bodies did not "
+                    "settle in "
+                    + std::to_string(maximum_steps) + " solutions.");
   }
 
 
   template <int dim>
-  Friction StaticEquilibrium<dim>::friction_of_nodes(const NormalGap &gap,
-                                                     const Vector    &velocity) const
+  StaticSolution StaticEquilibrium<dim>::find_held(StaticProblem problem, const ActiveSet &status)
   {
-    if (!friction.any())
-      return Friction(gap.size());
-    Friction laws =
-      friction.of_step(1., gap, touching_distance(discretization.mesh().body_size()), nullptr);
-    Vector relative = velocity;
-    coordinates.displacement_to_contact(relative);
-    const double speed = relative.linfty_norm();
-    for (FrictionNode &node : laws)
+    problem.near_contact_only = true;
+    StaticSolution near       = solve(problem, status);
+    unsigned int   n_open     = 0;
+    for (std::size_t k = 0; k < status.size(); ++k)
+      n_open += near.status[k] == contact_status::open && std::isfinite(problem.bounds[k]);
+    n_open = dealii::Utilities::MPI::sum(n_open, discretization.communicator());
+    if (near.is_held || n_open == 0)
+      return near;
+    try
       {
-        for (unsigned int j = 0; j < node.entries.size(); ++j)
-          node.past[j] = relative.local_element(node.entries[j]);
-        // So far that the displacements of the equilibrium do not turn it.
-        node.past *=
-          node.past.norm() > 1e-10 * speed ? 1e8 * discretization.mesh().body_size() / speed : 0.;
+        problem.near_contact_only = false;
+        return solve(problem, status);
       }
-    return laws;
+    catch (const StepError &)
+      {
+        return near; // what is not held has fallen without end
+      }
   }
 
 
   template <int dim>
-  void StaticEquilibrium<dim>::set_forces(State           &state,
-                                          const Friction  &laws,
-                                          const ActiveSet &status,
-                                          const Vector    &increment,
-                                          const Vector    &residual) const
+  void StaticEquilibrium<dim>::solve_anchored(const StaticProblem   &problem,
+                                              const Eigen::MatrixXd &S,
+                                              const Eigen::VectorXd &anchor,
+                                              const double           tolerance,
+                                              StaticSolution        &solution)
   {
-    state.contact_force = coordinates.normal_reaction(status, residual);
-    coordinates.force_to_cartesian(state.contact_force);
-    if (!friction.any())
-      return;
-    IncrementSolution solution;
-    friction.extract(laws, status, increment, residual, false, solution);
-    coordinates.force_to_cartesian(solution.friction_reaction);
-    state.contact_force += solution.friction_reaction;
-    state.friction.force = solution.friction_reaction;
-    state.friction.slip  = state.friction.accumulated_slip =
-      discretization.make_vector(); // slip counts from here
-    state.friction.slip_path.assign(status.size(), 0.);
-    state.friction.status = solution.status;
+    Vector b = problem.force;
+    coordinates.force_to_contact(b);
+    matrix.set(S);
+    matrix.add_forces(S * anchor - solution.acceleration, b);
+    solution.effort.add(solver->solve({matrix,
+                                       *preconditioner,
+                                       b,
+                                       coordinates.normal_entries(),
+                                       problem.bounds,
+                                       coordinates.dirichlet_entries(),
+                                       problem.prescribed,
+                                       tolerance,
+                                       1e-12 * discretization.mesh().body_size(),
+                                       problem.friction},
+                                      solution.status,
+                                      solution.increment,
+                                      solution.residual));
+  }
+
+
+  template <int dim>
+  Eigen::MatrixXd StaticEquilibrium<dim>::springs(const Eigen::MatrixXd &free) const
+  {
+    return stiffness_of_springs
+           * (weak * loose * loose.transpose() + (1. - weak) * free * free.transpose());
+  }
+
+
+  template <int dim>
+  double StaticEquilibrium<dim>::response_to(const StaticProblem &problem)
+  {
+    Vector force = problem.force;
+    coordinates.force_to_contact(force);
+    const double response = response_size(
+      stiffness, *preconditioner, force, coordinates.dirichlet_entries(), problem.prescribed);
+    return std::max(response, std::sqrt(2. * problem.energy));
+  }
+
+
+  template <int dim>
+  bool StaticEquilibrium<dim>::is_driven(const StaticProblem  &problem,
+                                         const StaticSolution &solution,
+                                         const double          error) const
+  {
+    if (solution.acceleration.norm() <= 10. * error * std::sqrt(stiffness_of_springs))
+      return false;
+    Vector force = problem.force;
+    coordinates.force_to_contact(force);
+    for (unsigned int i = 0; i < force.locally_owned_size(); ++i)
+      force.local_element(i) =
+        std::abs(force.local_element(i)) + std::abs(solution.residual.local_element(i));
+    const Eigen::VectorXd  all = rigid.sizes_of_products(force);
+    constexpr Eigen::Index n   = RigidModes<dim>::n_motions;
+    for (Eigen::Index first = 0; first < all.size(); first += n) // body by body
+      if (solution.acceleration.segment(first, n).norm() > balanced * all.segment(first, n).norm())
+        return true;
+    return false;
+  }
+
+
+  template <int dim>
+  std::string StaticEquilibrium<dim>::unheld_motion(const StaticSolution &solution) const
+  {
+    std::vector<std::string> names;
+    for (const auto &body : discretization.mesh().bodies())
+      names.push_back(body.name);
+    return motion_in_words(names, rigid, solution.acceleration);
   }
 
 

@@ -18,5 +18,6 @@ namespace signorini
     check(needs.projections, offered.projections, "projections in the norm of the mass");
     check(needs.impulses, offered.impulses, "impulses at single contact nodes");
     check(needs.massless_nodes, offered.massless_nodes, "contact nodes without mass");
+    check(needs.statics, offered.statics, "equilibria under loads");
   }
 } // namespace signorini

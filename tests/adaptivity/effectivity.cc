@@ -15,7 +15,7 @@
 #include <signorini/adaptivity/residual_estimate.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/meshed_scene.h>
-#include <signorini/system/static_equilibrium.h>
+#include <signorini/system/start_equilibrium.h>
 
 #include <gtest/gtest.h>
 
@@ -126,8 +126,8 @@ TEST(Effectivity, StaticContact)
     State       state;
     state.velocity     = discretization.make_vector();
     const Vector &load = on_mesh.loads.at(0.);
-    StaticEquilibrium<2>(discretization, on_mesh.surface, on_mesh.coordinates, scene.solver)
-      .find(state, &load);
+    start_in_equilibrium(
+      discretization, on_mesh.surface, on_mesh.coordinates, scene.solver, &load, state);
     const Vector &u = state.displacement;
     return Found{
       ResidualEstimate(discretization, on_mesh.surface, on_mesh.dirichlet)

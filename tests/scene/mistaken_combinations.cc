@@ -78,6 +78,24 @@ TEST(Combinations, OfKeysAndShapesOrSchemesThatDoNotLookAtThem)
     "");
 }
 
+TEST(Combinations, OfInertiaAndSchemesWithoutIt)
+{
+  const Override without = {"Time/Scheme", "static"},
+                 at_rest = {"Bodies/ball/Initial velocity", "0; 0; 0"};
+  expect({without},
+         {"Bodies/ball/Initial velocity = 0; 0; -2*z", "static", "no inertia", "Remove"});
+  expect({without, at_rest, {"Bodies/ball/Damping", "0, 1e-3"}},
+         {"Bodies/ball/Damping = 0, 1e-3", "Time/Scheme = static", "backward-euler"});
+  for (const std::string mass : {"lumped", "redistributed", "zero on contact boundary"})
+    expect({without, at_rest, {"Time/Mass", mass}},
+           {"Time/Mass = " + mass, "static, which moves no mass"});
+  for (const std::string control : {"doubling", "embedded", "force"})
+    expect({without, at_rest, {"Time/Step size control", control}},
+           {"Step size control = " + control, "load steps have none", "Remove"});
+  const TemporaryFile file(correct_scene());
+  EXPECT_EQ(refusal(file.name, {without, at_rest}), "");
+}
+
 TEST(Combinations, OfExtents)
 {
   for (const std::string value : {"1", "1, 2, 3", "1, -2", "1, x", "0, 1"})

@@ -55,22 +55,33 @@ namespace signorini
 
     void solve(const IncrementProblem &problem, IncrementSolution &solution) override
     {
-      const double K     = mass + problem.stiffness_factor * spring;
-      const double free  = problem.right_hand_side(0) / K;
+      const double K = mass + problem.stiffness_factor * spring;
+      find_increment(K, problem.right_hand_side(0) / K, problem.bounds[0], solution);
+    }
+
+  protected:
+    void find_increment(const double       K,
+                        const double       free,
+                        const double       bound,
+                        IncrementSolution &solution) const
+    {
       solution.increment = solution.contact_reaction = solution.dirichlet_reaction = make_vector();
-      solution.increment(0)        = std::min(free, problem.bounds[0]);
+      solution.increment(0)        = std::min(free, bound);
       solution.contact_reaction(0) = K * (solution.increment(0) - free);
       solution.normal_reaction     = {solution.contact_reaction(0)};
-      solution.effort.n_active     = free > problem.bounds[0];
+      solution.effort.n_active     = free > bound;
     }
   };
 
 
-  /** The same with what schemes with a predictor or with impulses need. */
-  class BouncingMass : public MassOnSpring, protected MassProjections, protected NodalImpulses
+  /** The same with what schemes with a predictor, with impulses or without inertia need. */
+  class BouncingMass : public MassOnSpring,
+                       protected MassProjections,
+                       protected NodalImpulses,
+                       protected StaticProblems
   {
   public:
-    Capabilities capabilities() override { return {this, this, nullptr, nullptr}; }
+    Capabilities capabilities() override { return {this, this, nullptr, nullptr, nullptr, this}; }
 
   protected:
     Vector normal_forces(const std::vector<double> &forces) const override
@@ -78,6 +89,20 @@ namespace signorini
       Vector result = make_vector();
       result(0)     = forces[0];
       return result;
+    }
+
+    /** Without a spring, a force takes the mass to the wall. */
+    void equilibrate(const LoadStep &step, IncrementSolution &solution) override
+    {
+      const double force = step.force(0);
+      find_increment(spring,
+                     spring > 0.  ? force / spring
+                     : force > 0. ? infinity
+                                  : 0.,
+                     step.bounds[0],
+                     solution);
+      if (spring == 0.)
+        solution.contact_reaction(0) = -force;
     }
 
     SolveReport project(const Vector    &free_increment,
@@ -112,6 +137,13 @@ namespace signorini
   inline std::vector<std::string> schemes_with_steps()
   {
     return schemes_where([](const SchemeInfo &info) { return info.own_tolerance.empty(); });
+  }
+
+  /** Those of them in which masses move. */
+  inline std::vector<std::string> schemes_of_motion()
+  {
+    return schemes_where(
+      [](const SchemeInfo &info) { return info.own_tolerance.empty() && info.inertia; });
   }
 
   /** The complete state of given displacement and velocity. */

@@ -22,7 +22,8 @@ namespace signorini
                      protected NodalImpulses,
                      private MasslessNodes,
                      private MovingDirichletConditions,
-                     private ViscousDamping
+                     private ViscousDamping,
+                     private StaticProblems
   {
   public:
     /**
@@ -84,7 +85,7 @@ namespace signorini
 
     Capabilities capabilities() override
     {
-      return {this, this, this, this, damping.size() > 0 ? this : nullptr};
+      return {this, this, this, this, damping.size() > 0 ? this : nullptr, this};
     }
 
     NormalGap normal_gap(const Vector &u) const override
@@ -123,25 +124,11 @@ namespace signorini
 
     void solve(const IncrementProblem &problem, IncrementSolution &solution) override
     {
-      Eigen::MatrixXd    K      = mass + problem.stiffness_factor * stiffness;
-      const unsigned int middle = mass.rows() / 2;
+      Eigen::MatrixXd K = mass + problem.stiffness_factor * stiffness;
       if (damping.size() > 0)
         K += problem.damping_factor * damping;
-      solution.increment = solution.contact_reaction = solution.dirichlet_reaction = make_vector();
-      const double moved =
-        motion ? motion(problem.start.time + problem.step_size) - problem.start.displacement(middle)
-               : 0.;
-      const auto b                   = view(problem.right_hand_side);
-      view(solution.increment)       = minimise(K, b, problem.bounds, motion ? &moved : nullptr);
-      const Eigen::VectorXd reaction = K * view(solution.increment) - b;
-      // Exactly zero where there is no contact, as in the real system.
-      if (-solution.increment(0) > problem.bounds[0] - 1e-13)
-        solution.contact_reaction(0) = reaction[0];
-      if (solution.increment(last()) > problem.bounds[1] - 1e-13)
-        solution.contact_reaction(last()) = reaction[last()];
-      solution.normal_reaction = relative_normal(solution.contact_reaction);
-      if (motion)
-        solution.dirichlet_reaction(middle) = reaction[middle];
+      find_increment(
+        K, problem.right_hand_side, problem.bounds, problem.start, problem.step_size, solution);
     }
 
   protected:
@@ -155,6 +142,35 @@ namespace signorini
 
   private:
     std::vector<unsigned int> massless_entries() const override { return massless; }
+
+    void equilibrate(const LoadStep &step, IncrementSolution &solution) override
+    {
+      find_increment(stiffness, step.force, step.bounds, step.start, step.step_size, solution);
+    }
+
+    void find_increment(const Eigen::MatrixXd &K,
+                        const Vector          &force,
+                        const NormalGap       &bounds,
+                        const State           &start,
+                        const double           step_size,
+                        IncrementSolution     &solution) const
+    {
+      const unsigned int middle = mass.rows() / 2;
+      solution.increment = solution.contact_reaction = solution.dirichlet_reaction = make_vector();
+      const double moved =
+        motion ? motion(start.time + step_size) - start.displacement(middle) : 0.;
+      const auto b                   = view(force);
+      view(solution.increment)       = minimise(K, b, bounds, motion ? &moved : nullptr);
+      const Eigen::VectorXd reaction = K * view(solution.increment) - b;
+      // Exactly zero where there is no contact, as in the real system.
+      if (-solution.increment(0) > bounds[0] - 1e-13)
+        solution.contact_reaction(0) = reaction[0];
+      if (solution.increment(last()) > bounds[1] - 1e-13)
+        solution.contact_reaction(last()) = reaction[last()];
+      solution.normal_reaction = relative_normal(solution.contact_reaction);
+      if (motion)
+        solution.dirichlet_reaction(middle) = reaction[middle];
+    }
 
     void apply_damping(Vector &destination, const Vector &velocity) const override
     {
@@ -239,7 +255,7 @@ namespace signorini
 
     /**
      * Least 1/2 x'Kx - b'x with -x_0 and x_last below their bounds, and perhaps the middle node
-     * moved.
+     * moved. A static bar that nothing holds is left where it is, on average, if b balances.
      */
     Eigen::VectorXd minimise(const Eigen::MatrixXd &K,
                              const Eigen::VectorXd &b,
@@ -263,8 +279,14 @@ namespace signorini
             prescribe(last(), bounds[1]);
           if (moved)
             prescribe(mass.rows() / 2, *moved);
-          const Eigen::VectorXd x     = matrix.partialPivLu().solve(right);
-          const double          value = 0.5 * x.dot(K * x) - b.dot(x);
+          const bool is_loose =
+            set == 0 && !moved && (K * Eigen::VectorXd::Ones(K.rows())).norm() < 1e-9 * K.norm();
+          if (is_loose && std::abs(b.sum()) > 1e-9)
+            continue;
+          const Eigen::VectorXd x =
+            is_loose ? Eigen::VectorXd(matrix.completeOrthogonalDecomposition().solve(right))
+                     : Eigen::VectorXd(matrix.partialPivLu().solve(right));
+          const double value = 0.5 * x.dot(K * x) - b.dot(x);
           if (-x[0] <= bounds[0] + 1e-14 && x[last()] <= bounds[1] + 1e-14 && value < least)
             {
               least = value;

@@ -95,7 +95,7 @@ namespace every_scheme_tests
 
   INSTANTIATE_TEST_SUITE_P(All,
                            EveryScheme,
-                           testing::ValuesIn(schemes_with_steps()),
+                           testing::ValuesIn(schemes_of_motion()),
                            [](const auto &info) {
                              std::string name = info.param;
                              std::replace(name.begin(), name.end(), '-', '_');

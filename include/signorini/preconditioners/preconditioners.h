@@ -32,6 +32,19 @@ namespace signorini
                       const ContactCoordinates<dim> &coordinates,
                       const MatrixSum               &sum);
 
+  /**
+   * The masked preconditioner for A in contact coordinates, of a static problem. `automatic` is
+   * multigrid that knows Dirichlet conditions and rotations: its number of iterations depends
+   * neither on the mesh nor on how slender the bodies are.
+   * @param mass_factors see Multilevel
+   */
+  template <int dim>
+  std::unique_ptr<MaskedPreconditioner>
+  make_static_preconditioner(PreconditionerKind             kind,
+                             const Discretization<dim>     &discretization,
+                             const ContactCoordinates<dim> &coordinates,
+                             const std::vector<double>     &mass_factors);
+
   /** Incomplete factor of the block-scalar mass. */
   template <int dim>
   std::unique_ptr<MaskedPreconditioner>

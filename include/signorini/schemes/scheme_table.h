@@ -94,11 +94,12 @@ namespace signorini
     bool        mean_velocity; ///< velocities of contact nodes are means over the step
     bool        changing_mesh; ///< the mesh may change between steps
     bool        moving_dirichlet; ///< prescribed displacements may change in time
+    bool        inertia;          ///< moves masses; else velocities, damping and waves mean nothing
     std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
                                ///< have equal sizes
     std::unique_ptr<TimeScheme> (*make)(const SchemeParameters &parameters);
 
-    bool variable_step() const { return own_tolerance.empty(); }
+    bool variable_step() const { return own_tolerance.empty() && inertia; }
     bool has_parameter(const std::string &key) const
     {
       return std::find(keys.begin(), keys.end(), key) != keys.end();

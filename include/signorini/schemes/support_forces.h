@@ -21,7 +21,8 @@ namespace signorini
    * - `generalized-alpha`, `nonsmooth-generalized-alpha`: the force in the balance of
    *   @f$(1 - \alpha_m) M a_{n+1} + \alpha_m M a_n@f$, plus the impulse of the jump over the
    *   step size;
-   * - `khenous-laborde-renard`, `reference`: the force at the end, that of @f$M a_{n+1}@f$.
+   * - `khenous-laborde-renard`, `reference`: the force at the end, that of @f$M a_{n+1}@f$;
+   * - `static`: the force at the end.
    *
    * @param factor   forces per reaction
    * @param reaction in the prescribed entries; nothing is booked in a system that has none

@@ -10,6 +10,7 @@
 #include <signorini/simulation/mesh_control.h>
 #include <signorini/simulation/observation.h>
 #include <signorini/step_size/time_stepping.h>
+#include <signorini/system/start_equilibrium.h>
 
 #include <deal.II/base/timer.h>
 
@@ -52,7 +53,7 @@ namespace signorini
 
     const SchemeParameters            scheme_parameters; ///< with what was automatic
     const std::unique_ptr<TimeScheme> scheme;
-    unsigned int n_equilibrium_steps = 0; ///< of the search for the equilibrium at the start
+    StartReport                       equilibrium; ///< of a run that starts in it
 
     Remarks start_remarks; ///< about the initial state
     Remarks expected;      ///< of what is to come

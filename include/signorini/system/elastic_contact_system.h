@@ -7,6 +7,7 @@
 #include <signorini/discretization/loads.h>
 #include <signorini/system/mass_problems.h>
 #include <signorini/system/massless_equilibrium.h>
+#include <signorini/system/static_equilibrium.h>
 #include <signorini/system/step_friction.h>
 #include <signorini/system/step_matrices.h>
 #include <signorini/variational_inequality/constrained_solver.h>
@@ -33,7 +34,8 @@ namespace signorini
                                private NodalImpulses,
                                private MasslessNodes,
                                private MovingDirichletConditions,
-                               private ViscousDamping
+                               private ViscousDamping,
+                               private StaticProblems
   {
   public:
     ElasticContactSystem(const Discretization<dim>     &discretization,
@@ -64,7 +66,8 @@ namespace signorini
               this,
               has_massless_nodes ? this : nullptr,
               has_dirichlet ? this : nullptr,
-              is_damped ? this : nullptr};
+              is_damped ? this : nullptr,
+              this};
     }
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
@@ -89,6 +92,7 @@ namespace signorini
     double                                    energy_scale = 0.;
     StepMatrices<dim>                         step_matrices;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
+    std::unique_ptr<StaticEquilibrium<dim>>   static_equilibrium;
     MassProblems<dim>                         mass_problems;
     const StepFriction<dim>                   friction;
     std::unique_ptr<ConstrainedSolver>        solver;
@@ -118,6 +122,8 @@ namespace signorini
     SolveReport
     equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
+    void equilibrate(const LoadStep &step, IncrementSolution &solution) override;
+
     void   stop_at_dirichlet(Vector &velocity) const override;
     Vector dirichlet_part(const Vector &forces) const override;
     void   apply_damping(Vector &destination, const Vector &velocity) const override;
@@ -131,11 +137,23 @@ namespace signorini
                           const Vector           &right_hand_side,
                           Vector                 &increment);
 
+    /** Contact is where it was. */
+    void guess_status(const State &start);
+
     /** A node that the first guess drives into the obstacle is expected to touch. */
     void expect_contact(const Vector &increment, const NormalGap &bounds);
 
     /** What is left to go to the prescribed displacements, per prescribed entry. */
-    std::vector<double> prescribed_increments(const IncrementProblem &problem) const;
+    std::vector<double> prescribed_increments(const State &start, double step_size) const;
+
+    /**
+     * The reactions of a problem whose statuses are `active`, and the increment, in Cartesian
+     * components. @param solution with the increment in contact coordinates
+     */
+    void extract(const Friction    &friction_of_nodes,
+                 const Vector      &residual,
+                 bool               pressed_from_elsewhere,
+                 IncrementSolution &solution) const;
 
     /**
      * Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times

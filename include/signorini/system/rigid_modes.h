@@ -6,6 +6,10 @@
 
 #include <signorini/contact/contact_coordinates.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <Eigen/Core>
+
 namespace signorini
 {
   /** A displacement or velocity u of all nodes, and its product with the mass. */
@@ -28,17 +32,41 @@ namespace signorini
     RigidModes(const Discretization<dim>     &discretization,
                const ContactCoordinates<dim> &coordinates);
 
+    /** Number of motions: those of the first body, then those of the next. */
+    unsigned int size() const { return modes.size(); }
+
+    /** The momenta M u of all motions as generalised forces in contact coordinates, T'M u. */
+    std::vector<Vector> momenta_in_contact() const;
+
+    /** Add motions with amplitudes to a displacement in contact coordinates. */
+    void add_in_contact(const Eigen::VectorXd &amplitudes, Vector &displacement) const;
+
+    /** Sum of the absolute values of the products of each motion with forces >= 0. Collective. */
+    Eigen::VectorXd sizes_of_products(const Vector &forces) const;
+
+    /** The angular velocity of a motion as a vector; in 2d about the third axis. */
+    const dealii::Tensor<1, 3> &rotation(const unsigned int which) const
+    {
+      return rotations[which];
+    }
+
     /**
-     * An orthonormal basis of the motions that leave some entries at rest: of the rigid motions
-     * that nothing holds. Collective.
+     * An orthonormal basis of the motions that leave some entries at rest, by amplitudes, a column
+     * each: of the rigid motions that nothing holds. Collective.
      * @param entries of contact coordinates, on this process
      */
+    Eigen::MatrixXd free_amplitudes(const std::vector<unsigned int> &entries) const;
+
+    /** The same as motions. */
     std::vector<Motion> free_of(const std::vector<unsigned int> &entries) const;
 
   private:
-    const Discretization<dim> &discretization;
-    std::vector<Motion>        modes;
-    std::vector<Vector>        local; ///< their displacements in contact coordinates
+    const Discretization<dim>        &discretization;
+    const ContactCoordinates<dim>    &coordinates;
+    std::vector<Motion>               modes;
+    std::vector<Vector>               local; ///< their displacements in contact coordinates
+    std::vector<double>               sizes; ///< their largest displacements
+    std::vector<dealii::Tensor<1, 3>> rotations;
   };
 } // namespace signorini
 

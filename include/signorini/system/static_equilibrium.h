@@ -4,60 +4,109 @@
 #ifndef signorini_system_static_equilibrium_h
 #define signorini_system_static_equilibrium_h
 
-#include <signorini/discretization/loads.h>
 #include <signorini/model/run_parameters.h>
-#include <signorini/system/rigid_modes.h>
-#include <signorini/system/step_friction.h>
-#include <signorini/time/state.h>
+#include <signorini/preconditioners/preconditioners.h>
+#include <signorini/system/rigid_springs.h>
+#include <signorini/variational_inequality/constrained_solver.h>
 
 namespace signorini
 {
+  /** What an increment d of the displacement has to bring into equilibrium, and how it is bound. */
+  struct StaticProblem
+  {
+    const Vector              &force;      ///< b: loads without A u; Cartesian
+    const NormalGap           &bounds;     ///< of the normal increments
+    const std::vector<double> &prescribed; ///< increments of the prescribed entries
+    const Friction            &friction;   ///< with forces as multipliers; empty: none
+    double energy = 0.; ///< of the deformations so far, a scale for errors; zero: unknown
+    /**
+     * Loose bodies follow their loads to contact as far as springs let them that would vibrate with
+     * a tenth of the lowest frequency of a compact body; else from any distance.
+     */
+    bool near_contact_only = false;
+  };
+
+  /** In contact coordinates. */
+  struct StaticSolution
+  {
+    Vector          increment;    ///< d
+    Vector          residual;     ///< b - M a - A d: the forces that hold constraints, negative
+    ActiveSet       status;       ///< of the contact nodes
+    Eigen::VectorXd acceleration; ///< a: amplitudes of the rigid motions, see RigidModes
+    bool            is_held;      ///< a is zero but for round-off
+    unsigned int    n_steps = 0;  ///< of the proximal point iteration
+    SolveReport     effort;
+  };
+
   /**
-   * The equilibrium of a scene under its loads and contact at time 0,
+   * Static equilibria of all bodies under loads and contact,
    *
-   *   A u + M a = f + r,   u.nu <= g, r and friction as ever,
+   *   A d + M a = b + r,   d.nu <= bounds, r and friction as ever,
    *
-   * where a is the acceleration of the rigid motions that nothing holds (prescribed nodes,
-   * closed nodes, sticking nodes), and u has no part in them. A block that slides on a plane thus
-   * starts with the shear that decelerates it, and a body in free fall without deformation. The
-   * slip of friction is the relative tangential displacement from the undeformed bodies or, where
-   * the initial velocity has one, along its tangential part.
+   * where a is the acceleration of the rigid motions that nothing holds (neither prescribed nodes
+   * nor closed nor sticking ones), and d has no part in them. If loads do not drive these motions,
+   * a is zero, and d the least of 1/2 d'A d - b'd.
    *
-   * Found by proximal steps: u_new is the equilibrium with the additional term sigma M (u_new - u),
-   * which makes the problem definite, and a takes what drives the free motions. With sigma small
-   * compared with the lowest eigenvalue of the bodies a few steps do.
+   * The matrix is A itself, and there is one inequality to solve if Dirichlet conditions hold the
+   * bodies. Where they do not, A is singular, and contact may hold what is left. This is a proximal
+   * point iteration in the three (2d) or six (3d) amplitudes of each such body: springs anchor its
+   * rigid motions where they were,
+   *
+   *   A d + M Z S Z'M (d - d_last) = b - M a + r,
+   *
+   * far weaker than contact (so that two or three solutions do), but for the motions that
+   * nothing holds: what their springs bear is their inertia. Each solution starts from the last
+   * one, so that all of them cost little more than one.
    */
   template <int dim>
   class StaticEquilibrium
   {
   public:
+    /** Builds the preconditioner. Collective. @param with_friction any node has friction */
     StaticEquilibrium(const Discretization<dim>     &discretization,
-                      const ContactSurface<dim>     &surface,
                       const ContactCoordinates<dim> &coordinates,
-                      const SolverParameters        &parameters);
+                      const SolverParameters        &parameters,
+                      bool                           with_friction);
 
     /**
-     * Put displacement, contact force and friction of the state to the equilibrium; the velocity is
-     * only read. Collective.
-     * @return number of proximal steps
-     * @throws RunError if no equilibrium is found
+     * Collective. @param status a guess
+     * @throws StepError if no equilibrium is found
      */
-    unsigned int find(State &state, const Vector *load);
+    StaticSolution solve(const StaticProblem &problem, ActiveSet status);
+
+    /**
+     * The same near contact and, if nothing holds what is loaded there, farther away. Collective.
+     */
+    StaticSolution find_held(StaticProblem problem, const ActiveSet &status);
+
+    /** What is not held in a solution: bodies and their motions, in words. */
+    std::string unheld_motion(const StaticSolution &solution) const;
 
   private:
-    const Discretization<dim>     &discretization;
-    const ContactSurface<dim>     &surface;
-    const ContactCoordinates<dim> &coordinates;
-    const SolverParameters         parameters;
-    const StepFriction<dim>        friction;
+    const Discretization<dim>            &discretization;
+    const ContactCoordinates<dim>        &coordinates;
+    const SolverParameters                parameters;
+    const RigidModes<dim>                 rigid;
+    const Eigen::MatrixXd                 loose; ///< motions that no Dirichlet condition holds
+    const double                          stiffness_of_springs;
+    const StepOperator<dim>               stiffness;
+    RigidSprings<dim>                     matrix;
+    std::unique_ptr<MaskedPreconditioner> preconditioner;
+    std::unique_ptr<ConstrainedSolver>    solver;
 
-    /** The law of each contact node; its past slip points along the initial velocity. */
-    Friction friction_of_nodes(const NormalGap &gap, const Vector &velocity) const;
-    void     set_forces(State           &state,
-                        const Friction  &laws,
-                        const ActiveSet &status,
-                        const Vector    &increment,
-                        const Vector    &residual) const;
+    /** Of the springs: weak where contact holds. @param free motions that nothing holds */
+    Eigen::MatrixXd springs(const Eigen::MatrixXd &free) const;
+    /** Go on from a solution. @param S springs, @param anchor amplitudes where they are at rest */
+    void solve_anchored(const StaticProblem   &problem,
+                        const Eigen::MatrixXd &S,
+                        const Eigen::VectorXd &anchor,
+                        double                 tolerance,
+                        StaticSolution        &solution);
+    /** Norm of the solution, about, in that of K; or that of the deformations so far. */
+    double response_to(const StaticProblem &problem);
+    /** Whether accelerations are more than round-off and the error of the solution. */
+    bool
+    is_driven(const StaticProblem &problem, const StaticSolution &solution, double error) const;
   };
 } // namespace signorini
 

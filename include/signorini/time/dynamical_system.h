@@ -166,6 +166,32 @@ namespace signorini
   };
 
 
+  /** A step from equilibrium to equilibrium, without inertia. */
+  struct LoadStep
+  {
+    const Vector    &force; ///< b: the loads of the end without A u of the start
+    const NormalGap &bounds;
+    const State     &start; ///< of the step: where prescribed increments begin, and a first guess
+    double           step_size;
+  };
+
+  /** Static problems, in which A alone resists. */
+  class StaticProblems
+  {
+  public:
+    virtual ~StaticProblems() = default;
+
+    /**
+     * Minimise @f$\tfrac12 d^T A d - b^T d@f$ under the conditions of an IncrementProblem; with
+     * friction its law with the increments of the step. Motions that neither conditions nor contact
+     * hold and no load drives are left out of d.
+     * @param solution forces are forces, whatever the size of the step
+     * @throws RunError naming the bodies and their motions, if loads drive what nothing holds
+     */
+    virtual void equilibrate(const LoadStep &step, IncrementSolution &solution) = 0;
+  };
+
+
   /** What a system can do beyond DynamicalSystem; null: it cannot, or has nothing of the kind. */
   struct Capabilities
   {
@@ -174,6 +200,7 @@ namespace signorini
     MasslessNodes                   *massless_nodes   = nullptr;
     const MovingDirichletConditions *moving_dirichlet = nullptr;
     const ViscousDamping            *damping          = nullptr;
+    StaticProblems                  *statics          = nullptr;
   };
 
 

@@ -55,7 +55,7 @@ namespace signorini
   /** Which capabilities of a system a scheme cannot do without. */
   struct Needs
   {
-    bool projections = false, impulses = false, massless_nodes = false;
+    bool projections = false, impulses = false, massless_nodes = false, statics = false;
   };
 
   /**

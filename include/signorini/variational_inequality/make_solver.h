@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_variational_inequality_make_solver_h
+#define signorini_variational_inequality_make_solver_h
+
+#include <signorini/variational_inequality/constrained_solver.h>
+
+#include <memory>
+
+namespace signorini
+{
+  /** The solver of the inequalities of steps. Without friction, none of its cost. */
+  std::unique_ptr<ConstrainedSolver> make_solver(bool with_friction, const ActiveSetLimits &limits);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// What a simulation says about itself before its first step.
+
+#include <signorini/simulation/element_warnings.h>
+#include <signorini/simulation/simulation.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  std::string Simulation<dim>::description() const
+  {
+    std::ostringstream text;
+    text << "  scheme            " << scene.time.scheme << ", ";
+    if (scene.step_sizes.is_variable())
+      text << "steps by " << name_of(scene.step_sizes.control) << ", the first of ";
+    else
+      text << scene.time.n_steps() << " steps of ";
+    text << scene.time.step_size << "\n";
+    if (!scene.time.parameters.spectral_radius
+        && scheme_parameters.spectral_radius.value_or(1.) < 1.)
+      text << "  spectral radius   " << *scheme_parameters.spectral_radius
+           << ", because the smallest cells are much faster than a step\n";
+    if (scene.time.start == StartKind::equilibrium)
+      text << "  start             equilibrium, found with " << equilibrium.n_products
+           << " products with A\n";
+    if (!equilibrium.unheld.empty())
+      text << "  not held          " << equilibrium.unheld
+           << ": begins to move, as neither Dirichlet conditions nor contact hold it against "
+              "its loads\n";
+    if (!meshed->mass_note.empty())
+      text << "  mass              " << meshed->mass_note << "\n";
+    text << "  bodies            " << scene.bodies.size() << ", "
+         << mesh.triangulation().n_global_active_cells() << " cells, "
+         << meshed->discretization.dof_handler().n_dofs() << " degrees of freedom"
+         << "\n  contact nodes     " << meshed->surface.n_global_nodes();
+    const double courant_number = mesh.courant_number(scene.time.step_size);
+    if (scheme_info(scene.time.scheme).inertia)
+      text << "\n  Courant number    " << courant_number;
+    text << "\n  processes         " << Utilities::MPI::n_mpi_processes(mesh.communicator())
+         << "\n";
+    if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
+      text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
+           << " nodes of the contact surface have a prescribed normal displacement, and take no "
+              "part in contact\n";
+    if (perturbation_of_velocities() != 0.)
+      text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
+           << perturbation_of_velocities() << " of themselves\n";
+    for (const std::string &note : meshed->surface.notes())
+      text << "  note: " << note << "\n";
+    for (const Remarks *remarks : {&start_remarks, &expected})
+      for (const std::string &note : remarks->notes)
+        text << "  note: " << note << "\n";
+    return text.str();
+  }
+
+
+  template <int dim>
+  std::vector<std::string> Simulation<dim>::warnings() const
+  {
+    std::vector<std::string> result = start_remarks.warnings;
+    result.insert(result.end(), expected.warnings.begin(), expected.warnings.end());
+    for (const std::string &warning : element_warnings(mesh))
+      result.push_back(warning);
+    if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
+      result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
+                       "its obstacle, or all of them are prescribed.");
+    if (mesh_control.any() && scene.mapping != CellGeometry::curved
+        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
+             return body.is_round();
+           }))
+      result.push_back("On a mesh that changes, a round body keeps the facets of its initial "
+                       "`Refinements`, however fine the mesh becomes. Set `Mapping = curved`, or "
+                       "leave the choice to `Mapping = automatic`.");
+    return result;
+  }
+
+
+  template std::string              Simulation<2>::description() const;
+  template std::string              Simulation<3>::description() const;
+  template std::vector<std::string> Simulation<2>::warnings() const;
+  template std::vector<std::string> Simulation<3>::warnings() const;
+} // namespace signorini

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/system/start_equilibrium.h>
+#include <signorini/system/step_friction.h>
+
+namespace signorini
+{
+  namespace
+  {
+    /** The law of each contact node; its past slip points along the initial velocity. */
+    template <int dim>
+    Friction friction_of_nodes(const StepFriction<dim>       &friction,
+                               const ContactCoordinates<dim> &coordinates,
+                               const NormalGap               &gap,
+                               const Vector                  &velocity,
+                               const double                   body_size)
+    {
+      if (!friction.any())
+        return {};
+      Friction laws     = friction.of_step(1., gap, touching_distance(body_size), nullptr);
+      Vector   relative = velocity;
+      coordinates.displacement_to_contact(relative);
+      const double speed = relative.linfty_norm();
+      for (FrictionNode &node : laws)
+        {
+          for (unsigned int j = 0; j < node.entries.size(); ++j)
+            node.past[j] = relative.local_element(node.entries[j]);
+          // So far that the displacements of the equilibrium do not turn it.
+          node.past *= node.past.norm() > 1e-10 * speed ? 1e8 * body_size / speed : 0.;
+        }
+      return laws;
+    }
+
+
+    template <int dim>
+    void set_forces(const StepFriction<dim>       &friction,
+                    const ContactCoordinates<dim> &coordinates,
+                    const Friction                &laws,
+                    const StaticSolution          &equilibrium,
+                    State                         &state)
+    {
+      const ActiveSet &status = equilibrium.status;
+      state.contact_force     = coordinates.normal_reaction(status, equilibrium.residual);
+      coordinates.force_to_cartesian(state.contact_force);
+      if (!friction.any())
+        return;
+      IncrementSolution solution;
+      friction.extract(laws, status, equilibrium.increment, equilibrium.residual, false, solution);
+      coordinates.force_to_cartesian(solution.friction_reaction);
+      state.contact_force += solution.friction_reaction;
+      state.friction.force = solution.friction_reaction;
+      state.friction.slip = state.friction.accumulated_slip = state.displacement;
+      state.friction.slip = state.friction.accumulated_slip = 0.; // slip counts from here
+      state.friction.slip_path.assign(status.size(), 0.);
+      state.friction.status = solution.status;
+    }
+  } // namespace
+
+
+  template <int dim>
+  StartReport start_in_equilibrium(const Discretization<dim>     &discretization,
+                                   const ContactSurface<dim>     &surface,
+                                   const ContactCoordinates<dim> &coordinates,
+                                   const SolverParameters        &parameters,
+                                   const Vector                  *load,
+                                   State                         &state)
+  {
+    const ProductCount        before = discretization.matrices().products();
+    const StepFriction<dim>   friction(coordinates, discretization.communicator());
+    const Vector              nothing    = discretization.make_vector();
+    const NormalGap           gap        = surface.normal_gap(nothing);
+    const std::vector<double> prescribed = coordinates.dirichlet_values(0.);
+    const Friction            laws       = friction_of_nodes(
+      friction, coordinates, gap, state.velocity, discretization.mesh().body_size());
+
+    StaticProblem problem{load != nullptr ? *load : nothing, gap, prescribed, laws};
+    problem.near_contact_only = true;
+    StaticEquilibrium<dim> equilibrium(discretization, coordinates, parameters, friction.any());
+    StaticSolution         solution;
+    try
+      {
+        solution = equilibrium.solve(problem, ActiveSet(gap.size(), contact_status::open));
+      }
+    catch (const StepError &error)
+      {
+        throw RunError("Time/Start = equilibrium: " + std::string(error.what())
+                       + " Set `Start = given` to begin with undeformed bodies.");
+      }
+    state.displacement = solution.increment;
+    coordinates.displacement_to_cartesian(state.displacement);
+    set_forces(friction, coordinates, laws, solution, state);
+    const unsigned int n_products =
+      discretization.matrices().products().stiffness - before.stiffness;
+    return {n_products, solution.is_held ? "" : equilibrium.unheld_motion(solution)};
+  }
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template StartReport start_in_equilibrium(const Discretization<dim> &,                           \
+                                            const ContactSurface<dim> &,                           \
+                                            const ContactCoordinates<dim> &,                       \
+                                            const SolverParameters &,                              \
+                                            const Vector *,                                        \
+                                            State &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace signorini
