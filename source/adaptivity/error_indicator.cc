@@ -18,8 +18,7 @@ namespace signorini
                        const DirichletConditions<dim> &dirichlet)
   {
     if (parameters.indicator == IndicatorKind::residual)
-      return std::make_unique<ResidualIndicator<dim>>(
-        discretization, surface, dirichlet, time.balance);
+      return std::make_unique<ResidualIndicator<dim>>(discretization, surface, dirichlet, time);
     if (parameters.indicator == IndicatorKind::kelly)
       return std::make_unique<KellyIndicator<dim>>(discretization);
     if (parameters.indicator == IndicatorKind::distance)

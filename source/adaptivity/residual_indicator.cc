@@ -11,10 +11,10 @@ namespace signorini
   ResidualIndicator<dim>::ResidualIndicator(const Discretization<dim>      &discretization,
                                             const ContactSurface<dim>      &surface,
                                             const DirichletConditions<dim> &dirichlet,
-                                            const StepBalance               balance)
+                                            const TimeIntegration          &time)
     : discretization(discretization)
     , surface(surface)
-    , balance(balance)
+    , time(time)
     , estimate(discretization, surface, dirichlet)
     , body_force(discretization)
   {
@@ -26,8 +26,9 @@ namespace signorini
   {
     if (step.step_size == 0.)
       return dealii::Vector<double>(discretization.mesh().triangulation().n_active_cells());
-    dealii::Vector<double> result = estimate.squares(
-      balance_of_step(surface, step, balance, body_force), ResidualWeights{step.step_size});
+    dealii::Vector<double> result =
+      estimate.squares(balance_of_step(discretization, surface, step, time, body_force),
+                       ResidualWeights{step.step_size});
     for (double &value : result)
       value = std::sqrt(value);
     remove_round_off(step.end, result);

@@ -30,12 +30,15 @@ namespace signorini
                const Vector              &velocity,
                const MPI_Comm             communicator)
         : nodes(surface.nodes())
-        , distances(surface.distance(displacement))
+        , distances(surface.normal_gap(displacement)) // infinite past the end of an obstacle
         , speeds(surface.relative_normal(velocity))
         , communicator(communicator)
       {
         for (std::size_t k = 0; k < nodes.size(); ++k)
-          speeds[k] *= nodes[k].distance_per_gap();
+          {
+            distances[k] *= nodes[k].distance_per_gap();
+            speeds[k] *= nodes[k].distance_per_gap();
+          }
       }
 
       FirstTouch first_touch(const unsigned int pair) const
@@ -67,6 +70,8 @@ namespace signorini
         place       = Utilities::MPI::broadcast(communicator, place, times.min_index);
         touch.time  = times.min;
         touch.speed = place[0];
+        for (unsigned int c = 0; c < dim; ++c)
+          touch.normal[c] = place[3 + dim + c];
         fit(pair, place, touch);
         return touch;
       }
@@ -92,7 +97,7 @@ namespace signorini
         const double    spacing = place[2] / patch;
         for (std::size_t k = 0; k < nodes.size(); ++k)
           {
-            if (nodes[k].pair != pair)
+            if (nodes[k].pair != pair || !std::isfinite(distances[k]))
               continue;
             const double rise = distances[k] - place[1];
             if (std::abs(rise) < 1e-6 * spacing)

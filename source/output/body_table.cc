@@ -41,7 +41,7 @@ namespace signorini
 
 
   template <int dim>
-  void BodyTable<dim>::write(const State &state, const StepReport & /*report*/)
+  void BodyTable<dim>::write(const State &state, const StepReport & /*report*/, const bool is_due)
   {
     std::vector<double> values = {static_cast<double>(state.step), state.time};
     for (const BodyReading &body : motion->read(state))
@@ -52,7 +52,14 @@ namespace signorini
              {body.momentum, body.angular_momentum, body.centroid, body.velocity})
           add_values(vector, values);
       }
-    table.write_row(values);
+    table.write_row(values, is_due);
+  }
+
+
+  template <int dim>
+  void BodyTable<dim>::finish()
+  {
+    table.finish();
   }
 
 

@@ -29,8 +29,14 @@ namespace signorini
   }
 
 
-  void CsvTable::write_row(const std::vector<double> &values)
+  void CsvTable::write_row(const std::vector<double> &values, const bool is_due)
   {
+    last.clear();
+    if (!is_due)
+      {
+        last = values;
+        return;
+      }
     succeed_together(communicator, [&] {
       if (!first_process)
         return;
@@ -46,6 +52,13 @@ namespace signorini
         }
       write_line(line);
     });
+  }
+
+
+  void CsvTable::finish()
+  {
+    if (!last.empty())
+      write_row(std::vector<double>(last));
   }
 
 

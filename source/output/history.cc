@@ -164,17 +164,12 @@ namespace signorini
 
 
   template <int dim>
-  void History<dim>::write(const HistoryRow &row)
+  void History<dim>::write(const HistoryRow &row, const bool is_due)
   {
     since_last_row.add(row);
-    write_skipped(row);
-  }
-
-
-  template <int dim>
-  void History<dim>::write_skipped(const HistoryRow &row)
-  {
-    std::vector<double> values = values_of(row, std::exchange(since_last_row, StepSums()));
+    std::vector<double> values = values_of(row, since_last_row);
+    if (is_due)
+      since_last_row = StepSums();
     if (with_errors)
       for (const double error : {row.errors.displacement,
                                  row.errors.velocity,
@@ -183,14 +178,15 @@ namespace signorini
                                  row.errors.relative_displacement,
                                  row.errors.relative_velocity})
         values.push_back(error);
-    history->write_row(values);
+    history->write_row(values, is_due);
   }
 
 
   template <int dim>
   void History<dim>::write_probe(const unsigned int  probe,
                                  const double        time,
-                                 const ProbeReading &reading)
+                                 const ProbeReading &reading,
+                                 const bool          is_due)
   {
     std::vector<double> values = {time,
                                   reading.gap,
@@ -206,7 +202,16 @@ namespace signorini
         values.push_back(reading.slip_path);
         values.push_back(reading.status);
       }
-    probe_tables[probe]->write_row(values);
+    probe_tables[probe]->write_row(values, is_due);
+  }
+
+
+  template <int dim>
+  void History<dim>::finish()
+  {
+    history->finish();
+    for (const auto &table : probe_tables)
+      table->finish();
   }
 
 

@@ -44,7 +44,7 @@ namespace signorini
 
 
   template <int dim>
-  void PairTable<dim>::write(const State &state, const StepReport & /*report*/)
+  void PairTable<dim>::write(const State &state, const StepReport & /*report*/, const bool is_due)
   {
     std::vector<double> values = {static_cast<double>(state.step), state.time};
     for (const PairContact &pair : reader->read(state))
@@ -58,7 +58,14 @@ namespace signorini
                        pair.smallest_gap,
                        pair.max_penetration});
       }
-    table.write_row(values);
+    table.write_row(values, is_due);
+  }
+
+
+  template <int dim>
+  void PairTable<dim>::finish()
+  {
+    table.finish();
   }
 
 

@@ -34,7 +34,8 @@ namespace signorini
 
 
   template <int dim>
-  void PointProbeTable<dim>::write(const State &state, const StepReport & /*report*/)
+  void
+  PointProbeTable<dim>::write(const State &state, const StepReport & /*report*/, const bool is_due)
   {
     const Vector displacement = discretization->interpolate_hanging_nodes(state.displacement),
                  velocity     = discretization->interpolate_hanging_nodes(state.velocity);
@@ -46,8 +47,16 @@ namespace signorini
           add_values(vector, values);
         values.insert(values.end(), reading.stress.begin(), reading.stress.end());
         values.push_back(reading.von_mises);
-        tables[p]->write_row(values);
+        tables[p]->write_row(values, is_due);
       }
+  }
+
+
+  template <int dim>
+  void PointProbeTable<dim>::finish()
+  {
+    for (const auto &table : tables)
+      table->finish();
   }
 
 

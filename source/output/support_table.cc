@@ -34,18 +34,17 @@ namespace signorini
   template <int dim>
   void SupportTable<dim>::use_mesh(const ObservedMesh<dim> &mesh, const State &state)
   {
-    supports = std::make_unique<Supports<dim>>(mesh.dirichlet, mesh.surface);
-    go_on_to(state);
-    handed_on_before = handed_on;
+    supports         = std::make_unique<Supports<dim>>(mesh.dirichlet, mesh.surface);
+    handed_on_before = supports->handed_on(state.contact_force);
   }
 
 
   template <int dim>
-  void SupportTable<dim>::write(const State &state, const StepReport &report)
+  void SupportTable<dim>::write(const State &state, const StepReport &report, const bool is_due)
   {
-    if (state.step != latest_step)
-      go_on_to(state);
-    Forces forces(handed_on.size());
+    // The nodal forces hold against what contact hands on, too.
+    const Forces handed_on = supports->handed_on(state.contact_force);
+    Forces       forces(handed_on.size());
     if (report.support_force.size() > 0)
       forces = supports->sums(report.support_force);
     std::vector<double> values = {static_cast<double>(state.step), state.time};
@@ -55,23 +54,15 @@ namespace signorini
           const double start = mean_contact_force ? handed_on_before[i][c] : handed_on[i][c];
           values.push_back(forces[i][c] - 0.5 * (start + handed_on[i][c]));
         }
-    table.write_row(values);
+    table.write_row(values, is_due);
+    handed_on_before = handed_on;
   }
 
 
   template <int dim>
-  void SupportTable<dim>::skip(const State &state)
+  void SupportTable<dim>::finish()
   {
-    if (mean_contact_force)
-      go_on_to(state);
-  }
-
-
-  template <int dim>
-  void SupportTable<dim>::go_on_to(const State &state)
-  {
-    handed_on_before = std::exchange(handed_on, supports->handed_on(state.contact_force));
-    latest_step      = state.step;
+    table.finish();
   }
 
 

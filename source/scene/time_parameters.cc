@@ -63,7 +63,8 @@ namespace signorini
       "End the run, with exit status 1 and its last state written, at the step with "
       "which the result begins to be doubtful: a body that turns by more than 3 "
       "degrees, is strained by more than 5 %, is deeper in an obstacle than 1 % of "
-      "its size, or slides along another by more than a face.");
+      "its size, slides along another by more than a face, overlaps what is not its partner, or "
+      "has contact nodes whose velocities alternate from step to step.");
     declare_step_sizes(prm);
   }
 

@@ -69,10 +69,10 @@ namespace signorini
                                      const EnergyLaw    energy,
                                      const std::string &summary)
     {
-      SchemeInfo info       = common(name, energy, summary);
-      info.damping          = true;
-      info.damps_unresolved = energy == EnergyLaw::dissipates;
-      info.keys             = {"Spectral radius"};
+      SchemeInfo info = common(name, energy, summary);
+      info.damping = info.trapezoidal_rule = true;
+      info.damps_unresolved                = energy == EnergyLaw::dissipates;
+      info.keys                            = {"Spectral radius"};
       return info;
     }
 

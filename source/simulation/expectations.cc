@@ -15,25 +15,31 @@ namespace signorini
   {
     constexpr double infinite = std::numeric_limits<double>::infinity();
 
-    /** All bodies as sides of an impact; those with a Dirichlet condition do not give way. */
+    /** Whether any boundary of a body has a prescribed displacement along the normal of a touch. */
     template <int dim>
-    std::vector<Collider> colliders(const MeshedScene<dim> &meshed)
+    bool is_held(const BodyDescription<dim> &body, const std::array<double, 3> &normal)
     {
-      const Discretization<dim> &discretization = meshed.discretization;
-      const std::vector<double>  masses = BodyMotion<dim>(discretization).masses_of_bodies();
-      std::vector<Collider>      result;
-      for (std::size_t body = 0; body < masses.size(); ++body)
-        {
-          const Material &material = discretization.mesh().bodies()[body].material;
-          const double    nu       = material.poissons_ratio;
-          const bool      is_held  = !discretization.mesh().bodies()[body].dirichlet.empty();
-          result.push_back({is_held ? infinite : masses[body],
-                            masses[body] / material.density,
-                            material.youngs_modulus / (1. - nu * nu),
-                            material.pressure_wave_speed(),
-                            material.density});
-        }
-      return result;
+      constexpr double oblique = 0.3; // components below this part hold little
+      for (const auto &condition : body.dirichlet)
+        for (unsigned int c = 0; c < dim; ++c)
+          if (!condition.expressions[c].empty() && std::abs(normal[c]) > oblique)
+            return true;
+      return false;
+    }
+
+
+    /** A body as a side of an impact; one that is held does not give way. */
+    template <int dim>
+    Collider collider(const BodyDescription<dim>  &body,
+                      const double                 mass,
+                      const std::array<double, 3> &normal)
+    {
+      const double nu = body.material.poissons_ratio;
+      return {is_held(body, normal) ? infinite : mass,
+              mass / body.material.density,
+              body.material.youngs_modulus / (1. - nu * nu),
+              body.material.pressure_wave_speed(),
+              body.material.density};
     }
 
 
@@ -41,8 +47,8 @@ namespace signorini
     std::vector<std::string> doubts(const std::string    &pair,
                                     const ExpectedImpact &impact,
                                     const double          n_steps,
-                                    const unsigned int    dimension,
-                                    const bool            is_round)
+                                    const bool            is_round,
+                                    const unsigned int    enough_nodes)
     {
       std::vector<std::string> result;
       const auto               say = [&](const auto &...parts) {
@@ -52,10 +58,11 @@ namespace signorini
         (text << ... << parts);
         result.push_back(text.str());
       };
-      if (is_round && impact.n_nodes < few_nodes(dimension))
+      if (is_round && impact.n_nodes < enough_nodes)
         say("be carried by ",
-            std::max(1., std::round(impact.n_nodes)),
-            " or two nodes. Force and duration of such a contact may be wrong by 30 %: refine the "
+            impact.n_nodes < 1.5 ? "a single node"
+                                 : std::to_string(std::lround(impact.n_nodes)) + " nodes",
+            ". Force and duration of such a contact may be wrong by 30 %: refine the "
             "mesh where the bodies touch (`Local refinements`, section Adaptivity).");
       // A plane wave is the shortest contact that there is: what bulges sideways comes back later.
       if (n_steps < (is_round ? few_steps : few_steps / 2))
@@ -73,19 +80,25 @@ namespace signorini
   template <int dim>
   Remarks expectations(const Scene<dim> &scene, const MeshedScene<dim> &meshed, const State &state)
   {
-    Remarks                     remarks;
-    const std::vector<Collider> bodies = colliders(meshed);
-    const Collider              rigid{infinite, infinite, infinite, infinite, infinite};
-    const auto                  touches = first_touches(
+    Remarks                   remarks;
+    const auto               &bodies = meshed.discretization.mesh().bodies();
+    const std::vector<double> masses = BodyMotion<dim>(meshed.discretization).masses_of_bodies();
+    const Collider            rigid{infinite, infinite, infinite, infinite, infinite};
+    // A mesh that changes refines what touches before it does.
+    const unsigned int enough_nodes = scene.adaptivity.any() ? 0 : few_nodes(dim);
+    const auto         touches      = first_touches(
       meshed.surface, state.displacement, state.velocity, meshed.discretization.communicator());
     for (std::size_t p = 0; p < touches.size(); ++p)
       {
         const FirstTouch &touch = touches[p];
         if (!touch.is_smooth || state.time + touch.time >= scene.time.end_time)
           continue;
-        const PairDescription &pair   = meshed.surface.pairs()[p];
-        const ExpectedImpact   impact = expected_impact<dim>(
-          touch, bodies[pair.slave], pair.of_two_bodies() ? bodies[pair.master] : rigid);
+        const PairDescription &pair = meshed.surface.pairs()[p];
+        const auto             side = [&](const unsigned int body) {
+          return collider(bodies[body], masses[body], touch.normal);
+        };
+        const ExpectedImpact impact = expected_impact<dim>(
+          touch, side(pair.slave), pair.of_two_bodies() ? side(pair.master) : rigid);
         if (!std::isfinite(impact.duration))
           continue; // nothing can give way
         // What touches at the start does so up to round-off.
@@ -104,7 +117,7 @@ namespace signorini
         text << " on " << std::round(impact.n_nodes) << " nodes, strain " << 100. * impact.strain
              << " % (" << (is_round ? "Hertz" : "a plane wave") << ", without other forces)";
         remarks.notes.push_back(text.str());
-        for (const std::string &doubt : doubts(pair.name, impact, n_steps, dim, is_round))
+        for (const std::string &doubt : doubts(pair.name, impact, n_steps, is_round, enough_nodes))
           remarks.warnings.push_back(doubt);
       }
     return remarks;

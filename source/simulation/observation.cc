@@ -192,41 +192,25 @@ namespace signorini
   template <int dim>
   void Observation<dim>::write(const HistoryRow &row, const bool always)
   {
-    const State &state     = row.state;
-    const bool   write_row = always || state.step % scene.output.history_every == 0;
-    if (write_row)
-      {
-        history.write(row);
-        tables.write(state, row.report);
-        skipped.reset();
-      }
-    else
-      {
-        history.skip(row);
-        tables.skip(state);
-        skipped = row.report;
-      }
+    const State &state  = row.state;
+    const bool   is_due = always || state.step % scene.output.history_every == 0;
+    history.write(row, is_due);
+    tables.write(state, row.report, is_due);
     for (unsigned int p = 0; p < probes.size(); ++p)
       {
         const ProbeReading reading = probes[p].read(state);
         velocity_zigzags[p].add(reading.normal_velocity, reading.normal_force > 0.);
-        if (write_row)
-          history.write_probe(p, state.time, reading);
+        history.write_probe(p, state.time, reading, is_due);
       }
     products_before = meshed->discretization.matrices().products();
   }
 
 
   template <int dim>
-  void Observation<dim>::finish(const State &state)
+  void Observation<dim>::finish()
   {
-    if (!skipped)
-      return;
-    history.write_skipped(evaluate(state, *skipped, EnergyBooking()));
-    tables.write(state, *skipped);
-    for (unsigned int p = 0; p < probes.size(); ++p)
-      history.write_probe(p, state.time, probes[p].read(state));
-    skipped.reset();
+    history.finish();
+    tables.finish();
   }
 
 

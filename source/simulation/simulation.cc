@@ -8,6 +8,7 @@
 #include <signorini/output/earlier_results.h>
 #include <signorini/output/obstacle_surfaces.h>
 #include <signorini/schemes/scheme_table.h>
+#include <signorini/schemes/trapezoidal_rule.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/expectations.h>
 #include <signorini/simulation/initial_state.h>
@@ -43,6 +44,15 @@ namespace signorini
       parameters.spectral_radius = automatic_spectral_radius(courant_number);
       return parameters;
     }
+
+
+    TimeIntegration time_integration(const TimeParameters &time, const SchemeParameters &parameters)
+    {
+      const SchemeInfo &info   = scheme_info(time.scheme);
+      const double      radius = parameters.spectral_radius.value_or(1.);
+      return {
+        info.balance, time.step_size, info.trapezoidal_rule ? TrapezoidalRule(radius).damping : 0.};
+    }
   } // namespace
 
 
@@ -59,7 +69,7 @@ namespace signorini
     , scheme(make_time_scheme(scene.time.scheme, scheme_parameters))
     , mesh_control(mesh,
                    scene.adaptivity,
-                   {scheme_info(scene.time.scheme).balance, scene.time.step_size},
+                   time_integration(scene.time, scheme_parameters),
                    scene.time.n_steps())
   {
   }
@@ -196,8 +206,7 @@ namespace signorini
     // In the middle of a change of the mesh there is no state.
     const bool has_state =
       meshed && state.displacement.size() == meshed->discretization.dof_handler().n_dofs();
-    if (has_state)
-      attempt([&] { observation.finish(state); });
+    attempt([&] { observation.finish(); });
     if (has_state && scene.output.vtu)
       attempt([&] { write_fields(observation, fields); }); // the reason may be a full disk
     if (has_state)

@@ -48,18 +48,18 @@ namespace signorini
 
 
   template <int dim>
-  void StepTables<dim>::write(const State &state, const StepReport &report)
+  void StepTables<dim>::write(const State &state, const StepReport &report, const bool is_due)
   {
     for (const auto &table : tables)
-      table->write(state, report);
+      table->write(state, report, is_due);
   }
 
 
   template <int dim>
-  void StepTables<dim>::skip(const State &state)
+  void StepTables<dim>::finish()
   {
     for (const auto &table : tables)
-      table->skip(state);
+      table->finish();
   }
 
 

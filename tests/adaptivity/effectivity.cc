@@ -175,7 +175,7 @@ TEST(Effectivity, OneTimeStep)
                    .squares(balance_of_step(discretization,
                                             on_mesh.surface,
                                             {start, end, tau},
-                                            scheme_info(scene.time.scheme).balance),
+                                            {scheme_info(scene.time.scheme).balance}),
                             ResidualWeights{tau}),
                  4. / (tau * tau)
                    * (0.5 * (d * mass_times(discretization, d)) - tau * (d * start.momentum)

@@ -44,7 +44,7 @@ namespace
     for (const double tau : {1e-3, 1.})
       EXPECT_LT(
         sum(squares(
-          balance_of_step(discretization, bodies.surface, {state, state, tau}, StepBalance::middle),
+          balance_of_step(discretization, bodies.surface, {state, state, tau}, TimeIntegration()),
           tau)),
         1e-20 * energy);
 

@@ -110,6 +110,12 @@ TEST(FirstTouch, EdgesAndBodiesThatLeaveAreLeftAlone)
   oblique[1]      = 1.;
   const auto ramp = plane<2>("ramp", origin, oblique / oblique.norm());
   EXPECT_FALSE(first_touch<2>(contact_scene<2>(box<2>(), {ramp}, {2}), 2.).is_smooth);
+  // A disc beside the end of a plane.
+  const std::vector<Plane<2>::End> ends = {{dealii::Point<2>(1., 0.), 1.}};
+  const NamedObstacle<2>           table{
+    "table",
+    std::make_shared<Plane<2>>(dealii::Point<2>(-3., -0.5), dealii::Point<2>(0., 1.), ends)};
+  EXPECT_EQ(first_touch<2>(contact_scene<2>(ball<2>(4), {table}), 2.).time, infinite);
   const auto scene = contact_scene<2>(ball<2>(4), {floor_at<2>(-0.5)});
   EXPECT_EQ(first_touch<2>(scene, -2.).time, infinite);
 }

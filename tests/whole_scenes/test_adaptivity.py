@@ -34,6 +34,32 @@ RESIDUAL = BALL + [
     "Adaptivity/Repetitions=1",
     "Adaptivity/Maximum cells=1500",
 ]
+#: Without loads and contact.
+DAMPED_FLIGHT = """
+set Dimension = 2
+subsection Time
+  set Step size = 5e-3
+  set End time  = 0.1
+end
+subsection Bodies
+  set Names = box
+  subsection box
+    set Shape            = box
+    set Lower corner     = 0, 0
+    set Upper corner     = 2, 1
+    set Refinements      = 1
+    set Young's modulus  = 500
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 1; 0
+  end
+end
+subsection Adaptivity
+  set Indicator     = residual
+  set Maximum level = 4
+  set Hysteresis    = 0
+end
+"""
 
 
 def distance(force, reference):
@@ -285,6 +311,15 @@ class Adaptivity(check_history.SceneTest):
             ),
             "momentum_y",
         )
+
+    def test_damping_is_no_error(self):
+        """A box in uniform translation that its damping brakes: nothing to be resolved."""
+        for damping in ("0, 0", "10, 0.01"):
+            run = check_history.Run(
+                DAMPED_FLIGHT, "damped_flight", [f"Bodies/box/Damping={damping}"]
+            )
+            self.assertEqual(set(run["cells"]), {4.0})
+        self.assertLess(run["total_energy"][-1], 0.5 * run["total_energy"][0])
 
 
 if __name__ == "__main__":

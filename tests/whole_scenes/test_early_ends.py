@@ -19,12 +19,51 @@ BAR = check_history.scene_file("bar_2d")
 LONG_STEPS = ("Time/Scheme=nonsmooth-generalized-alpha", "Time/Step size=0.2")
 
 
+#: A block on changing cells is pulled until its load has no value any more.
+PULLED = """
+set Dimension = 2
+subsection Time
+  set Step size = 5e-3
+  set End time  = 0.3
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape           = box
+    set Lower corner    = 0, 0
+    set Upper corner    = 2, 1
+    set Refinements     = 1
+    set Young's modulus = 500
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Dirichlet       = 2: 0; 0
+    set Body force      = sqrt(0.1525-t); -30
+  end
+end
+subsection Adaptivity
+  set Indicator        = residual
+  set Refine fraction  = 0.7
+  set Coarsen fraction = 0.1
+  set Coarsen ratio    = 1
+  set Maximum level    = 4
+  set Hysteresis       = 0
+end
+subsection Output
+  set VTU = false
+end
+"""
+
+
 class EarlyEnd:
     """A run that does not go to its end."""
 
     def __init__(self, scene, name, overrides=(), processes=1, end_by=None):
         """end_by: a signal, sent to the last process when the run has made some steps."""
         self.folder = pathlib.Path(check_history.settings["folder"]) / name / "output"
+        if isinstance(scene, str):
+            self.folder.mkdir(parents=True, exist_ok=True)
+            (self.folder.parent / "written.prm").write_text(scene, encoding="utf-8")
+            scene = self.folder.parent / "written.prm"
         command = [check_history.settings["executable"], str(scene), "--quiet"]
         for override in (f"Output directory={self.folder}", *overrides):
             command += ["--set", override]
@@ -127,6 +166,20 @@ class EarlyEnds(check_history.SceneTest):
         for column in ("work_contact", "work_external", "linear_iterations", "rejected_steps"):
             total = sum(every[column])
             self.assertAlmostEqual(some[column][-1], total, delta=1e-12 * abs(total), msg=column)
+
+    def test_the_last_step_is_that_of_its_own_mesh(self):
+        """The mesh changes after the last step that was possible; its reactions and cells are those
+        of the mesh on which it was made."""
+        rows = []
+        for every in (1, 1000):
+            run = EarlyEnd(PULLED, f"mesh_{every}", [f"Output/History every={every}"])
+            self.assertIn("is not a finite number", run.message[0])
+            supports = check_history.read_table(run.folder / "supports.csv")
+            rows.append(
+                [column[-1] for name, column in supports.items()]
+                + [run.history[name][-1] for name in ("time", "cells", "total_energy")]
+            )
+        self.assertEqual(*rows)
 
     def test_signals_end_a_run_after_its_step(self):
         for kind, processes in (

@@ -15,6 +15,8 @@ namespace signorini
   {
     StepBalance balance   = StepBalance::middle; ///< of the forces of a step
     double      step_size = 0.;                  ///< of the first step
+    /** Of the scheme: its elastic forces are those of the mean displacement + this (u_new - u). */
+    double stiffness_damping = 0.;
   };
 
   /**

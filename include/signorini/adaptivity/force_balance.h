@@ -33,13 +33,15 @@ namespace signorini
    *   -rho (v_new - v)/tau + div sigma((u + u_new)/2) + rho (f + f_new)/2 = 0,
    *
    * with the contact forces of the step; newmark shares them between the two ends, and
-   * backward-euler has everything at the end. The schemes with weights of their own (hht-alpha,
-   * generalized-alpha) differ from it by the order of their damping.
+   * backward-euler has everything at the end. Damping takes -rho a (u_new - u)/tau and the stress
+   * of (b + b_scheme) (u_new - u)/tau, a and b of the body. The schemes with weights of their own
+   * (hht-alpha, generalized-alpha) differ from it by the order of their damping.
    */
   template <int dim>
-  ForceBalance balance_of_step(const ContactSurface<dim> &surface,
+  ForceBalance balance_of_step(const Discretization<dim> &discretization,
+                               const ContactSurface<dim> &surface,
                                const StepRecord          &step,
-                               const StepBalance          balance,
+                               const TimeIntegration     &time,
                                BodyForce<dim>            &body_force);
 
   /** The same for a single step. */
@@ -47,7 +49,7 @@ namespace signorini
   ForceBalance balance_of_step(const Discretization<dim> &discretization,
                                const ContactSurface<dim> &surface,
                                const StepRecord          &step,
-                               const StepBalance          balance);
+                               const TimeIntegration     &time);
 
   /**
    * The balance of a static equilibrium of displacement and nodal contact forces under the loads

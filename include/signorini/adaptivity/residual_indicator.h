@@ -20,14 +20,14 @@ namespace signorini
     ResidualIndicator(const Discretization<dim>      &discretization,
                       const ContactSurface<dim>      &surface,
                       const DirichletConditions<dim> &dirichlet,
-                      const StepBalance               balance);
+                      const TimeIntegration          &time);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 
   private:
     const Discretization<dim>  &discretization;
     const ContactSurface<dim>  &surface;
-    const StepBalance           balance;
+    const TimeIntegration       time;
     const ResidualEstimate<dim> estimate;
     mutable BodyForce<dim>      body_force; ///< keeps what it has evaluated
   };

@@ -6,6 +6,7 @@
 
 #include <signorini/contact/contact_surface.h>
 
+#include <array>
 #include <limits>
 
 namespace signorini
@@ -16,6 +17,7 @@ namespace signorini
   {
     double time  = std::numeric_limits<double>::infinity(); ///< from now; infinite: not at all
     double speed = 0.;                                      ///< of approach
+    std::array<double, 3> normal{};                         ///< of the first node, out of its body
     /**
      * 1/R of the paraboloid that the distance around the place is; zero for flat faces, which meet
      * with an area. Nothing is known about edges and corners, which are neither.

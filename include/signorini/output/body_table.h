@@ -19,7 +19,8 @@ namespace signorini
               MPI_Comm                                 communicator);
 
     void use_mesh(const ObservedMesh<dim> &mesh, const State &state) override;
-    void write(const State &state, const StepReport &report) override;
+    void write(const State &state, const StepReport &report, bool is_due) override;
+    void finish() override;
 
   private:
     CsvTable               table;

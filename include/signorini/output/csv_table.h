@@ -32,14 +32,21 @@ namespace signorini
      * Collective; the values of the first process count. @throws RunError on all processes if the
      * disk is full.
      */
-    void write_row(const std::vector<double> &values);
+    void write_row(const std::vector<double> &values) { write_row(values, true); }
+
+    /** A row that is not due yet: written by finish(), if no other one follows. Collective. */
+    void write_row(const std::vector<double> &values, bool is_due);
+
+    /** There will be no more rows. Collective. */
+    void finish();
 
   private:
-    std::string   path;
-    std::size_t   n_columns;
-    MPI_Comm      communicator;
-    bool          first_process;
-    std::ofstream out; ///< open on the first process only
+    std::string         path;
+    std::size_t         n_columns;
+    MPI_Comm            communicator;
+    bool                first_process;
+    std::ofstream       out;  ///< open on the first process only
+    std::vector<double> last; ///< row that was not due; empty if there is none
 
     void write_line(const std::string &line);
   };

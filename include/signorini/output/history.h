@@ -58,12 +58,13 @@ namespace signorini
             const std::vector<Probe<dim>> &probes,
             MPI_Comm                       communicator);
 
-    void write(const HistoryRow &row);
-    /** A step without a row of its own: what adds up is part of the next row. */
-    void skip(const HistoryRow &row) { since_last_row.add(row); }
-    /** The step that was skipped last gets a row after all. */
-    void write_skipped(const HistoryRow &row);
-    void write_probe(unsigned int probe, double time, const ProbeReading &reading);
+    /**
+     * @param is_due else the step has no row of its own (see CsvTable), and what adds up is part of
+     * the next one
+     */
+    void write(const HistoryRow &row, bool is_due);
+    void write_probe(unsigned int probe, double time, const ProbeReading &reading, bool is_due);
+    void finish();
 
   private:
     const bool                             with_errors, with_friction;

@@ -34,11 +34,10 @@ namespace signorini
     /** Before the first row, and when the mesh has changed. @param state on the new mesh */
     virtual void use_mesh(const ObservedMesh<dim> &mesh, const State &state) = 0;
 
-    /** Add a row for a step that has ended. */
-    virtual void write(const State &state, const StepReport &report) = 0;
+    /** Add a row for a step that has ended. @param is_due see CsvTable */
+    virtual void write(const State &state, const StepReport &report, bool is_due) = 0;
 
-    /** A step that gets no row. */
-    virtual void skip(const State & /*state*/) {}
+    virtual void finish() = 0;
   };
 
   /** Names of columns for a vector: quantity_x, quantity_y, quantity_z. */

@@ -27,8 +27,8 @@ namespace signorini
                  MPI_Comm                                 communicator);
 
     void use_mesh(const ObservedMesh<dim> &mesh, const State &state) override;
-    void write(const State &state, const StepReport &report) override;
-    void skip(const State &state) override;
+    void write(const State &state, const StepReport &report, bool is_due) override;
+    void finish() override;
 
   private:
     using Forces = typename Supports<dim>::Forces;
@@ -36,11 +36,7 @@ namespace signorini
     CsvTable                       table;
     const bool                     mean_contact_force;
     std::unique_ptr<Supports<dim>> supports;
-    /** What contact hands on to the nodes, at the start and the end of the latest step. */
-    Forces       handed_on_before, handed_on;
-    unsigned int latest_step = 0;
-
-    void go_on_to(const State &state);
+    Forces                         handed_on_before; ///< at the start of the step
   };
 } // namespace signorini
 

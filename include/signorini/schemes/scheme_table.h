@@ -87,6 +87,7 @@ namespace signorini
     std::string              force_before_end;
     std::string              parameter;
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
+    bool trapezoidal_rule;         ///< steps of TrapezoidalRule, `Spectral radius` is its damping
     /** Damps what the step cannot resolve unless a spectral radius is given: TrapezoidalRule. */
     bool        damps_unresolved;
     bool        damping;       ///< knows viscous damping of bodies

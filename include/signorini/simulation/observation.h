@@ -16,8 +16,6 @@
 
 #include <deal.II/base/timer.h>
 
-#include <optional>
-
 namespace signorini
 {
   /**
@@ -42,7 +40,7 @@ namespace signorini
     std::vector<std::string> observe(const State &state, const StepReport &report, bool is_last);
 
     /** The run ends early: the last step gets its rows, whether they were due or not. */
-    void finish(const State &state);
+    void finish();
 
     const ContactSummary &contact() const { return contact_now; }
 
@@ -84,8 +82,7 @@ namespace signorini
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count
 
-    ErrorNorms                latest_errors;
-    std::optional<StepReport> skipped; ///< of the last step, if it has no rows
+    ErrorNorms latest_errors;
 
     HistoryRow evaluate(const State &state, const StepReport &report, const EnergyBooking &booking);
     /** Into all tables, if it is time to. */

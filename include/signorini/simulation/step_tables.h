@@ -21,8 +21,8 @@ namespace signorini
     /** See StepTable. Mesh and motion must live until the next mesh. */
     void
     use_mesh(const MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
-    void write(const State &state, const StepReport &report);
-    void skip(const State &state);
+    void write(const State &state, const StepReport &report, bool is_due);
+    void finish();
 
   private:
     std::vector<std::unique_ptr<StepTable<dim>>> tables;
