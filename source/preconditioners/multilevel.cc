@@ -196,6 +196,7 @@ namespace signorini
     multigrid_parameters<dim>(mask.size())
       .set_parameters(parameters, constant_modes, matrix.trilinos_matrix());
     std::vector<double> modes = rigid_motions(discretization, bodies);
+    modes.reserve(1); // ML wants an address from processes without nodes, too
     // No coupling is weak: cells of slender bodies may be thin, and what bends them is not.
     parameters.set("aggregation: threshold", 0.);
     parameters.set("PDE equations", static_cast<int>(dim));

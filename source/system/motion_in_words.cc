@@ -3,6 +3,7 @@
 
 #include <signorini/system/motion_in_words.h>
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 

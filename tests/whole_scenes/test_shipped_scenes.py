@@ -35,6 +35,8 @@ DRIVEN = {
     "manufactured_bar": ([], 1.0),
     "bouncing_bar": (["Time/End time=2"], 10.0),
 }
+#: Without inertia; tests/statics looks at them.
+LOAD_STEPS = ("static_hertz",)
 
 
 class ShippedScenes(check_history.SceneTest):
@@ -76,6 +78,7 @@ class ShippedScenes(check_history.SceneTest):
                     *test_friction.SCENES,
                     *test_adaptivity.SCENES,
                     *test_damping.SCENES,
+                    *LOAD_STEPS,
                 ]
             ),
         )

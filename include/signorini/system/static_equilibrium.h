@@ -7,6 +7,7 @@
 #include <signorini/model/run_parameters.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/rigid_springs.h>
+#include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/constrained_solver.h>
 
 namespace signorini
