@@ -142,7 +142,8 @@ namespace signorini
     {
       double deepest = 0.;
       for (const Point<dim> &point : surface[body])
-        deepest = std::max(deepest, obstacle.project(point).depth());
+        if (const auto way = obstacle.try_project(point)) // no partner need be where it has a value
+          deepest = std::max(deepest, way->depth());
       return Utilities::MPI::max(deepest, discretization.communicator());
     }
 

@@ -23,26 +23,42 @@ namespace signorini
 
 
   template <int dim>
-  ObstacleProjection<dim> LevelSet<dim>::project(const Point<dim> &p) const
+  std::optional<ObstacleProjection<dim>> LevelSet<dim>::try_project(const Point<dim> &p) const
   {
     const DualNumber<dim> distance = expression(p);
     const double          slope    = distance.gradient.norm();
     if (!std::isfinite(distance.value) || !std::isfinite(slope) || !(slope > 0.))
-      {
-        std::ostringstream message;
-        message << "Obstacles/" << name << "/Signed distance ";
-        if (!std::isfinite(distance.value))
-          message << "is not a finite number";
-        else if (!std::isfinite(slope))
-          message << "has no gradient, and so no normal,";
-        else
-          message << "does not change (its gradient vanishes), so it has no normal";
-        message << " at (" << p
-                << "), where a contact node is. Give a distance function whose gradient has length "
-                   "1, or another one at such points with if(condition, a, b).";
-        throw UserError(message.str());
-      }
-    return {distance.value / slope, -distance.gradient / slope};
+      return {};
+    return ObstacleProjection<dim>{distance.value / slope, -distance.gradient / slope};
+  }
+
+
+  template <int dim>
+  ObstacleProjection<dim> LevelSet<dim>::project(const Point<dim> &p) const
+  {
+    const auto projection = try_project(p);
+    if (!projection)
+      refuse(p);
+    return *projection;
+  }
+
+
+  template <int dim>
+  void LevelSet<dim>::refuse(const Point<dim> &p) const
+  {
+    const DualNumber<dim> distance = expression(p);
+    std::ostringstream    message;
+    message << "Obstacles/" << name << "/Signed distance ";
+    if (!std::isfinite(distance.value))
+      message << "is not a finite number";
+    else if (!std::isfinite(distance.gradient.norm()))
+      message << "has no gradient, and so no normal,";
+    else
+      message << "does not change (its gradient vanishes), so it has no normal";
+    message << " at (" << p
+            << "), where a contact node is. Give a distance function whose gradient has length 1, "
+               "or another one at such points with if(condition, a, b).";
+    throw UserError(message.str());
   }
 
 

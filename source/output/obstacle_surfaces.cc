@@ -16,6 +16,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -31,7 +32,7 @@ namespace signorini
     constexpr double no_zero = 1e-4;
 
 
-    /** The distance from an obstacle at the vertices of a grid. */
+    /** The distance from an obstacle at the vertices of a grid, not a number where it has none. */
     template <int dim>
     dealii::Vector<double> distances(const DoFHandler<dim>    &grid,
                                      const RigidObstacle<dim> &obstacle,
@@ -41,10 +42,40 @@ namespace signorini
       for (const auto &cell : grid.active_cell_iterators())
         for (const unsigned int v : cell->vertex_indices())
           {
-            const double gap                     = obstacle.project(cell->vertex(v)).gap;
+            const auto   way = obstacle.try_project(cell->vertex(v));
+            const double gap = way ? way->gap : std::numeric_limits<double>::quiet_NaN();
             result(cell->vertex_dof_index(v, 0)) = std::abs(gap) < smallest ? smallest : gap;
           }
       return result;
+    }
+
+
+    template <int dim>
+    bool is_known(const dealii::Vector<double>                         &distance,
+                  const typename DoFHandler<dim>::active_cell_iterator &cell)
+    {
+      for (const unsigned int v : cell->vertex_indices())
+        if (std::isnan(distance(cell->vertex_dof_index(v, 0))))
+          return false;
+      return true;
+    }
+
+
+    /** The points of an obstacle nearest to the centre of a box, or else to its corners. */
+    template <int dim>
+    std::vector<Point<dim>> nearest_points(const BoundingBox<dim>   &box,
+                                           const RigidObstacle<dim> &obstacle)
+    {
+      std::vector<Point<dim>> found;
+      const auto              look_from = [&](const Point<dim> &point) {
+        if (const auto way = obstacle.try_project(point))
+          found.push_back(point + way->gap * way->normal);
+      };
+      look_from(box.center());
+      if (found.empty())
+        for (unsigned int v = 0; v < GeometryInfo<dim>::vertices_per_cell; ++v)
+          look_from(box.vertex(v));
+      return found;
     }
   } // namespace
 
@@ -70,10 +101,12 @@ namespace signorini
     for (unsigned int index = 0; index < obstacles.size(); ++index)
       {
         const RigidObstacle<dim>      &obstacle = *obstacles[index].shape;
+        const dealii::Vector<double>   distance = distances(grid, obstacle, no_zero * size);
         std::vector<Point<dim>>        vertices;
         std::vector<CellData<dim - 1>> pieces;
-        marching.process(
-          grid, distances<dim>(grid, obstacle, no_zero * size), 0., vertices, pieces);
+        for (const auto &cell : grid.active_cell_iterators())
+          if (is_known<dim>(distance, cell))
+            marching.process_cell(cell, distance, 0., vertices, pieces);
         for (const CellData<dim - 1> &piece : pieces)
           {
             std::vector<Point<dim>> corners_of_piece;
@@ -96,9 +129,11 @@ namespace signorini
     patch.data.reinit(1, vertices.size());
     for (unsigned int v = 0; v < vertices.size(); ++v)
       {
-        const ObstacleProjection<dim> way = obstacle.project(vertices[v]);
-        patch.vertices[v]                 = vertices[v] + way.gap * way.normal;
-        patch.data(0, v)                  = index;
+        const auto way = obstacle.try_project(vertices[v]);
+        if (!way)
+          return;
+        patch.vertices[v] = vertices[v] + way->gap * way->normal;
+        patch.data(0, v)  = index;
       }
     patch.patch_index = patches.size();
     patches.push_back(patch);
@@ -121,10 +156,8 @@ namespace signorini
                                       box.get_boundary_points().second};
     for (const BoundingBox<dim> &body : bodies)
       for (const NamedObstacle<dim> &obstacle : obstacles)
-        {
-          const ObstacleProjection<dim> way = obstacle.shape->project(body.center());
-          points.push_back(body.center() + way.gap * way.normal);
-        }
+        for (const Point<dim> &point : nearest_points(body, *obstacle.shape))
+          points.push_back(point);
     box = BoundingBox<dim>(points);
     box.extend(0.5 * size);
     return box;

@@ -12,6 +12,7 @@
 #include <deal.II/fe/fe_values.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -23,8 +24,9 @@ namespace signorini
   {
     constexpr double on_the_cell = 1e-10; ///< distances in cells that are round-off
     constexpr double at_a_facet  = 0.25;  ///< as far out may a point of a round body be, in cells
-    constexpr double at_a_face   = 1e-6;  ///< and one of another body
-    constexpr double nowhere     = std::numeric_limits<double>::max();
+                                          ///< of its first mesh: facets stay when cells are refined
+    constexpr double at_a_face = 1e-6;    ///< and one of another body
+    constexpr double nowhere   = std::numeric_limits<double>::max();
 
 
     /** Where in the reference cell a point is; far away if the map cannot be inverted there. */
@@ -46,11 +48,47 @@ namespace signorini
     }
 
 
+    /** How often the cell has been halved in each direction since the first mesh. */
+    template <int dim>
+    int halvings_since_the_start(const Mesh<dim>                                      &mesh,
+                                 const typename DoFHandler<dim>::active_cell_iterator &cell)
+    {
+      const int first = static_cast<int>(mesh.bodies()[cell->material_id()].refinements);
+      return std::max(0, cell->level() - first);
+    }
+
+
+    /** Around all vertices of a body; in a round one they reach beyond the coarse mesh. Collective.
+     */
+    template <int dim>
+    BoundingBox<dim> box_of_vertices(const Mesh<dim> &mesh, const unsigned int body)
+    {
+      std::vector<double> ends(2 * dim, nowhere);
+      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+        if (cell->is_locally_owned() && cell->material_id() == body)
+          for (const unsigned int v : cell->vertex_indices())
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                ends[c]       = std::min(ends[c], cell->vertex(v)[c]);
+                ends[dim + c] = std::min(ends[dim + c], -cell->vertex(v)[c]);
+              }
+      Utilities::MPI::min(ends, mesh.communicator(), ends);
+      Point<dim> lower, upper;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          lower[c] = ends[c];
+          upper[c] = -ends[dim + c];
+        }
+      return BoundingBox<dim>({lower, upper});
+    }
+
+
     template <int dim>
     [[noreturn]] void refuse(const PointProbeDescription<dim> &probe, const Mesh<dim> &mesh)
     {
-      const auto        &corners = mesh.bounding_box(probe.body).get_boundary_points();
-      std::ostringstream message;
+      const BoundingBox<dim> box     = box_of_vertices(mesh, probe.body);
+      const auto            &corners = box.get_boundary_points();
+      std::ostringstream     message;
       message << "Probes/" << probe.name << "/Point: (" << probe.point
               << ") is not in the undeformed body `" << probe.body_name << "`, which lies between ("
               << corners.first << ") and (" << corners.second
@@ -89,13 +127,15 @@ namespace signorini
       {
         if (!candidate->is_locally_owned() || candidate->material_id() != description.body)
           continue;
+        const double unit =
+          std::exp2(-halvings_since_the_start<dim>(discretization.mesh(), candidate));
         BoundingBox<dim> box = candidate->bounding_box();
-        box.extend(2. * at_a_facet * candidate->diameter());
+        box.extend(2. * at_a_facet * candidate->diameter() / unit);
         if (!box.point_inside(description.point))
           continue;
         const Point<dim> inside =
           reference_point<dim>(discretization.mesh().mapping(), candidate, description.point);
-        const double distance = GeometryInfo<dim>::distance_to_unit_cell(inside);
+        const double distance = unit * GeometryInfo<dim>::distance_to_unit_cell(inside);
         if (distance > std::min(at_a_facet, nearest + on_the_cell))
           continue;
         if (distance < nearest - on_the_cell

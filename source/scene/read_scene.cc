@@ -116,10 +116,12 @@ namespace signorini
 
     /**
      * All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on
-     * where it lies.
+     * where it lies. Where the command line has chosen, keys that lost their effect keep their
+     * values, and are no mistake.
      */
     template <int dim>
-    std::string print_all(dealii::ParameterHandler                &prm,
+    std::string print_all(const SceneText                         &text,
+                          dealii::ParameterHandler                &prm,
                           const std::vector<BodyDescription<dim>> &bodies)
     {
       prm.enter_subsection("Bodies");
@@ -132,6 +134,10 @@ namespace signorini
           }
       prm.leave_subsection();
       std::ostringstream all;
+      if (std::any_of(text.statements.begin(), text.statements.end(), [](const Statement &said) {
+            return said.is_override;
+          }))
+        all << beyond_the_file << '\n';
       prm.print_parameters(
         all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
       return all.str();
@@ -201,7 +207,7 @@ namespace signorini
     scene.output         = parse_output(in.section("Output"));
 
     scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, scene.bodies));
-    scene.all_parameters = print_all(prm, scene.bodies);
+    scene.all_parameters = print_all(text, prm, scene.bodies);
     return scene;
   }
 

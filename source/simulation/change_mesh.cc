@@ -17,9 +17,11 @@ namespace signorini
     const ProductCount products = meshed->discretization.matrices().products();
     {
       dealii::TimerOutput::Scope scope(timer, "mesh: cells");
+      // It lives until the cells have changed; if they cannot, nothing is left to be taken for a
+      // state.
+      const std::unique_ptr<MeshedScene<dim>> old = std::move(meshed);
       mesh.carry_out_flags();
     }
-    meshed.reset();
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_life_time, timer);
     meshed->system.set_energy(energy);
     meshed->discretization.matrices().add_products(products);

@@ -112,11 +112,11 @@ namespace signorini
                        "constants of the scene.");
     const HistoryRow row = evaluate(state, report, booking);
     run_summary.add(row);
+    write(row, is_last);
     std::vector<std::string> news = validity.judge(validity_reading(state));
     for (const std::string &overlap :
          missing_pairs.judge(meshed->discretization, state.displacement, state.time, is_last))
       news.push_back(overlap);
-    write(row, is_last || (scene.time.stop_on_warning && !news.empty()));
     return news;
   }
 

@@ -5,8 +5,10 @@
 #include <signorini/base/interruption.h>
 #include <signorini/base/user_error.h>
 #include <signorini/contact/overlap.h>
+#include <signorini/diagnostics/probe.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/output/obstacle_surfaces.h>
+#include <signorini/output/point_probe.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 #include <signorini/simulation/change_mesh.h>
@@ -52,6 +54,17 @@ namespace signorini
       const double      radius = parameters.spectral_radius.value_or(1.);
       return {
         info.balance, time.step_size, info.trapezoidal_rule ? TrapezoidalRule(radius).damping : 0.};
+    }
+
+
+    /** Each of them has to find its point, see PointProbe and Probe. Collective. */
+    template <int dim>
+    void check_probes(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
+    {
+      for (const auto &probe : scene.probes)
+        Probe<dim>(probe, meshed.surface, meshed.discretization.communicator());
+      for (const auto &probe : scene.point_probes)
+        PointProbe<dim>(probe, meshed.discretization);
     }
   } // namespace
 
@@ -274,6 +287,7 @@ namespace signorini
     set_initial_state();
     if (mesh_control.any())
       adapt_initial_mesh();
+    check_probes(scene, *meshed);
     expected = expectations(scene, *meshed, state);
   }
 

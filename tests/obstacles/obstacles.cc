@@ -218,4 +218,10 @@ TEST(Obstacles, FunctionWithoutNormalIsRefused)
   EXPECT_NE(message("y - sqrt(x)", {0., 1.}).find("has no gradient"), std::string::npos);
   EXPECT_NE(message("y - sqrt(x)", {-1., 1.}).find("is not a finite number"), std::string::npos);
   EXPECT_EQ(message("y - sqrt(x)", {1., 1.}), "");
+
+  const LevelSet<2> root("root", "y - sqrt(x)");
+  EXPECT_FALSE(root.try_project({0., 1.}));
+  EXPECT_FALSE(root.try_project({-1., 1.}));
+  ASSERT_TRUE(root.try_project({1., 1.}));
+  EXPECT_EQ(root.try_project({1., 1.})->normal, root.project({1., 1.}).normal);
 }

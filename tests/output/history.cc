@@ -45,7 +45,7 @@ namespace
     const BoxAboveFloor<2>      box(with_friction);
     const std::vector<Probe<2>> probes = {{{"corner", {0., 0.}}, *box.surface, MPI_COMM_WORLD}};
     History<2>                  history(folder.name, false, with_friction, probes, MPI_COMM_WORLD);
-    history.write_probe(0, 0.5, reading_of_a_sliding_node());
+    history.write_probe(0, 0.5, reading_of_a_sliding_node(), true);
     MPI_Barrier(MPI_COMM_WORLD);
     return last_row(folder.name + "/probe_corner.csv");
   }
@@ -67,7 +67,7 @@ TEST(History, ContactAndFriction)
   row.contact.n_stick        = 5;
   row.contact.n_slip         = 6;
   row.contact.max_slip       = 0.25;
-  history.write(row);
+  history.write(row, true);
   MPI_Barrier(MPI_COMM_WORLD);
   const auto written = last_row(folder.name + "/history.csv");
   for (const auto &[name, value] : std::map<std::string, double>{{"work_friction", -1.5},

@@ -4,10 +4,12 @@
 // The drawn surface of an obstacle lies on the obstacle, and all of it that is in the box is there:
 // a plane has the area of its section of the box, also where it passes through vertices of the
 // grid, and a sphere or circle its own up to the error of facets (relative, of second order in the
-// size of the grid).
+// size of the grid). Where an expression has no value or no gradient nothing is drawn, and the rest
+// is.
 
 #include "scratch.h"
 
+#include <signorini/obstacles/level_set.h>
 #include <signorini/obstacles/plane.h>
 #include <signorini/obstacles/round_obstacle.h>
 #include <signorini/output/obstacle_surfaces.h>
@@ -35,6 +37,12 @@ namespace
   {
     return {"sphere",
             std::make_shared<RoundObstacle<dim>>(Point<dim>(), Tensor<1, dim>(), radius, false)};
+  }
+
+  template <int dim>
+  NamedObstacle<dim> function(const std::string &expression)
+  {
+    return {"function", std::make_shared<LevelSet<dim>>("function", expression)};
   }
 
   /** From (-1, ...) to (1, ...), which makes the origin a vertex of the grid. */
@@ -93,6 +101,17 @@ TEST(ObstacleSurfaces, TrianglesInSpace)
   expect_surfaces<3>({plane<3>(Point<3>(0., 0., 1.)), sphere<3>(0.5)}, {4., M_PI});
 }
 
+// A hole has no normal in its middle, which is a vertex of the grid. The plane has no value left of
+// -0.505, and is drawn in the cells from -0.5 on.
+TEST(ObstacleSurfaces, FunctionsThatAreNotKnownEverywhere)
+{
+  const std::string half = " + 0*sqrt(x + 0.505)";
+  expect_surfaces<2>({function<2>("0.5 - sqrt(x^2 + y^2)"), function<2>("y - 0.1" + half)},
+                     {M_PI, 1.5});
+  expect_surfaces<3>({function<3>("0.5 - sqrt(x^2 + y^2 + z^2)"), function<3>("z - 0.1" + half)},
+                     {M_PI, 3.});
+}
+
 TEST(ObstacleSurfaces, AFileWithAllOfThem)
 {
   const ScratchFolder folder;
@@ -111,4 +130,22 @@ TEST(ObstacleSurfaces, TheSurroundingsReachTheObstacle)
   const auto             corners = surroundings<2>({box<2>()}, {floor}).get_boundary_points();
   EXPECT_LT(corners.first[1], -9.);
   EXPECT_GT(corners.second[1], 1.);
+}
+
+// From the centre of the body, which is that of the hole, no point of it is the nearest; from the
+// corners there is one. Of the other function nothing is known about the body.
+TEST(ObstacleSurfaces, TheSurroundingsOfABodyInAHole)
+{
+  const BoundingBox<2> body({Point<2>(-0.5, -0.5), Point<2>(0.5, 0.5)});
+  for (const auto &obstacles :
+       {std::vector<NamedObstacle<2>>{function<2>("2 - sqrt(x^2 + y^2)")},
+        {function<2>("y + log(x - 3)"), function<2>("2 - sqrt(x^2 + y^2)")}})
+    {
+      const auto corners = surroundings<2>({body}, obstacles).get_boundary_points();
+      for (unsigned int c = 0; c < 2; ++c)
+        {
+          EXPECT_LT(corners.first[c], -2.);
+          EXPECT_GT(corners.second[c], 2.);
+        }
+    }
 }

@@ -335,6 +335,21 @@ TEST(Reading, AllParametersGiveTheSameScene)
   EXPECT_EQ(read_scene<3>(file.name, {}).all_parameters, scene.all_parameters);
 }
 
+// The scheme of the file looks at the key, that of the command line does not.
+TEST(Reading, AllParametersGiveTheSameSceneWhateverTheCommandLineChose)
+{
+  const TemporaryFile scene_file(correct_scene() + assignment("Time/Scheme", "generalized-alpha")
+                                 + assignment("Time/Spectral radius", "0.5"));
+  const Scene<3>      scene = read_scene<3>(scene_file.name, {{"Time/Scheme", "backward-euler"}});
+  const TemporaryFile file(scene.all_parameters);
+  EXPECT_EQ(refusal(file.name), "");
+  const Scene<3> again = read_scene<3>(file.name, {});
+  EXPECT_EQ(again.all_parameters, scene.all_parameters);
+  EXPECT_EQ(again.time.scheme, "backward-euler");
+  EXPECT_EQ(read_scene<3>(scene_file.name, {}).all_parameters.find(beyond_the_file),
+            std::string::npos);
+}
+
 TEST(Reading, ScenesOfTheProject)
 {
   unsigned int n_scenes = 0;

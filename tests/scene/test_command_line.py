@@ -172,6 +172,23 @@ class CommandLine(unittest.TestCase):
         )
         self.expect_mistake([QUICK_START, "--wrong"], "--wrong", processes=2)
 
+    def test_a_lost_probe_is_found_before_anything_is_removed(self):
+        """A point that is not in the body, and a probe of a scene without contact."""
+        point = ["Probes/south_pole/Body=ball", "Probes/south_pole/Point=0, 0, -1"]
+        for changes, word in ((point, "Probes/south_pole/Point"), (["Contact/Pairs="], "probe")):
+            overrides = [part for change in changes for part in ("--set", change)]
+            for processes in (1, 2):
+                self.expect_mistake(
+                    [QUICK_START, "--validate", *overrides], word, processes=processes
+                )
+            with tempfile.TemporaryDirectory() as folder:
+                earlier = pathlib.Path(folder) / "history.csv"
+                earlier.write_text("earlier", encoding="utf-8")
+                self.expect_mistake(
+                    [QUICK_START, *overrides, "--set", f"Output directory={folder}"], word
+                )
+                self.assertEqual(os.listdir(folder), ["history.csv"])
+
     def test_validate_leaves_nothing_behind(self):
         for processes in (1, 2):
             result = self.call(QUICK_START, "--validate", processes=processes)

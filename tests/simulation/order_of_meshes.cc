@@ -4,9 +4,14 @@
 // When the mesh changes: before the first row, as far as the start wants it; after a step, for the
 // next one; with repetitions before the row of the step that asked for it, which is then made again
 // and written once. What the change does to the energy is in the row after it, so that the rows
-// explain every change of the energy.
+// explain every change of the energy. A change that fails leaves nothing that looks like a state.
 
+#include "../adaptivity/moving_mesh.h"
 #include "small_run.h"
+
+#include <signorini/base/user_error.h>
+
+#include <functional>
 
 using namespace signorini;
 using namespace signorini::tests;
@@ -117,4 +122,13 @@ TEST(OrderOfMeshes, StepsOfControlledSizeCountOnce)
   expect_explained_energies(run);
   const std::string accepted = std::to_string(step.size() - 1) + " accepted";
   EXPECT_NE(run.text("log.txt").find(" " + accepted), std::string::npos) << run.text("log.txt");
+}
+
+TEST(OrderOfMeshes, AChangeThatFailsLeavesNoState)
+{
+  MovingMesh<2>               moving(contact_scene<2>(box<2>("box", 0.), {floor_at<2>(-1.)}));
+  const std::function<void()> fail = [] { throw RunError("no memory for cells"); };
+  moving.mesh.triangulation().signals.pre_distributed_refinement.connect(fail);
+  EXPECT_THROW(moving.change(), RunError);
+  EXPECT_EQ(moving.meshed, nullptr);
 }

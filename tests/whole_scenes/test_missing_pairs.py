@@ -2,8 +2,8 @@
 # Copyright (C) 2026 by the signorini authors
 
 """Bodies and obstacles that are no pair pass through each other; the run says so once, with the
-time, the names and the pair to add, whatever the number of processes. Where they stay apart, and
-where the pair is there, nothing is said."""
+time, the names and the pair to add, whatever the number of processes. Where they stay apart,
+where the pair is there, and where an obstacle has no value, nothing is said."""
 
 import check_history
 
@@ -89,6 +89,18 @@ class MissingPairs(check_history.SceneTest):
         time = float(found[0].split("at time ")[1].split()[0])
         self.assertGreater(time, 0.1039)
         self.assertLess(time, 0.1301)
+
+    def test_an_obstacle_that_is_not_known_where_the_body_is(self):
+        """The right disc begins beyond x = 2, where the root ends, and comes in: a part of it is
+        at such points all the time. Two processes do not have the same of them."""
+        text = scene("left : wall", speed=0, end=0.05)
+        text = text.replace("set Point  = -1.5, 0", "set Shape = function").replace(
+            "set Normal = 1, 0", "set Signed distance = x + 1.5 + 0*sqrt(4 - x^2)"
+        )
+        for processes in (1, 2):
+            run = check_history.Run(text, f"unknown_{processes}", processes=processes)
+            self.assertEqual(len(run), 11)
+            self.assertEqual(self.warnings(run, "Nothing keeps them apart"), [])
 
     def test_nothing_is_said_of_what_stays_apart_or_is_a_pair(self):
         apart = check_history.Run(scene("right : wall", speed=-5, end=0.09), "apart")

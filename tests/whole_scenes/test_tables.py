@@ -3,10 +3,12 @@
 
 """The tables beside the history, against laws that hold to the accuracy of the solver: pairs add up
 to the history, and their moments turn the slave; bodies add up to the history; points of a body in
-pure bending have the stress of the beam; rows of a history of every seventh step explain the change
-of energy as all rows do; and the copy of a scene repeats the run."""
+pure bending have the stress of the beam; a point of a round surface is followed however small the
+cells get; rows of a history of every seventh step explain the change of energy as all rows do; and
+the copy of a scene repeats the run."""
 
 import itertools
+import math
 import os
 import pathlib
 import re
@@ -48,6 +50,53 @@ subsection Probes
   subsection corner
     set Body  = beam
     set Point = 4, 0.5
+  end
+end
+"""
+
+
+#: A disc of radius 1 above a floor: a polygon of 16 edges. The probe lies on the circle, beyond the
+#: middle of an edge, which is cos 11.25 degrees from the centre.
+FALLING_DISC = """
+set Dimension = 2
+set Mapping   = linear
+subsection Time
+  set Step size = 1e-2
+  set End time  = 0.1
+end
+subsection Bodies
+  set Names = disc
+  subsection disc
+    set Shape            = ball
+    set Centre           = 0, 0
+    set Radius           = 1
+    set Refinements      = 2
+    set Young's modulus  = 1e4
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 0; -1
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Point  = 0, -1.2
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = disc : floor
+end
+subsection Adaptivity
+  set Indicator     = distance
+  set Distance      = 0.18
+  set Maximum level = 5
+end
+subsection Probes
+  set Names = below
+  subsection below
+    set Body  = disc
+    set Point = 0.195090, -0.980785
   end
 end
 """
@@ -184,6 +233,24 @@ class Tables(check_history.SceneTest):
         message = str(failure.exception)
         for part in ("exit status 2", "Probes/inside/Point", "(1.3 0.7)", "`beam`", "(4 0.5)"):
             self.assertIn(part, message)
+
+    def test_a_point_of_a_circle_stays_while_cells_are_refined(self):
+        """The facets are those of the first mesh, and so is the distance that is accepted."""
+        run = Run(FALLING_DISC, "circle")
+        self.assertGreater(run["cells"][-1], run["cells"][0])
+        probe = run.probes["below"]
+        for row in range(len(run)):
+            x, y = (
+                probe[f"position_{axis}"][row] - probe[f"displacement_{axis}"][row] for axis in "xy"
+            )
+            self.assertAlmostEqual(math.hypot(x, y), math.cos(math.pi / 16), delta=1e-3)
+
+    def test_the_message_names_the_body_as_it_is(self):
+        """The coarse mesh of the disc has its corners at angles of 45 degrees, where x and y are
+        0.707."""
+        with self.assertRaises(AssertionError) as failure:
+            Run(FALLING_DISC, "beside", ["Probes/below/Point=0, -1.3"])
+        self.assertIn("lies between (-1 -1) and (1 1)", str(failure.exception))
 
     def test_the_copy_repeats_the_run(self):
         """With what the command line said, and with a mesh that the scene finds by its own folder,

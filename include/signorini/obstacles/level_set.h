@@ -30,9 +30,13 @@ namespace signorini
     /** @throws UserError where the expression has no value or no direction in which it grows */
     ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override;
 
+    std::optional<ObstacleProjection<dim>> try_project(const dealii::Point<dim> &p) const override;
+
   private:
     const std::string                   name;
     const DifferentiableExpression<dim> expression;
+
+    [[noreturn]] void refuse(const dealii::Point<dim> &p) const;
   };
 
   void declare_level_set(dealii::ParameterHandler &prm);

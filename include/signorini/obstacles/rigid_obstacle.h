@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace signorini
@@ -46,7 +47,15 @@ namespace signorini
   public:
     virtual ~RigidObstacle() = default;
 
+    /** @throws UserError where the obstacle has no value or no normal */
     virtual ObstacleProjection<dim> project(const dealii::Point<dim> &point) const = 0;
+
+    /** The same, but nothing where project() throws: for points where no contact has to be. */
+    virtual std::optional<ObstacleProjection<dim>>
+    try_project(const dealii::Point<dim> &point) const
+    {
+      return project(point);
+    }
 
     /** Whether projections may be past an end. */
     virtual bool has_end() const { return false; }

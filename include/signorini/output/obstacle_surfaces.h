@@ -17,7 +17,8 @@ namespace signorini
   /**
    * The surfaces of rigid obstacles in a box, as lines or triangles, each with the index of its
    * obstacle: the zero set of the distance, found by marching cubes on a grid and moved onto the
-   * obstacle. Details smaller than a cell of the grid are lost.
+   * obstacle. Details smaller than a cell of the grid are lost, and what is that near to points
+   * where a distance has no value or no gradient.
    */
   template <int dim>
   class ObstacleSurfaces : public dealii::DataOutInterface<dim - 1, dim>

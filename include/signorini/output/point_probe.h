@@ -48,7 +48,10 @@ namespace signorini
     Cell                       cell;      ///< there
     dealii::Point<dim>         place;     ///< in the reference cell
 
-    /** The nearest owned cell of the body, and how far outside of it the point is, in cells. */
+    /**
+     * The nearest owned cell of the body, and how far outside of it the point is: in cells, and in
+     * those of the first mesh where they have been refined since.
+     */
     double find_cell(const PointProbeDescription<dim> &description);
 
     /** With the strain modes of the element. */
