@@ -45,9 +45,21 @@ namespace signorini
       const double contact_radius = std::sqrt(radius * flattening);
       const double in_radius      = contact_radius / touch.node_spacing;
       impact.n_nodes              = dim == 3 ? pi * in_radius * in_radius : 2. * in_radius;
-      // Johnson (4.22): the pressure in the centre over E* is 2 a / (pi R).
-      impact.strain = 2. / pi * contact_radius / radius;
+      // Johnson (4.22), (4.44): the pressure in the centre over E* is 2 a/(pi R), in 2d a/(2 R).
+      impact.strain = (dim == 3 ? 2. / pi : 0.5) * contact_radius / radius;
       return impact;
+    }
+
+
+    double Z_of(const Collider &side)
+    {
+      return side.density * side.wave_speed;
+    }
+
+    /** The time of a wave through a body. */
+    double way_through(const Collider &side, const FirstTouch &touch)
+    {
+      return side.volume / touch.area / side.wave_speed;
     }
 
 
@@ -58,9 +70,11 @@ namespace signorini
       const double Z       = in_series(body.density * body.wave_speed,
                                  deforms ? other.density * other.wave_speed
                                                : std::numeric_limits<double>::infinity());
-      double       way     = body.volume / touch.area / body.wave_speed;
-      if (deforms)
-        way = std::min(way, other.volume / touch.area / other.wave_speed);
+      // What comes back from within a much stiffer body is small.
+      double way = way_through(body, touch);
+      if (deforms && Z_of(other) < 2. * Z_of(body))
+        way = Z_of(body) < 2. * Z_of(other) ? std::min(way, way_through(other, touch))
+                                            : way_through(other, touch);
       ExpectedImpact impact;
       impact.force    = touch.area * Z * touch.speed;
       impact.duration = 2. * way;

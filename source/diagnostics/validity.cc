@@ -64,9 +64,8 @@ namespace signorini
        1.,
        " times as fast to and fro from step to step, at a contact node, as it moves on",
        "Steps are too long for these vibrations: velocities and stresses near the contact are "
-       "wrong, forces and energies are not. Give smaller steps, or a scheme that damps what steps "
-       "do "
-       "not resolve (`Time/Spectral radius`, doc/schemes.md)."},
+       "wrong, forces and energies are not. Choose a scheme that damps what steps do not resolve "
+       "(`Time/Spectral radius` of about 0.6, doc/schemes.md), or much smaller steps."},
       {&ValidityReading::sliding,
        true,
        1.,

@@ -42,6 +42,8 @@ namespace signorini
     largest_energy   = std::max(largest_energy, energy_of_motion(row));
     largest_residual = std::max(largest_residual, std::abs(row.booking.residual));
     work_friction += row.booking.friction;
+    largest_gain =
+      std::max(largest_gain, row.booking.contact + row.booking.predictor + row.booking.friction);
     work_damping += row.booking.damping;
     work_scheme += row.booking.scheme;
     transferred += row.booking.transfer;
@@ -131,6 +133,18 @@ namespace signorini
           largest_contact.n_nodes,
           " contact nodes carried it. Force and duration of such a contact may be wrong by 30 %: "
           "refine the mesh where the bodies touch (`Local refinements`, section Adaptivity).");
+    if (!subject.may_gain && largest_gain > 1e-6 * largest_energy)
+      say("contact brought ",
+          100. * largest_gain / largest_energy,
+          " % of the energy in one step, which this scheme never does where a body keeps to its "
+          "obstacle: it passed an edge or a corner, or began inside. Do not trust what follows.");
+    if (relative(-work_scheme) > 0.1)
+      say("the damping of the scheme took ",
+          100. * relative(-work_scheme),
+          " % of the energy. It is meant for what is faster than a step: give smaller steps, or "
+          "`Time/Spectral radius = 1` if the vibration counts.");
+    if (!subject.has_inertia)
+      return result;
     if (first_contact >= 0. && phase == 0 && longest_phase < few_steps)
       say("the longest contact lasted ",
           longest_phase,

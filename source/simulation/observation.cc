@@ -39,7 +39,9 @@ namespace signorini
     , run_summary({has_friction(scene.pairs),
                    scene.time.mass.has_massless_contact_nodes(),
                    scheme_info(scene.time.scheme).own_tolerance,
-                   dim})
+                   dim,
+                   scheme_info(scene.time.scheme).inertia,
+                   scheme_info(scene.time.scheme).energy == EnergyLaw::none})
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())
     , validity(names_of(scene.bodies), names_of(scene.pairs))

@@ -7,6 +7,7 @@
 #include <signorini/simulation/simulation.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace signorini
@@ -49,6 +50,11 @@ namespace signorini
       text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
            << " nodes of the contact surface have a prescribed normal displacement, and take no "
               "part in contact\n";
+    if (const double end = scene.time.n_steps() * scene.time.step_size;
+        !scene.step_sizes.is_variable()
+        && std::abs(end - scene.time.end_time) > 1e-9 * scene.time.end_time)
+      text << "  note: the run ends at " << end
+           << ", the multiple of `Step size` next to `End time` = " << scene.time.end_time << "\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
            << perturbation_of_velocities() << " of themselves\n";

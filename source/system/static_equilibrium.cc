@@ -18,9 +18,12 @@ namespace signorini
   {
     constexpr unsigned int maximum_steps = 50;
 
-    /** Of springs where contact holds: weaker than the bending of a body a thousand times as long
-     * as thick. */
-    constexpr double weak = 1e-6;
+    /**
+     * Of springs where contact holds: weaker than the bending of a body a thousand times as long as
+     * thick. Friction needs springs that are not weak, or its solver looks for the point where a
+     * body stops that slides without end; slender bodies then take more solutions.
+     */
+    constexpr double weak = 1e-6, not_weak = 1.;
 
     /** Of solutions whose anchors are still moving: in parts of this motion. */
     constexpr double rough = 1e-3;
@@ -59,6 +62,7 @@ namespace signorini
                                                 discretization,
                                                 coordinates,
                                                 mass_factors<dim>(loose, stiffness_of_springs)))
+    , weakness(with_friction ? not_weak : weak)
     , solver(make_solver(with_friction, parameters.limits))
   {
   }
@@ -73,7 +77,7 @@ namespace signorini
     solution.acceleration                  = Eigen::VectorXd::Zero(rigid.size());
 
     const double    response  = response_to(problem);
-    const double    accepted  = 1e-2 * parameters.tolerance * response;
+    const double    accepted  = parameters.tolerance * response;
     double          moved     = loose.cols() > 0 ? response : 0.; // anchors, in the norm of K
     double          tolerance = std::max(accepted, rough * std::min(moved, response));
     Eigen::VectorXd last      = solution.acceleration; // rigid part of d, where it is anchored
@@ -164,7 +168,7 @@ namespace signorini
   Eigen::MatrixXd StaticEquilibrium<dim>::springs(const Eigen::MatrixXd &free) const
   {
     return stiffness_of_springs
-           * (weak * loose * loose.transpose() + (1. - weak) * free * free.transpose());
+           * (weakness * loose * loose.transpose() + (1. - weakness) * free * free.transpose());
   }
 
 

@@ -32,7 +32,7 @@ namespace signorini
    * 3d, flattening (5 m v^2 / (4 K))^(2/5), duration 2.943 flattening / v (Johnson, Contact
    * Mechanics 1985, section 11.4); in 2d the linear law of a cylinder, pi/4 E* per unit of length
    * and flattening. Flat ones: the pressure Z v of a plane wave, Z = rho c, until it has run
-   * through the shorter body and back.
+   * through the shorter body (a much softer one) and back.
    * @param touch of smooth surfaces that do meet @param other mass and modulus infinite if rigid
    */
   template <int dim>

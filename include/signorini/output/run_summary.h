@@ -19,7 +19,9 @@ namespace signorini
     bool        massless_contact_nodes = false;
     std::string own_tolerance =
       {}; ///< the key with which the scheme controls its own error, if any
-    unsigned int dimension = 3;
+    unsigned int dimension   = 3;
+    bool         has_inertia = true; ///< else what contact does to energies means nothing
+    bool         may_gain    = true; ///< contact may add energy to the scheme
   };
 
   /**
@@ -66,6 +68,7 @@ namespace signorini
            largest_residual = 0., largest_penetration = 0., work_contact = 0., impulse = 0.,
            work_friction = 0., transferred = 0., largest_slip = 0.;
     double        work_damping = 0., work_scheme = 0.;
+    double        largest_gain    = 0.; ///< by contact and friction in a step
     double        standard_change = 0.; ///< change of the total energy with the consistent mass
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
     unsigned long fewest_cells = 0, most_cells = 0;

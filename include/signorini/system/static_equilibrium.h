@@ -93,6 +93,7 @@ namespace signorini
     const StepOperator<dim>               stiffness;
     RigidSprings<dim>                     matrix;
     std::unique_ptr<MaskedPreconditioner> preconditioner;
+    const double                          weakness; ///< of springs where contact holds
     std::unique_ptr<ConstrainedSolver>    solver;
 
     /** Of the springs: weak where contact holds. @param free motions that nothing holds */
