@@ -66,21 +66,16 @@ namespace signorini
     ExpectedImpact
     impact_of_flat_faces(const FirstTouch &touch, const Collider &body, const Collider &other)
     {
-      const bool   deforms = std::isfinite(other.modulus);
-      const double Z       = in_series(body.density * body.wave_speed,
-                                 deforms ? other.density * other.wave_speed
-                                               : std::numeric_limits<double>::infinity());
-      // What comes back from within a much stiffer body is small.
-      double way = way_through(body, touch);
-      if (deforms && Z_of(other) < 2. * Z_of(body))
-        way = Z_of(body) < 2. * Z_of(other) ? std::min(way, way_through(other, touch))
-                                            : way_through(other, touch);
+      // What comes back from within a much stiffer body is small; a rigid one is the limit.
+      const double Z = Z_of(body), Z_other = Z_of(other);
+      double       way = Z_other < 2. * Z ? way_through(other, touch) : way_through(body, touch);
+      if (Z_other < 2. * Z && Z < 2. * Z_other)
+        way = std::min(way, way_through(body, touch));
       ExpectedImpact impact;
-      impact.force    = touch.area * Z * touch.speed;
+      impact.force    = touch.area * in_series(Z, Z_other) * touch.speed;
       impact.duration = 2. * way;
       impact.n_nodes  = touch.n_at_once;
-      impact.strain =
-        impact.force / touch.area / (body.density * body.wave_speed * body.wave_speed);
+      impact.strain   = impact.force / touch.area / (Z * body.wave_speed);
       return impact;
     }
   } // namespace

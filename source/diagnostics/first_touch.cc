@@ -5,6 +5,8 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <boost/serialization/array.hpp>
+
 #include <Eigen/Dense>
 
 #include <cmath>
@@ -19,6 +21,22 @@ namespace signorini
     constexpr double round =
       1e-2; ///< rise of a patch, in distances of nodes, from which it is round
     constexpr double misfit = 0.1; ///< of a paraboloid, part of what rises
+
+    /** Around the node of a pair that touches first. */
+    template <int dim>
+    struct TouchPlace
+    {
+      double                        speed = 0., distance = 0., radius = 0.;
+      Point<dim>                    position;
+      std::array<double, dim * dim> frame{}; ///< rows: normal, tangents
+
+      template <class Archive>
+      void serialize(Archive &archive, const unsigned int /*version*/)
+      {
+        archive &speed &distance &radius &position &frame;
+      }
+    };
+
 
     /** The nodes of a pair as it approaches. */
     template <int dim>
@@ -55,29 +73,24 @@ namespace signorini
         const auto times = Utilities::MPI::min_max_avg(time, communicator);
         if (!std::isfinite(times.min))
           return touch;
-        // speed, distance, radius of the patch, position, frame
-        std::array<double, 3 + dim + dim * dim> place{};
+        Place place;
         if (Utilities::MPI::this_mpi_process(communicator) == times.min_index)
-          {
-            const ContactNode<dim> &node = nodes[first];
-            place[0]                     = speeds[first];
-            place[1]                     = distances[first];
-            place[2]                     = patch * std::pow(node.weight, 1. / (dim - 1));
-            for (unsigned int c = 0; c < dim; ++c)
-              place[3 + c] = node.position[c];
-            std::copy(node.frame.begin(), node.frame.end(), &place[3 + dim]);
-          }
+          place = {speeds[first],
+                   distances[first],
+                   patch * std::pow(nodes[first].weight, 1. / (dim - 1)),
+                   nodes[first].position,
+                   nodes[first].frame};
         place       = Utilities::MPI::broadcast(communicator, place, times.min_index);
         touch.time  = times.min;
-        touch.speed = place[0];
-        for (unsigned int c = 0; c < dim; ++c)
-          touch.normal[c] = place[3 + dim + c];
+        touch.speed = place.speed;
+        std::copy_n(place.frame.begin(), dim, touch.normal.begin());
         fit(pair, place, touch);
         return touch;
       }
 
     private:
       static constexpr unsigned int n_unknowns = 1 + (dim - 1) + 1;
+      using Place                              = TouchPlace<dim>;
       using Row                                = Eigen::Matrix<double, n_unknowns, 1>;
 
       const std::vector<ContactNode<dim>> &nodes;
@@ -85,64 +98,64 @@ namespace signorini
       MPI_Comm                             communicator;
 
       /** distance - distance of the first node = a + b.t + 1/(2R) |t|^2, by least squares. */
-      template <typename Place>
       void fit(const unsigned int pair, const Place &place, FirstTouch &touch) const
       {
-        // matrix, right-hand side; square of the distances; number and area of nodes; area and
-        // number of those that meet at once
-        std::vector<double> sums(n_unknowns * n_unknowns + n_unknowns + 5, 0.);
+        // In one array, as it is summed over the processes: normal equations, then single sums.
+        constexpr unsigned int n_entries = n_unknowns * (n_unknowns + 1);
+        std::vector<double>    sums(n_entries + 5, 0.);
         Eigen::Map<Eigen::Matrix<double, n_unknowns, n_unknowns>> matrix(sums.data());
         Eigen::Map<Row> right_hand_side(sums.data() + n_unknowns * n_unknowns);
-        double         *others  = sums.data() + n_unknowns * (n_unknowns + 1);
-        const double    spacing = place[2] / patch;
+        double         &squares = sums[n_entries], &n_nodes = sums[n_entries + 1],
+               &area = sums[n_entries + 2], &area_at_once = sums[n_entries + 3],
+               &n_at_once    = sums[n_entries + 4];
+        const double spacing = place.radius / patch;
         for (std::size_t k = 0; k < nodes.size(); ++k)
           {
             if (nodes[k].pair != pair || !std::isfinite(distances[k]))
               continue;
-            const double rise = distances[k] - place[1];
+            const double rise = distances[k] - place.distance;
             if (std::abs(rise) < 1e-6 * spacing)
               {
-                others[3] += nodes[k].weight;
-                others[4] += 1.;
+                area_at_once += nodes[k].weight;
+                n_at_once += 1.;
               }
             const Row row = unknowns_at(nodes[k].position, place);
-            if (2. * row[dim] > place[2] * place[2])
+            if (2. * row[dim] > place.radius * place.radius)
               continue;
             matrix += row * row.transpose();
             right_hand_side += rise * row;
-            others[0] += rise * rise;
-            others[1] += 1.;
-            others[2] += nodes[k].weight;
+            squares += rise * rise;
+            n_nodes += 1.;
+            area += nodes[k].weight;
           }
         Utilities::MPI::sum(sums, communicator, sums);
-        touch.node_spacing = std::pow(others[2] / others[1], 1. / (dim - 1));
-        touch.area         = others[3];
-        touch.n_at_once    = static_cast<unsigned int>(others[4]);
-        if (others[0] < std::pow(round * spacing, 2) * others[1]) // all distances are equal
+        touch.node_spacing = std::pow(area / n_nodes, 1. / (dim - 1));
+        touch.area         = area_at_once;
+        touch.n_at_once    = static_cast<unsigned int>(n_at_once);
+        if (squares < std::pow(round * spacing, 2) * n_nodes) // all distances are equal
           {
             touch.is_smooth = true;
             return;
           }
-        if (others[1] < n_unknowns)
+        if (n_nodes < n_unknowns)
           return;
         const Row    solution = matrix.ldlt().solve(Row(right_hand_side));
-        const double left     = others[0] - solution.dot(right_hand_side);
+        const double left     = squares - solution.dot(right_hand_side);
         // The lowest point must be near: a tilted face has hardly any curvature.
         const double slope = solution.template segment<dim - 1>(1).norm();
-        touch.is_smooth    = left < misfit * misfit * others[0] && slope < solution[dim] * place[2];
+        touch.is_smooth = left < misfit * misfit * squares && slope < solution[dim] * place.radius;
         if (touch.is_smooth)
           touch.curvature = solution[dim];
       }
 
       /** The functions 1, t, |t|^2 / 2 at a position. */
-      template <typename Place>
       static Row unknowns_at(const Point<dim> &position, const Place &place)
       {
         Row row = Row::Zero();
         row[0]  = 1.;
         for (unsigned int t = 0; t + 1 < dim; ++t)
           for (unsigned int c = 0; c < dim; ++c)
-            row[1 + t] += place[3 + dim + dim * (t + 1) + c] * (position[c] - place[3 + c]);
+            row[1 + t] += place.frame[dim * (t + 1) + c] * (position[c] - place.position[c]);
         row[dim] = row.template segment<dim - 1>(1).squaredNorm() / 2.;
         return row;
       }

@@ -58,7 +58,7 @@ namespace signorini
   void CsvTable::finish()
   {
     if (!last.empty())
-      write_row(std::vector<double>(last));
+      write_row(std::vector<double>(last)); // a copy, as a row makes it forget the last one
   }
 
 

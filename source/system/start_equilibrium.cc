@@ -51,8 +51,8 @@ namespace signorini
       coordinates.force_to_cartesian(solution.friction_reaction);
       state.contact_force += solution.friction_reaction;
       state.friction.force = solution.friction_reaction;
-      state.friction.slip = state.friction.accumulated_slip = state.displacement;
-      state.friction.slip = state.friction.accumulated_slip = 0.; // slip counts from here
+      for (Vector *slip : {&state.friction.slip, &state.friction.accumulated_slip})
+        slip->reinit(state.displacement); // zero: slip counts from here
       state.friction.slip_path.assign(status.size(), 0.);
       state.friction.status = solution.status;
     }

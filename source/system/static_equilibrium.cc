@@ -5,6 +5,7 @@
 #include <signorini/system/motion_in_words.h>
 #include <signorini/system/scales.h>
 #include <signorini/system/static_equilibrium.h>
+#include <signorini/system/take_out_motion.h>
 #include <signorini/variational_inequality/make_solver.h>
 
 #include <deal.II/base/mpi.h>
@@ -96,7 +97,14 @@ namespace signorini
         solution.acceleration = project(solution.acceleration + borne);
         if (moved <= accepted && tolerance == accepted)
           {
-            rigid.add_in_contact(-project(now), solution.increment);
+            take_out_motion(rigid,
+                            free,
+                            now,
+                            coordinates,
+                            solution.status,
+                            problem.bounds,
+                            tolerance_of_bounds(),
+                            solution.increment);
             solution.is_held = !is_driven(problem, solution, accepted);
             return solution;
           }
@@ -156,11 +164,18 @@ namespace signorini
                                        coordinates.dirichlet_entries(),
                                        problem.prescribed,
                                        tolerance,
-                                       1e-12 * discretization.mesh().body_size(),
+                                       tolerance_of_bounds(),
                                        problem.friction},
                                       solution.status,
                                       solution.increment,
                                       solution.residual));
+  }
+
+
+  template <int dim>
+  double StaticEquilibrium<dim>::tolerance_of_bounds() const
+  {
+    return 1e-12 * discretization.mesh().body_size();
   }
 
 

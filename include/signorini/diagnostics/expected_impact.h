@@ -8,7 +8,7 @@
 
 namespace signorini
 {
-  /** One side of an impact. */
+  /** One side of an impact; of a rigid obstacle everything is infinite. */
   struct Collider
   {
     double mass       = 0.; ///< infinite for what is held or rigid

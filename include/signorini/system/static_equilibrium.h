@@ -30,12 +30,12 @@ namespace signorini
   /** In contact coordinates. */
   struct StaticSolution
   {
-    Vector          increment;    ///< d
-    Vector          residual;     ///< b - M a - A d: the forces that hold constraints, negative
-    ActiveSet       status;       ///< of the contact nodes
-    Eigen::VectorXd acceleration; ///< a: amplitudes of the rigid motions, see RigidModes
-    bool            is_held;      ///< a is zero but for round-off
-    unsigned int    n_steps = 0;  ///< of the proximal point iteration
+    Vector          increment;       ///< d
+    Vector          residual;        ///< b - M a - A d: the forces that hold constraints, negative
+    ActiveSet       status;          ///< of the contact nodes
+    Eigen::VectorXd acceleration;    ///< a: amplitudes of the rigid motions, see RigidModes
+    bool            is_held = false; ///< a is zero but for round-off
+    unsigned int    n_steps = 0;     ///< of the proximal point iteration
     SolveReport     effort;
   };
 
@@ -46,7 +46,8 @@ namespace signorini
    *
    * where a is the acceleration of the rigid motions that nothing holds (neither prescribed nodes
    * nor closed nor sticking ones), and d has no part in them. If loads do not drive these motions,
-   * a is zero, and d the least of 1/2 d'A d - b'd.
+   * a is zero, and d the least of 1/2 d'A d - b'd. (Free motion stays in d as far as open nodes
+   * would else be beyond their bounds, see take_out_motion.)
    *
    * The matrix is A itself, and there is one inequality to solve if Dirichlet conditions hold the
    * bodies. Where they do not, A is singular, and contact may hold what is left. This is a proximal
@@ -55,9 +56,9 @@ namespace signorini
    *
    *   A d + M Z S Z'M (d - d_last) = b - M a + r,
    *
-   * far weaker than contact (so that two or three solutions do), but for the motions that
-   * nothing holds: what their springs bear is their inertia. Each solution starts from the last
-   * one, so that all of them cost little more than one.
+   * far weaker than contact where there is no friction (so that two or three solutions do), but for
+   * the motions that nothing holds: what their springs bear is their inertia. Each solution starts
+   * from the last one, so that all of them cost little more than one.
    */
   template <int dim>
   class StaticEquilibrium
@@ -98,6 +99,7 @@ namespace signorini
 
     /** Of the springs: weak where contact holds. @param free motions that nothing holds */
     Eigen::MatrixXd springs(const Eigen::MatrixXd &free) const;
+    double          tolerance_of_bounds() const;
     /** Go on from a solution. @param S springs, @param anchor amplitudes where they are at rest */
     void solve_anchored(const StaticProblem   &problem,
                         const Eigen::MatrixXd &S,
