@@ -138,13 +138,13 @@ namespace signorini
           100. * largest_gain / largest_energy,
           " % of the energy in one step, which this scheme never does where a body keeps to its "
           "obstacle: it passed an edge or a corner, or began inside. Do not trust what follows.");
+    if (!subject.has_inertia)
+      return result;
     if (relative(-work_scheme) > 0.1)
       say("the damping of the scheme took ",
           100. * relative(-work_scheme),
           " % of the energy. It is meant for what is faster than a step: give smaller steps, or "
           "`Time/Spectral radius = 1` if the vibration counts.");
-    if (!subject.has_inertia)
-      return result;
     if (first_contact >= 0. && phase == 0 && longest_phase < few_steps)
       say("the longest contact lasted ",
           longest_phase,
@@ -171,7 +171,7 @@ namespace signorini
       text << "  mesh              changed " << n_mesh_changes << " times, between " << fewest_cells
            << " and " << most_cells << " cells; this changed the energy by "
            << 100. * relative(transferred) << " %\n";
-    if (work_damping != 0. || std::abs(work_scheme) > 1e-9 * scale())
+    if (subject.has_inertia && (work_damping != 0. || std::abs(work_scheme) > 1e-9 * scale()))
       text << "  damping           changed the energy by "
            << without_round_off(100. * relative(work_scheme)) << " % (of the scheme) and "
            << without_round_off(100. * relative(work_damping)) << " % (of the bodies)\n";

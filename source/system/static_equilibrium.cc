@@ -2,11 +2,13 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/linear_algebra/aitken_relaxation.h>
 #include <signorini/system/motion_in_words.h>
 #include <signorini/system/scales.h>
 #include <signorini/system/static_equilibrium.h>
 #include <signorini/system/take_out_motion.h>
 #include <signorini/variational_inequality/make_solver.h>
+#include <signorini/variational_inequality/slip_system.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -28,6 +30,9 @@ namespace signorini
 
     /** Of solutions whose anchors are still moving: in parts of this motion. */
     constexpr double rough = 1e-3;
+
+    /** Tolerances that the last solution, accepted by its solver, may leave for the next one. */
+    constexpr double of_last_solution = 10.;
 
     /** Forces on rigid motions, relative to all that acts on them, that are none. */
     constexpr double balanced = 1e-8;
@@ -77,23 +82,26 @@ namespace signorini
     solution.status                        = std::move(status);
     solution.acceleration                  = Eigen::VectorXd::Zero(rigid.size());
 
-    const double    response  = response_to(problem);
-    const double    accepted  = parameters.tolerance * response;
-    double          moved     = loose.cols() > 0 ? response : 0.; // anchors, in the norm of K
-    double          tolerance = std::max(accepted, rough * std::min(moved, response));
-    Eigen::VectorXd last      = solution.acceleration; // rigid part of d, where it is anchored
-    Eigen::MatrixXd S         = springs(problem.near_contact_only ? loose : loose.leftCols(0));
+    const double     response  = response_to(problem);
+    const double     accepted  = parameters.tolerance * response;
+    double           moved     = loose.cols() > 0 ? response : 0.; // anchors, in the norm of K
+    double           tolerance = std::max(accepted, rough * std::min(moved, response));
+    Eigen::VectorXd  last      = solution.acceleration; // rigid part of d, where it is anchored
+    Eigen::MatrixXd  S         = springs(problem.near_contact_only ? loose : loose.leftCols(0));
+    AitkenRelaxation relaxation;
+    Eigen::Index     n_free = loose.cols();
     while (solution.n_steps++ < maximum_steps)
       {
         solve_anchored(problem, S, last, tolerance, solution);
         const Eigen::VectorXd now   = matrix.amplitudes(solution.increment);
-        const Eigen::VectorXd borne = S * (now - last);
+        const Eigen::VectorXd step  = now - last;
+        const Eigen::VectorXd borne = S * step;
         const Eigen::MatrixXd free =
           rigid.free_amplitudes(coordinates.held_entries(solution.status));
         const auto project = [&](const Eigen::VectorXd &motion) {
           return Eigen::VectorXd(free * (free.transpose() * motion));
         };
-        moved                 = std::sqrt(borne.dot(now - last));
+        moved                 = std::sqrt(borne.dot(step));
         solution.acceleration = project(solution.acceleration + borne);
         if (moved <= accepted && tolerance == accepted)
           {
@@ -110,8 +118,11 @@ namespace signorini
           }
         // What is free goes on in its direction, as slip does, but no further than with springs
         // that are not weak.
-        last += borne / stiffness_of_springs;
-        last = now + project(last - now);
+        if (free.cols() != n_free)
+          relaxation.forget();
+        n_free                     = free.cols();
+        const Eigen::VectorXd held = step - project(step);
+        last += project(borne) / stiffness_of_springs + relaxation.factor(held) * held;
         rigid.add_in_contact(last - now, solution.increment);
         S         = springs(free);
         tolerance = std::max(accepted, rough * std::min(moved, response));
@@ -125,6 +136,8 @@ namespace signorini
   template <int dim>
   StaticSolution StaticEquilibrium<dim>::find_held(StaticProblem problem, const ActiveSet &status)
   {
+    if (std::optional<StaticSolution> rest = try_rest(problem))
+      return *rest;
     problem.near_contact_only = true;
     StaticSolution near       = solve(problem, status);
     unsigned int   n_open     = 0;
@@ -142,6 +155,49 @@ namespace signorini
       {
         return near; // what is not held has fallen without end
       }
+  }
+
+
+  template <int dim>
+  std::optional<StaticSolution> StaticEquilibrium<dim>::try_rest(const StaticProblem &problem)
+  {
+    const std::vector<unsigned int> &normals = coordinates.normal_entries();
+    const double   accepted = of_last_solution * parameters.tolerance * response_to(problem);
+    StaticSolution rest;
+    rest.increment = rest.residual = discretization.make_vector();
+    rest.acceleration              = Eigen::VectorXd::Zero(rigid.size());
+    rest.is_held                   = true;
+    rest.residual                  = problem.force;
+    coordinates.force_to_contact(rest.residual);
+    Vector diagonal = discretization.make_vector();
+    stiffness.diagonal(diagonal);
+
+    unsigned int n_moving = std::count_if(problem.prescribed.begin(),
+                                          problem.prescribed.end(),
+                                          [](const double value) { return value != 0.; });
+    for (std::size_t k = 0; k < normals.size(); ++k)
+      {
+        const double normal = rest.residual.local_element(normals[k]);
+        const bool   closed = normal > 0. && problem.bounds[k] <= tolerance_of_bounds();
+        n_moving += problem.bounds[k] < -tolerance_of_bounds();
+        rest.status.push_back(closed ? contact_status::slip : contact_status::open);
+        if (problem.friction.empty() || problem.friction[k].entries.empty())
+          continue;
+        // Errors of forces as the solver counts them.
+        const FrictionNode &node = problem.friction[k];
+        const double        force =
+          node_forces(node, normals[k], closed, rest.increment, rest.residual).tangential.norm();
+        const double error = accepted * std::sqrt(diagonal.local_element(node.entries[0]));
+        if (closed && force <= node.law.bound(normal) + error)
+          rest.status[k] = contact_status::stick;
+      }
+    n_moving = dealii::Utilities::MPI::sum(n_moving, discretization.communicator());
+    if (n_moving > 0)
+      return std::nullopt;
+    const std::vector<unsigned int> held       = coordinates.held_entries(rest.status);
+    const double                    unbalanced = response_size(
+      stiffness, *preconditioner, rest.residual, held, std::vector<double>(held.size()));
+    return unbalanced <= accepted ? std::optional(rest) : std::nullopt;
   }
 
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -126,18 +127,11 @@ namespace signorini
           return 0;
         target = solution;
         target += direction;
-        for (std::size_t k = 0; k < bounds.size(); ++k)
+        if (move_to_first_bound())
           {
-            clip_normal(k);
-            if (!has_friction(k) || rests(k))
-              continue;
-            // No further than to the kink of |slip|: whether to go beyond is for the proximal step
-            // to say.
-            const TangentVector before = forces(k).slip;
-            if (before.dot(before + tangential_entries(problem.friction[k], direction)) < 0.)
-              set_slip(target, k, TangentVector::Zero());
+            bend_target();
+            move();
           }
-        move();
         return report.iterations;
       }
 
@@ -269,6 +263,55 @@ namespace signorini
         update_residual();
       }
 
+      /**
+       * Straight to the minimum of J on the way to the target, but no further than to the first
+       * bound, where the node is exactly then. (Towards a target with all bounds and kinks taken
+       * into account, which is no smooth displacement any more, J hardly falls.)
+       * @return whether J goes on falling there
+       */
+      bool move_to_first_bound()
+      {
+        direction = target;
+        direction -= solution;
+        std::vector<double> distances(bounds.size(), std::numeric_limits<double>::infinity());
+        double              first = 1.;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            const unsigned int i = problem.bounded_entries[k];
+            if (target.local_element(i) > problem.upper_bounds[k])
+              distances[k] =
+                (problem.upper_bounds[k] - solution.local_element(i)) / direction.local_element(i);
+            first = std::min(first, distances[k]);
+          }
+        first = dealii::Utilities::MPI::min(first, solution.get_mpi_communicator());
+        problem.matrix.vmult(product, direction);
+        const double length = step_length(dot(direction, product), first);
+        solution.add(length, direction);
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          if (distances[k] <= length)
+            solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
+        stop_slip_of_round_off();
+        update_residual();
+        return length == first && first < 1.;
+      }
+
+      /**
+       * The target within its bounds, and with slip no further than to the kink of |slip|: whether
+       * to go beyond is for the proximal step to say.
+       */
+      void bend_target()
+      {
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            clip_normal(k);
+            if (!has_friction(k) || rests(k))
+              continue;
+            const FrictionNode &node = problem.friction[k];
+            if (forces(k).slip.dot(node.past + tangential_entries(node, target)) < 0.)
+              set_slip(target, k, TangentVector::Zero());
+          }
+      }
+
       void update_residual()
       {
         problem.matrix.vmult(residual, solution);
@@ -289,10 +332,11 @@ namespace signorini
       }
 
       /**
-       * The zero of the derivative of J, which grows along the segment. What friction balances is
-       * taken out node by node: it may be larger by the inverse of round-off than what is left.
+       * The zero of the derivative of J, which grows along the segment, or the longest length. What
+       * friction balances is taken out node by node: it may be larger by the inverse of round-off
+       * than what is left.
        */
-      double step_length(const double curvature)
+      double step_length(const double curvature, const double longest = 1.)
       {
         Vector &unbalanced = product;
         unbalanced         = residual;
@@ -307,9 +351,9 @@ namespace signorini
               friction += change_of_friction(k, length);
           return length * curvature - linear + sum(friction, solution.get_mpi_communicator());
         };
-        if (derivative(1.) <= 0.)
-          return 1.;
-        double low = 0., high = 1.;
+        if (derivative(longest) <= 0.)
+          return longest;
+        double low = 0., high = longest;
         for (unsigned int n = 0; n < 50; ++n)
           {
             const double middle                    = 0.5 * (low + high);

@@ -288,6 +288,31 @@ class Statics(check_history.SceneTest):
         )
         self.assertIn("'block' moves along x: begins to move", run.log)
 
+    def test_loads_that_are_held(self):
+        """Nearly incompressible blocks bulge under their weight and slip. Under the same load
+        nothing moves any more, and that costs three products, although all nodes that slipped are
+        at the limit of friction; then a push grows, goes back and turns round."""
+        push = "if(t<2.5, 0, 0.02*sin(t - 2))"
+        for ratio in (0.49, 0.499):
+            for friction in (0.1, 0.5):
+                with self.subTest(ratio=ratio, friction=friction):
+                    overrides = ["Time/End time=9", f"Bodies/upper/Traction=3: {push}; 0"]
+                    for body in ("lower", "upper"):
+                        overrides.append(f"Bodies/{body}/Poisson's ratio={ratio}")
+                    for pair in ("lower[2] : floor", "upper[2] : lower[3]"):
+                        overrides.append(f"Contact/{pair}/Friction coefficient={friction}")
+                    run = check_history.Run(TOWER, f"held-{ratio}-{friction}", overrides)
+                    self.expect_ledger_closes(run, driven=True)
+                    self.assertGreater(run["slip_nodes"][1], 0)
+                    self.assertLessEqual(run["products_stiffness"][2], 3)
+                    for row in range(1, len(run)):
+                        time = run["time"][row]
+                        expected = 0.02 * math.sin(time - 2) * 0.6 if time > 2.5 else 0
+                        force = run.vector("contact_force", row)
+                        self.assertAlmostEqual(force[0], -expected * 2, delta=1e-8)
+                        self.assertAlmostEqual(force[1], 0.5 + 2 * 0.3, delta=1e-8)
+                        self.assertLessEqual(run["work_friction"][row], 1e-12)
+
     def test_mesh_follows_the_load(self):
         """On a mesh that changes, each step is an equilibrium again."""
         run = check_history.Run(

@@ -74,6 +74,61 @@ subsection Contact
 end
 """
 
+#: A box below the height of a table moves into its side.
+SIDEWAYS = """
+set Dimension = 2
+subsection Time
+  set Step size = 5e-3
+  set End time  = 1.6
+end
+subsection Bodies
+  set Names = box
+  subsection box
+    set Shape            = box
+    set Lower corner     = -3, -0.5
+    set Upper corner     = -2, 0.5
+    set Repetitions      = 4, 4
+    set Young's modulus  = 1000
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 1; 0
+  end
+end
+subsection Obstacles
+  set Names = table
+  subsection table
+    set Normal = 0, 1
+    set Extent = 2
+  end
+end
+subsection Contact
+  set Pairs = box[2] : table
+end
+"""
+
+#: The first bending vibration of a cantilever, 78 steps long: E I = 1000/12, L = 20.
+BENDING = """
+set Dimension = 2
+subsection Time
+  set Step size = 1
+  set End time  = 300
+end
+subsection Bodies
+  set Names = beam
+  subsection beam
+    set Shape            = box
+    set Lower corner     = 0, 0
+    set Upper corner     = 20, 1
+    set Repetitions      = 80, 4
+    set Young's modulus  = 1000
+    set Poisson's ratio  = 0
+    set Density          = 1
+    set Initial velocity = 0; 1e-4*x^2
+    set Dirichlet        = 0: 0; 0
+  end
+end
+"""
+
 
 class Warnings(check_history.SceneTest):
     def run_quietly(self, name, scene, overrides=()):
@@ -128,6 +183,28 @@ class Warnings(check_history.SceneTest):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.expect_warning(result.stderr, "no node can come into contact")
         self.expect_warning(result.stderr, "'square'", "deep in an obstacle", "linearised")
+
+    def test_a_body_that_meets_the_side_of_a_plane_gains_energy(self):
+        """Its front nodes get a bound when they are above the table, and are inside it then."""
+        result, folder = self.run_quietly("sideways", SIDEWAYS)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.expect_warning(result.stderr, "contact brought", "of the energy in one step")
+        self.expect_warning(result.stderr, "'box'", "deep in an obstacle")
+        energy = check_history.read_table(folder / "history.csv")["total_energy"]
+        gain = max(new - old for old, new in zip(energy, energy[1:]))
+        self.assertGreater(gain, 0.1 * energy[0])
+
+    def test_damping_of_a_vibration_that_steps_resolve(self):
+        """The Courant number, 126, asks for `Spectral radius = 0.6`, a stiffness damping of
+        b = 1/8, and the steps resolve the vibration: omega = 3.516 sqrt(EI/(rho A L^4)) = 0.0802,
+        so that exp(-b omega^2 t) of its energy is left."""
+        result, folder = self.run_quietly("bending", BENDING)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.expect_warning(result.stderr, "the damping of the scheme took", "Spectral radius")
+        energy = check_history.read_table(folder / "history.csv")["total_energy"]
+        self.expect_close(energy[-1] / energy[0], math.exp(-0.125 * 0.0802**2 * 300), 0.03, "left")
+        result, _ = self.run_quietly("undamped", BENDING, ["Time/Spectral radius=1"])
+        self.assertNotIn("damping of the scheme", result.stderr)
 
     def test_a_mesh_that_is_too_coarse_for_its_contact(self):
         """One node of a coarse ball carries the contact; a step that is too long leaves it a few

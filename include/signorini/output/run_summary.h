@@ -20,7 +20,7 @@ namespace signorini
     std::string own_tolerance =
       {}; ///< the key with which the scheme controls its own error, if any
     unsigned int dimension   = 3;
-    bool         has_inertia = true; ///< else what contact does to energies means nothing
+    bool         has_inertia = true; ///< else what contact and scheme do to energies means nothing
     bool         may_gain    = true; ///< contact may add energy to the scheme
   };
 

@@ -10,6 +10,8 @@
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/constrained_solver.h>
 
+#include <optional>
+
 namespace signorini
 {
   /** What an increment d of the displacement has to bring into equilibrium, and how it is bound. */
@@ -100,6 +102,11 @@ namespace signorini
     /** Of the springs: weak where contact holds. @param free motions that nothing holds */
     Eigen::MatrixXd springs(const Eigen::MatrixXd &free) const;
     double          tolerance_of_bounds() const;
+    /**
+     * d = 0, if that is the equilibrium, as where a load is held. With friction the solvers find it
+     * with pains: all nodes that have slipped are at the edge between sticking and slipping.
+     */
+    std::optional<StaticSolution> try_rest(const StaticProblem &problem);
     /** Go on from a solution. @param S springs, @param anchor amplitudes where they are at rest */
     void solve_anchored(const StaticProblem   &problem,
                         const Eigen::MatrixXd &S,
