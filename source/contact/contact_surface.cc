@@ -66,9 +66,10 @@ namespace signorini
     const MortarCoupling<dim> mortar(discretization, dirichlet, descriptions, pair);
     if (!mortar.faces_look_at_each_other())
       throw UserError(head
-                      + "no face of the slave looks at a face of the master along its normal, so "
-                        "that they can never touch. Check the boundary ids and the positions of "
-                        "the bodies.");
+                      + "no face of the slave looks at a face of the master along its normal. Who "
+                        "meets whom is decided once, in the initial configuration: check the "
+                        "boundary ids and the positions of the bodies, and let bodies that fly "
+                        "towards each other start when they are near.");
     if (mortar.n_nodes() == 0 && mortar.n_left_to_dirichlet_conditions() == 0)
       throw UserError(
         head

@@ -9,6 +9,7 @@
 #include <signorini/schemes/support_forces.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace signorini
@@ -63,6 +64,8 @@ namespace signorini
     const double            start_speed  = state.velocity.linfty_norm();
     IncrementSolution       solution;
     SolveReport             effort;
+    // Iterates gone astray are not the scale of their errors.
+    double largest_jump = std::numeric_limits<double>::infinity();
 
     // The unknowns are the normal jumps at the contact nodes.
     const auto next_jump = [&](const Vector &current, Vector &image) {
@@ -83,8 +86,10 @@ namespace signorini
         image.local_element(k) = normal_jump[k];
       Vector difference = image;
       difference -= current;
-      return epsilon * difference.linfty_norm()
-             / std::max({start_speed, jump.linfty_norm(), tiny_speed});
+      const double size = std::min(jump.linfty_norm(), largest_jump);
+      if (!std::isfinite(largest_jump))
+        largest_jump = size;
+      return epsilon * difference.linfty_norm() / std::max({start_speed, size, tiny_speed});
     };
     FixedPoint fixed_point(
       next_jump,

@@ -4,8 +4,17 @@
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/increment_forecast.h>
 
+#include <algorithm>
+
 namespace signorini
 {
+  namespace
+  {
+    /** Of energies of increments that can tell about each other in double precision. */
+    constexpr double largest_ratio = 1e12;
+  } // namespace
+
+
   bool IncrementForecast::guess(const Vector &right_hand_side, Vector &increment)
   {
     const unsigned int n = entries.size();
@@ -70,6 +79,11 @@ namespace signorini
     for (unsigned int i = 0; i < n; ++i)
       new_gram(0, i) = new_gram(i, 0) = dot(entries[i].increment, entries[0].product);
     gram = new_gram;
+
+    // A solution for an iterate gone astray would leave its round-off in all that follow.
+    const Eigen::ArrayXd energies = gram.diagonal().array().abs();
+    if (!(energies.maxCoeff() <= largest_ratio * energies.minCoeff()))
+      clear();
   }
 
 

@@ -127,3 +127,19 @@ TEST_F(Forecast, BearsIncrementsThatAreZeroOrAlike)
     remember((1. + 1e-15 * k) * d);
   EXPECT_LT((guess(K * d) - d).norm(), 1e-9);
 }
+
+
+TEST_F(Forecast, ForgetsAtASolutionThatIsFarTooLarge)
+{
+  // Its round-off would be larger than what comes after it.
+  remember(vector());
+  remember(1e7 * vector(), 1e9 * vector());
+  Vector increment(n);
+  EXPECT_FALSE(forecast.guess(distributed(vector()), increment));
+
+  const Eigen::VectorXd d = vector();
+  remember(d);
+  EXPECT_LT((guess(K * d) - d).norm(), 1e-12 * d.norm());
+  remember(Eigen::VectorXd::Zero(n)); // comes to rest
+  EXPECT_FALSE(forecast.guess(distributed(vector()), increment));
+}

@@ -31,7 +31,10 @@ namespace signorini
      */
     bool guess(const Vector &right_hand_side, Vector &increment);
 
-    /** Remember a solved step: K increment = right_hand_side - residual. */
+    /**
+     * Remember a solved step: K increment = right_hand_side - residual. One that is larger or
+     * smaller by far than the last ones makes forget everything.
+     */
     void remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual);
 
     /** Forget everything: the next step has another size or another mesh. */
