@@ -113,7 +113,9 @@ namespace signorini
 
 
   template <int dim>
-  Eigen::MatrixXd RigidModes<dim>::free_amplitudes(const std::vector<unsigned int> &entries) const
+  Eigen::MatrixXd
+  RigidModes<dim>::free_amplitudes(const std::vector<unsigned int>  &entries,
+                                   const std::vector<HeldDirection> &directions) const
   {
     for ([[maybe_unused]] const unsigned int entry : entries)
       AssertIndexRange(entry, dim * discretization.matrices().pattern.n_owned);
@@ -126,6 +128,15 @@ namespace signorini
         for (const unsigned int entry : entries)
           gram(i, j) +=
             scale[i] * local[i].local_element(entry) * scale[j] * local[j].local_element(entry);
+    for (const HeldDirection &held : directions)
+      {
+        Eigen::VectorXd parts(n);
+        for (Eigen::Index i = 0; i < n; ++i)
+          parts[i] = scale[i]
+                     * (held.parts[0] * local[i].local_element(held.entries[0])
+                        + held.parts[1] * local[i].local_element(held.entries[1]));
+        gram += parts * parts.transpose();
+      }
     const dealii::ArrayView<double> sums(gram.data(), gram.size());
     dealii::Utilities::MPI::sum(
       dealii::ArrayView<const double>(sums), discretization.communicator(), sums);

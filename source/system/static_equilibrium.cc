@@ -19,7 +19,10 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int maximum_steps = 50;
+    constexpr unsigned int maximum_steps = 60;
+
+    /** Solutions after which a body is taken to slide without end whatever its slip does. */
+    constexpr unsigned int patience = 40;
 
     /**
      * Of springs where contact holds: weaker than the bending of a body a thousand times as long as
@@ -33,6 +36,12 @@ namespace signorini
 
     /** Tolerances that the last solution, accepted by its solver, may leave for the next one. */
     constexpr double of_last_solution = 10.;
+
+    /**
+     * Of the stiffness of a node: what resists the turning of its slip, bound over slip, is nothing
+     * below. Bodies that slide without end come here.
+     */
+    constexpr double turning = 1e-3;
 
     /** Forces on rigid motions, relative to all that acts on them, that are none. */
     constexpr double balanced = 1e-8;
@@ -70,7 +79,9 @@ namespace signorini
                                                 mass_factors<dim>(loose, stiffness_of_springs)))
     , weakness(with_friction ? not_weak : weak)
     , solver(make_solver(with_friction, parameters.limits))
+    , diagonal(discretization.make_vector())
   {
+    stiffness.diagonal(diagonal);
   }
 
 
@@ -96,9 +107,8 @@ namespace signorini
         const Eigen::VectorXd now   = matrix.amplitudes(solution.increment);
         const Eigen::VectorXd step  = now - last;
         const Eigen::VectorXd borne = S * step;
-        const Eigen::MatrixXd free =
-          rigid.free_amplitudes(coordinates.held_entries(solution.status));
-        const auto project = [&](const Eigen::VectorXd &motion) {
+        const Eigen::MatrixXd free = free_motions(problem, solution, solution.acceleration + borne);
+        const auto            project = [&](const Eigen::VectorXd &motion) {
           return Eigen::VectorXd(free * (free.transpose() * motion));
         };
         moved                 = std::sqrt(borne.dot(step));
@@ -169,8 +179,6 @@ namespace signorini
     rest.is_held                   = true;
     rest.residual                  = problem.force;
     coordinates.force_to_contact(rest.residual);
-    Vector diagonal = discretization.make_vector();
-    stiffness.diagonal(diagonal);
 
     unsigned int n_moving = std::count_if(problem.prescribed.begin(),
                                           problem.prescribed.end(),
@@ -232,6 +240,48 @@ namespace signorini
   double StaticEquilibrium<dim>::tolerance_of_bounds() const
   {
     return 1e-12 * discretization.mesh().body_size();
+  }
+
+
+  template <int dim>
+  Eigen::MatrixXd StaticEquilibrium<dim>::free_motions(const StaticProblem   &problem,
+                                                       const StaticSolution  &solution,
+                                                       const Eigen::VectorXd &drive) const
+  {
+    const std::vector<unsigned int> held = coordinates.held_entries(solution.status);
+    if (problem.friction.empty() || solution.n_steps > patience)
+      return rigid.free_amplitudes(held);
+
+    std::vector<HeldDirection> directions; // slip of nodes, along and across
+    const auto                 for_each_slip = [&](const auto &action) {
+      for (std::size_t k = 0; k < problem.friction.size(); ++k)
+        {
+          const FrictionNode &node = problem.friction[k];
+          if (solution.status[k] != contact_status::slip || node.entries.empty())
+            continue;
+          const NodeForces forces = node_forces(
+            node, coordinates.normal_entries()[k], true, solution.increment, solution.residual);
+          const double slip = forces.slip.norm(), bound = node.law.bound(forces.normal);
+          if (slip > 0. && bound > turning * diagonal.local_element(node.entries[0]) * slip)
+            action(node.entries, TangentVector(forces.slip / slip));
+        }
+    };
+    for_each_slip([&](const std::vector<unsigned int> &entries, const TangentVector &along) {
+      if (entries.size() > 1)
+        directions.push_back({{{entries[0], entries[1]}}, {{-along[1], along[0]}}});
+    });
+    const Eigen::MatrixXd free = rigid.free_amplitudes(held, directions);
+    Vector                motion(discretization.make_vector());
+    rigid.add_in_contact(free * (free.transpose() * drive), motion);
+    for_each_slip([&](const std::vector<unsigned int> &entries, const TangentVector &along) {
+      double forwards = 0.;
+      for (unsigned int j = 0; j < entries.size(); ++j)
+        forwards += along[j] * motion.local_element(entries[j]);
+      if (forwards < 0.)
+        directions.push_back(
+          {{{entries.front(), entries.back()}}, {{along[0], entries.size() > 1 ? along[1] : 0.}}});
+    });
+    return rigid.free_amplitudes(held, directions);
   }
 
 

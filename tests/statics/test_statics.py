@@ -128,6 +128,54 @@ end
 """
 
 
+def layer(name, inset, bottom, top, cells, load=""):
+    """The section of a box in 3d."""
+    return f"""  subsection {name}
+    set Shape           = box
+    set Lower corner    = {inset}, {inset}, {bottom}
+    set Upper corner    = {1.28398 - inset}, {1.28398 - inset}, {top}
+    set Repetitions     = {cells}, 3, 2
+    set Young's modulus = 40441.2
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    {load}
+  end
+"""
+
+
+#: Three boxes on each other in 3d, wide to narrow.
+STACK = (
+    """
+set Dimension = 3
+subsection Time
+  set Scheme    = static
+  set Step size = 1
+  set End time  = 3
+end
+subsection Bodies
+  set Names = low, middle, top
+"""
+    + layer("low", 0, 0, 0.48786, 3)
+    + layer("middle", 0.1284, 0.48786, 0.91019, 4)
+    + layer("top", 0.2568, 0.91019, 1.44146, 5, "set Traction = 5: 0.5*t; 0; -37*min(t, 1)")
+    + """end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Normal = 0, 0, 1
+  end
+end
+subsection Contact
+  set Pairs = low[4] : floor, middle[4] : low[5], top[4] : middle[5]
+"""
+    + "".join(
+        f"subsection {pair}\nset Friction coefficient = 0.1676\nend\n"
+        for pair in ("low[4] : floor", "middle[4] : low[5]", "top[4] : middle[5]")
+    )
+    + "end\n"
+)
+
+
 def run_beam(name, length, load, overrides=()):
     """Four cells high."""
     text = BEAM.replace("LENGTH", str(length)).replace("CELLS", str(4 * length))
@@ -312,6 +360,23 @@ class Statics(check_history.SceneTest):
                         self.assertAlmostEqual(force[0], -expected * 2, delta=1e-8)
                         self.assertAlmostEqual(force[1], 0.5 + 2 * 0.3, delta=1e-8)
                         self.assertLessEqual(run["work_friction"][row], 1e-12)
+
+    def test_nodes_that_all_slip_hold_what_their_directions_hold(self):
+        """A first load presses the boxes wider: most nodes slip, each in its own direction. A push
+        of 8 % of the limit turns these directions a little. At 3.3 t = 0.1676 * 37 they slide."""
+        run = check_history.Run(STACK, "stack")
+        self.expect_ledger_closes(run, driven=True)
+        self.assertGreater(run["slip_nodes"][1], run["stick_nodes"][1])
+        for row in range(1, len(run)):
+            force = [f / (1.28398 - 2 * 0.2568) ** 2 for f in run.vector("contact_force", row)]
+            self.assertAlmostEqual(force[0], -3 * 0.5 * run["time"][row], delta=1e-7)
+            self.assertAlmostEqual(force[2], 3 * 37, delta=1e-7)
+        self.expect_failure(
+            STACK,
+            "stack-slides",
+            ["at time 2", "moves along"],
+            ["Time/End time=4", "Bodies/top/Traction=5: 3.3*t; 0; -37*min(t,1)"],
+        )
 
     def test_mesh_follows_the_load(self):
         """On a mesh that changes, each step is an equilibrium again."""

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include <array>
+
 namespace signorini
 {
   /** A displacement or velocity u of all nodes, and its product with the mass. */
@@ -17,6 +19,13 @@ namespace signorini
   {
     Vector displacement; ///< u
     Vector momentum;     ///< M u
+  };
+
+  /** A direction in the plane of two entries of a node, of length 1. */
+  struct HeldDirection
+  {
+    std::array<unsigned int, 2> entries;
+    std::array<double, 2>       parts;
   };
 
   /**
@@ -53,9 +62,11 @@ namespace signorini
     /**
      * An orthonormal basis of the motions that leave some entries at rest, by amplitudes, a column
      * each: of the rigid motions that nothing holds. Collective.
-     * @param entries of contact coordinates, on this process
+     * @param entries    of contact coordinates, on this process
+     * @param directions in which other nodes are at rest
      */
-    Eigen::MatrixXd free_amplitudes(const std::vector<unsigned int> &entries) const;
+    Eigen::MatrixXd free_amplitudes(const std::vector<unsigned int>  &entries,
+                                    const std::vector<HeldDirection> &directions = {}) const;
 
     /** The same as motions. */
     std::vector<Motion> free_of(const std::vector<unsigned int> &entries) const;

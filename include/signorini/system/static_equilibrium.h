@@ -98,7 +98,17 @@ namespace signorini
     std::unique_ptr<MaskedPreconditioner> preconditioner;
     const double                          weakness; ///< of springs where contact holds
     std::unique_ptr<ConstrainedSolver>    solver;
+    Vector                                diagonal; ///< of A
 
+    /**
+     * A basis of the rigid motions that nothing holds: neither conditions nor closed or sticking
+     * nodes, nor nodes that slip in directions of their own, as where weight presses a block wider.
+     * A side step turns their slip, and friction turns with it; a step backwards stops them.
+     * @param drive what would move the bodies
+     */
+    Eigen::MatrixXd free_motions(const StaticProblem   &problem,
+                                 const StaticSolution  &solution,
+                                 const Eigen::VectorXd &drive) const;
     /** Of the springs: weak where contact holds. @param free motions that nothing holds */
     Eigen::MatrixXd springs(const Eigen::MatrixXd &free) const;
     double          tolerance_of_bounds() const;
