@@ -77,6 +77,7 @@ namespace signorini
                                                 discretization,
                                                 coordinates,
                                                 mass_factors<dim>(loose, stiffness_of_springs)))
+    , with_friction(with_friction)
     , weakness(with_friction ? not_weak : weak)
     , solver(make_solver(with_friction, parameters.limits))
     , diagonal(discretization.make_vector())
@@ -249,7 +250,7 @@ namespace signorini
                                                        const Eigen::VectorXd &drive) const
   {
     const std::vector<unsigned int> held = coordinates.held_entries(solution.status);
-    if (problem.friction.empty() || solution.n_steps > patience)
+    if (!with_friction || solution.n_steps > patience)
       return rigid.free_amplitudes(held);
 
     std::vector<HeldDirection> directions; // slip of nodes, along and across

@@ -96,7 +96,8 @@ namespace signorini
     const StepOperator<dim>               stiffness;
     RigidSprings<dim>                     matrix;
     std::unique_ptr<MaskedPreconditioner> preconditioner;
-    const double                          weakness; ///< of springs where contact holds
+    const bool                            with_friction; ///< on any process
+    const double                          weakness;      ///< of springs where contact holds
     std::unique_ptr<ConstrainedSolver>    solver;
     Vector                                diagonal; ///< of A
 
