@@ -3,6 +3,7 @@
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
+#include <signorini/base/user_error.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/run_scene.h>
@@ -10,6 +11,7 @@
 #include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
+#include <cstdlib>
 #include <iostream>
 
 namespace
@@ -29,10 +31,50 @@ namespace
     else
       std::cout << short_help();
   }
+
+  /** The rank in a run that a launcher has started, before MPI knows; none: started alone. */
+  const char *rank_by_launcher()
+  {
+    for (const char *name :
+         {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "MPI_LOCALRANKID", "SLURM_PROCID"})
+      if (const char *rank = std::getenv(name))
+        return rank;
+    return nullptr;
+  }
+
+  bool asks_for_information_only(const CommandLine &options)
+  {
+    return options.help || options.version || options.print_parameters || options.print_schemes;
+  }
+
+  /** What needs no MPI, whose start takes longer, is printed without. @return whether it was */
+  bool print_at_once(const std::vector<std::string> &arguments)
+  {
+    try
+      {
+        const CommandLine options = parse_command_line(arguments);
+        if (!options.scene_file.empty() && !asks_for_information_only(options))
+          return false;
+        const char *rank = rank_by_launcher();
+        if (rank == nullptr || std::string(rank) == "0")
+          print_information(options);
+        return true;
+      }
+    catch (const UserError &)
+      {
+        return false; // to be reported by all processes together
+      }
+  }
 } // namespace
 
 int main(int argc, char **argv)
 {
+  if (print_at_once({argv + 1, argv + argc}))
+    return 0;
+  // A process that was started alone would make OpenMPI start a daemon, which serves to start
+  // more processes only, and takes a quarter of a second.
+  if (rank_by_launcher() == nullptr)
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   // deal.II would hand the options on to other libraries, and PETSc comments on what it does not
   // know.
   int                                      only_the_name = 1;
@@ -45,20 +87,11 @@ int main(int argc, char **argv)
   CommandLine  options;
   unsigned int dimension = 0;
   const int    status    = reporter.separately([&] {
-    options = parse_command_line({argv + 1, argv + argc});
-    if (options.help || options.version || options.print_parameters || options.print_schemes)
-      options.scene_file.clear();
-    if (!options.scene_file.empty())
-      dimension = read_dimension(options.scene_file, options.overrides);
+    options   = parse_command_line({argv + 1, argv + argc});
+    dimension = read_dimension(options.scene_file, options.overrides);
   });
   if (status != 0)
     return status;
-
-  if (dimension == 2)
-    return run_scene<2>(options, comm, reporter);
-  if (dimension == 3)
-    return run_scene<3>(options, comm, reporter);
-  if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
-    print_information(options);
-  return 0;
+  return dimension == 2 ? run_scene<2>(options, comm, reporter)
+                        : run_scene<3>(options, comm, reporter);
 }

@@ -36,11 +36,12 @@ MAY_USE = {
 MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
 MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
-MAY_USE["preconditioners"] = MAY_USE["contact"] | {"contact"}
+MAY_USE["multigrid"] = MAY_USE["contact"] | {"contact"}
+MAY_USE["preconditioners"] = MAY_USE["multigrid"] | {"multigrid"}
 MAY_USE["system"] = (
     MAY_USE["mass"]
     | MAY_USE["variational_inequality"]
-    | {"mass", "variational_inequality", "preconditioners", "time"}
+    | {"mass", "variational_inequality", "multigrid", "preconditioners", "time"}
 )
 MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
 MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
@@ -68,6 +69,7 @@ HOLDS = {
     "variational_inequality": (
         "the bound-constrained problem and its solvers: algebra, no mesh, no time"
     ),
+    "multigrid": "geometric multigrid: levels, transfer, smoothing, what held entries change",
     "preconditioners": "preconditioners of a step, in contact coordinates",
     "system": "implements `DynamicalSystem`: the one place where the three chains meet",
     "adaptivity": "error indicators, which cells they change, the state on the new mesh",

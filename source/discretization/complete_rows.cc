@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/discretization/complete_rows.h>
+#include <signorini/discretization/node_owners.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -47,31 +48,11 @@ namespace signorini
     using Messages = std::map<unsigned int, std::vector<Entry<dim>>>;
 
 
-    /** Who owns a node: nodes are numbered process by process. */
-    class Owners
-    {
-    public:
-      Owners(const unsigned int n_owned, const MPI_Comm communicator)
-      {
-        Node end = 0;
-        for (const unsigned int n : Utilities::MPI::all_gather(communicator, n_owned))
-          ends.push_back(end += n);
-      }
-      unsigned int operator()(const Node node) const
-      {
-        return std::upper_bound(ends.begin(), ends.end(), node) - ends.begin();
-      }
-
-    private:
-      std::vector<Node> ends;
-    };
-
-
     /** What the rows of other processes get from the cells of this one. */
     template <int dim>
     Messages<dim> contributions_to_others(const ElasticMatrices<dim> &matrices,
                                           const LocalNodes           &nodes,
-                                          const Owners               &owner)
+                                          const NodeOwners           &owner)
     {
       Messages<dim>             result;
       const NodePattern        &pattern = matrices.pattern;
@@ -182,7 +163,7 @@ namespace signorini
     Messages<dim> rows_for_others(const NodePattern &pattern,
                                   const Rows<dim>   &rows,
                                   const LocalNodes  &nodes,
-                                  const Owners      &owner)
+                                  const NodeOwners  &owner)
     {
       Messages<dim> result;
       // Whose ghosts are which owned nodes: rank by rank, dim entries per node.
@@ -247,7 +228,7 @@ namespace signorini
                      const MPI_Comm              communicator,
                      ElasticMatrices<dim>       &result)
   {
-    const Owners            owner(nodes.n_owned, communicator);
+    const NodeOwners        owner(nodes.n_owned, communicator);
     std::vector<Entry<dim>> additions =
       exchange<dim>(communicator, contributions_to_others(contributions, nodes, owner));
     for (const auto &[place, value] : change)

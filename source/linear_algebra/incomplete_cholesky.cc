@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/cuthill_mckee.h>
+#include <signorini/linear_algebra/flush_denormals.h>
 #include <signorini/linear_algebra/incomplete_cholesky.h>
 #include <signorini/linear_algebra/small_blocks.h>
 
@@ -315,7 +316,10 @@ namespace signorini
     for (unsigned int p = 0; p < pattern.n_local; ++p)
       for (unsigned int c = 0; c < dim; ++c)
         work[4 * p + c] = weights[p] * static_cast<float>(scale * input[dim * order[p] + c]);
-    sweep();
+    {
+      const FlushDenormals flush;
+      sweep();
+    }
 
     ghosted.zero_out_ghost_values();
     destination.zero_out_ghost_values();

@@ -18,9 +18,21 @@ namespace signorini
 
   double LanczosMatrix::smallest_eigenvalue() const
   {
+    return eigenvalues().front();
+  }
+
+
+  double LanczosMatrix::largest_eigenvalue() const
+  {
+    return eigenvalues().back();
+  }
+
+
+  std::vector<double> LanczosMatrix::eigenvalues() const
+  {
     const int n = static_cast<int>(alphas.size());
     if (n == 0)
-      return 1.;
+      return {1.};
     Eigen::VectorXd diagonal(n), beside(n - 1);
     for (int j = 0; j < n; ++j)
       {
@@ -30,6 +42,6 @@ namespace signorini
       }
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
     solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-    return solver.eigenvalues().minCoeff();
+    return std::vector<double>(solver.eigenvalues().data(), solver.eigenvalues().data() + n);
   }
 } // namespace signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/multigrid/geometric_multigrid.h>
 #include <signorini/preconditioners/multilevel.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/preconditioners/relative_matrix.h>
@@ -124,16 +125,20 @@ namespace signorini
   } // namespace
 
 
-  PreconditionerKind choose_preconditioner(const double       courant_number,
-                                           const unsigned int matrix_life_time)
+  PreconditionerKind choose_preconditioner(const double                          courant_number,
+                                           const dealii::types::global_dof_index n_dofs,
+                                           const unsigned int                    matrix_life_time)
   {
     // A factor costs about as much as it saves in 40 steps at Courant number 1, in 8 at 5. Where
     // the stiffness rules the diagonal is too poor in any case: the accuracy of a solution is
     // judged in its norm.
     if (courant_number < 0.3 || (courant_number < 10. && matrix_life_time * courant_number < 40.))
       return PreconditionerKind::jacobi;
-    return courant_number > 60. && courant_number < 1000. ? PreconditionerKind::ml
-                                                          : PreconditionerKind::incomplete_cholesky;
+    // With the incomplete factor iterations grow with the Courant number, with multigrid they do
+    // not, but each is dearer, and most on small meshes.
+    const double multigrid_pays = std::min(100., 12. * (1. + 30000. / n_dofs));
+    return courant_number > multigrid_pays ? PreconditionerKind::multigrid
+                                           : PreconditionerKind::incomplete_cholesky;
   }
 
 
@@ -150,7 +155,8 @@ namespace signorini
     if (kind == PreconditionerKind::ml)
       return std::make_unique<Multilevel<dim>>(matrices, coordinates, sum);
     Assert(kind == PreconditionerKind::incomplete_cholesky,
-           dealii::ExcMessage("`automatic` is to be decided before: choose_preconditioner()"));
+           dealii::ExcMessage("`automatic` is to be decided before: choose_preconditioner(); "
+                              "multigrid needs a mesh."));
     return std::make_unique<ContactIncompleteCholesky<dim, dim>>(matrices, coordinates, sum);
   }
 
@@ -162,9 +168,14 @@ namespace signorini
                              const ContactCoordinates<dim> &coordinates,
                              const std::vector<double>     &mass_factors)
   {
-    if (kind == PreconditionerKind::automatic || kind == PreconditionerKind::ml)
-      return std::make_unique<Multilevel<dim>>(discretization, coordinates, mass_factors);
     const double largest = *std::max_element(mass_factors.begin(), mass_factors.end());
+    if (kind == PreconditionerKind::ml)
+      return std::make_unique<Multilevel<dim>>(discretization, coordinates, mass_factors);
+    if (kind == PreconditionerKind::multigrid || kind == PreconditionerKind::automatic)
+      return make_geometric_multigrid(std::make_shared<const LevelHierarchy<dim>>(discretization),
+                                      coordinates,
+                                      MatrixSum{largest, 1.},
+                                      true);
     return make_preconditioner(kind, discretization.matrices(), coordinates, {largest, 1.});
   }
 

@@ -30,9 +30,9 @@ namespace signorini
     prm.declare_entry("Preconditioner",
                       name_of(defaults.preconditioner),
                       choices_of<PreconditionerKind>(),
-                      "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, ml "
-                      "(algebraic multigrid), or automatic (chosen from the Courant number; ml for "
-                      "static problems).");
+                      "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, "
+                      "multigrid (geometric), ml (algebraic multigrid), or automatic (chosen from "
+                      "Courant number and mesh; ml for static problems).");
     prm.declare_entry("Tolerance",
                       as_text(defaults.tolerance),
                       Double(),

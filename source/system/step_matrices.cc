@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/multigrid/geometric_multigrid.h>
 #include <signorini/system/step_matrices.h>
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace signorini
     constexpr unsigned int n_kept = 4;
     /** In solutions: older increments belong to another phase of the motion. */
     constexpr unsigned int forget_age = 4;
+    /** Courant number: mass is next to nothing beyond, and rotations are nearly free. */
+    constexpr double needs_double_precision = 3000.;
   } // namespace
 
 
@@ -77,12 +80,24 @@ namespace signorini
       // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
       // again.
       kind = choose_preconditioner(discretization.mesh().courant_number(step_size),
+                                   discretization.dof_handler().n_dofs(),
                                    std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses));
     if (kind == matrix.kind)
       return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-    matrix.preconditioner =
-      make_preconditioner(kind, discretization.matrices(), coordinates, matrix.sum);
+    if (kind == PreconditionerKind::multigrid)
+      {
+        if (!hierarchy)
+          hierarchy = std::make_shared<const LevelHierarchy<dim>>(discretization);
+        matrix.preconditioner = make_geometric_multigrid(
+          hierarchy,
+          coordinates,
+          matrix.sum,
+          discretization.mesh().courant_number(step_size) > needs_double_precision);
+      }
+    else
+      matrix.preconditioner =
+        make_preconditioner(kind, discretization.matrices(), coordinates, matrix.sum);
     matrix.kind = kind;
     ++built;
   }

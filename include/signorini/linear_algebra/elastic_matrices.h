@@ -79,6 +79,15 @@ namespace signorini
     /** The sum for the block at a position of the row of a node. */
     Block combined_block(unsigned int node, unsigned int position, const MatrixSum &sum) const;
 
+    /** C resolved: the factors of M and A in the row of a local node. */
+    MatrixSum at_node(const unsigned int node, const MatrixSum &sum) const
+    {
+      if (!is_damped(sum))
+        return {sum.mass, sum.stiffness};
+      return {sum.mass + sum.damping * damping[node].mass,
+              sum.stiffness + sum.damping * damping[node].stiffness};
+    }
+
     /** Replace M by the diagonal matrix of its row sums. Collective. */
     void lump_mass();
 
@@ -105,15 +114,6 @@ namespace signorini
     void multiply_padded(const std::vector<double> &mass_values, const MatrixSum &sum) const;
 
     bool is_damped(const MatrixSum &sum) const { return sum.damping > 0. && !damping.empty(); }
-
-    /** C resolved: the factors of M and A in the row of a local node. */
-    MatrixSum at_node(const unsigned int node, const MatrixSum &sum) const
-    {
-      if (!is_damped(sum))
-        return {sum.mass, sum.stiffness};
-      return {sum.mass + sum.damping * damping[node].mass,
-              sum.stiffness + sum.damping * damping[node].stiffness};
-    }
   };
 } // namespace signorini
 

@@ -25,8 +25,14 @@ namespace signorini
     /** An upper bound of the smallest eigenvalue of P^-1 K; 1 without any iteration. */
     double smallest_eigenvalue() const;
 
+    /** A lower bound of the largest one, which soon is close; 1 without any iteration. */
+    double largest_eigenvalue() const;
+
   private:
     std::vector<double> alphas, betas;
+
+    /** Of the tridiagonal matrix, ascending; 1 if it is empty. */
+    std::vector<double> eigenvalues() const;
   };
 } // namespace signorini
 

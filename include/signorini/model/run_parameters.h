@@ -15,7 +15,8 @@ namespace signorini
     automatic, ///< chosen from the Courant number
     jacobi,
     incomplete_cholesky,
-    ml ///< algebraic multigrid
+    ml,       ///< algebraic multigrid
+    multigrid ///< geometric, on the levels of the mesh
   };
 
   template <>
@@ -25,7 +26,8 @@ namespace signorini
       {PreconditionerKind::automatic, "automatic"},
       {PreconditionerKind::jacobi, "jacobi"},
       {PreconditionerKind::incomplete_cholesky, "incomplete-cholesky"},
-      {PreconditionerKind::ml, "ml"}};
+      {PreconditionerKind::ml, "ml"},
+      {PreconditionerKind::multigrid, "multigrid"}};
   };
 
   /** Section `Solver`: the inequality of a step and the linear systems in it. */

@@ -14,17 +14,20 @@ namespace signorini
 {
   /**
    * What `automatic` means, by measurement (doc/performance.md): the diagonal where the step is so
-   * small that the mass rules or the matrix will soon be another one, multigrid (ML) where the
-   * stiffness rules, the incomplete factor in between. Where the mass is negligible (Courant
-   * numbers above 1000) multigrid is of no use: it knows neither Dirichlet conditions nor contact,
-   * bodies without them are nearly free to move, and the large rigid motions that it then proposes
-   * cost digits.
+   * small that the mass rules or the matrix will soon be another one, geometric multigrid where the
+   * stiffness rules, the incomplete factor in between.
    * @param courant_number   c_p tau / h
+   * @param n_dofs           degrees of freedom on all processes
    * @param matrix_life_time number of steps that will use the matrix
    */
-  PreconditionerKind choose_preconditioner(double courant_number, unsigned int matrix_life_time);
+  PreconditionerKind choose_preconditioner(double                          courant_number,
+                                           dealii::types::global_dof_index n_dofs,
+                                           unsigned int                    matrix_life_time);
 
-  /** The masked preconditioner for a M + b A in contact coordinates. @param kind not automatic */
+  /**
+   * The masked preconditioner for a M + b A in contact coordinates. @param kind neither automatic
+   * nor multigrid
+   */
   template <int dim>
   std::unique_ptr<MaskedPreconditioner>
   make_preconditioner(PreconditionerKind             kind,
@@ -34,8 +37,8 @@ namespace signorini
 
   /**
    * The masked preconditioner for A in contact coordinates, of a static problem. `automatic` is
-   * multigrid that knows Dirichlet conditions and rotations: its number of iterations depends
-   * neither on the mesh nor on how slender the bodies are.
+   * geometric multigrid in double precision: its number of iterations depends neither on the mesh
+   * nor on how slender the bodies are, and it knows what contact holds.
    * @param mass_factors see Multilevel
    */
   template <int dim>

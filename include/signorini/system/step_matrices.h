@@ -4,6 +4,7 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
+#include <signorini/multigrid/level_hierarchy.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/increment_forecast.h>
 
@@ -68,12 +69,13 @@ namespace signorini
     unsigned int n_built() const { return built; }
 
   private:
-    const Discretization<dim>     &discretization;
-    const ContactCoordinates<dim> &coordinates;
-    const PreconditionerChoice     preconditioner;
-    dealii::TimerOutput           &timer;
-    std::list<StepMatrix<dim>>     recent; ///< latest first
-    unsigned int                   uses = 0, built = 0;
+    const Discretization<dim>                 &discretization;
+    const ContactCoordinates<dim>             &coordinates;
+    const PreconditionerChoice                 preconditioner;
+    dealii::TimerOutput                       &timer;
+    std::list<StepMatrix<dim>>                 recent; ///< latest first
+    unsigned int                               uses = 0, built = 0;
+    std::shared_ptr<const LevelHierarchy<dim>> hierarchy; ///< once it is needed
 
     /** Give the matrix the preconditioner that pays, unless it has it. */
     void choose(StepMatrix<dim> &matrix, double step_size);

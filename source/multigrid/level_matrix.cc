@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/multigrid/level_matrix.h>
+
+namespace signorini
+{
+  namespace
+  {
+    template <int dim>
+    LocalNodes nodes_of(const NodePattern &pattern)
+    {
+      LocalNodes nodes;
+      nodes.n_owned     = pattern.n_owned;
+      nodes.first_owned = pattern.partitioner->local_range().first / dim;
+      for (unsigned int node = pattern.n_owned; node < pattern.n_local; ++node)
+        nodes.ghosts.push_back(pattern.partitioner->local_to_global(dim * node) / dim);
+      return nodes;
+    }
+
+
+    /** Eight numbers side by side: one register in single precision, two in double. */
+    template <typename Number>
+    using EightLanes __attribute__((vector_size(8 * sizeof(Number)))) = Number;
+
+    template <typename Number>
+    EightLanes<Number> load_eight(const Number *numbers)
+    {
+      EightLanes<Number> lanes;
+      std::memcpy(&lanes, numbers, sizeof(lanes));
+      return lanes;
+    }
+
+    template <typename Eight>
+    auto sum_of(const Eight lanes)
+    {
+      const auto half = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3)
+                        + __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
+      return (half[0] + half[1]) + (half[2] + half[3]);
+    }
+
+    template <typename Four>
+    auto join(const Four low, const Four high)
+    {
+      return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    }
+
+    /** Both halves as matrices of two by two pairs: what transposes four rows takes two of each. */
+    template <typename Eight>
+    Eight lower_pairs(const Eight a, const Eight b)
+    {
+      return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+    }
+    template <typename Eight>
+    Eight upper_pairs(const Eight a, const Eight b)
+    {
+      return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+    }
+    template <typename Eight>
+    Eight lower_halves(const Eight a, const Eight b)
+    {
+      return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+    }
+    template <typename Eight>
+    Eight upper_halves(const Eight a, const Eight b)
+    {
+      return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+    }
+
+
+    /** A loop that is unrolled at any level of optimisation. */
+    template <int dim, typename Action>
+    inline void for_each_component(const Action &action)
+    {
+      action(std::integral_constant<unsigned int, 0>());
+      action(std::integral_constant<unsigned int, 1>());
+      if constexpr (dim == 3)
+        action(std::integral_constant<unsigned int, 2>());
+    }
+
+    /** Component c of eight nodes, for each c. */
+    template <int dim, typename Number>
+    void gather(const Number *x, const unsigned int *nodes, EightLanes<Number> *components)
+    {
+      using Eight     = EightLanes<Number>;
+      const auto rows = [&](const unsigned int k) -> Eight {
+        return join(load(x + 4 * nodes[k]), load(x + 4 * nodes[k + 4]));
+      };
+      const Eight a = rows(0), b = rows(1), c = rows(2), d = rows(3);
+      const Eight ab = lower_pairs(a, b), cd = lower_pairs(c, d);
+      components[0] = lower_halves(ab, cd);
+      components[1] = upper_halves(ab, cd);
+      if constexpr (dim == 3)
+        components[2] = lower_halves(upper_pairs(a, b), upper_pairs(c, d));
+    }
+
+
+    /** r of eight nodes += components; a node may come more than once. */
+    template <int dim, typename Number>
+    void scatter(const EightLanes<Number> *components, const unsigned int *nodes, Number *r)
+    {
+      using Eight = EightLanes<Number>;
+      const Eight zero{}, third = dim == 3 ? components[(dim == 3) * 2] : zero;
+      const Eight low       = lower_pairs(components[0], components[1]),
+                  high      = upper_pairs(components[0], components[1]),
+                  third_low = lower_pairs(third, zero), third_high = upper_pairs(third, zero);
+      const auto add = [&](const unsigned int node, const Lanes<Number> increment) {
+        const Lanes<Number> sum = load(r + 4 * node) + increment;
+        std::memcpy(r + 4 * node, &sum, sizeof(sum));
+      };
+      const auto add_both = [&](const unsigned int k, const Eight both) {
+        add(nodes[k], __builtin_shufflevector(both, both, 0, 1, 2, 3));
+        add(nodes[k + 4], __builtin_shufflevector(both, both, 4, 5, 6, 7));
+      };
+      add_both(0, lower_halves(low, third_low));
+      add_both(1, upper_halves(low, third_low));
+      add_both(2, lower_halves(high, third_high));
+      add_both(3, upper_halves(high, third_high));
+    }
+  } // namespace
+
+
+  template <int dim, typename Number>
+  LevelMatrix<dim, Number>::LevelMatrix(const ElasticMatrices<dim> &matrices,
+                                        const std::vector<char>    &smoothed,
+                                        const MatrixSum            &sum,
+                                        const double                scale)
+    : nodes(nodes_of<dim>(matrices.pattern))
+    , ghosts(nodes, matrices.pattern.partitioner->get_mpi_communicator())
+  {
+    const NodePattern      &pattern     = matrices.pattern;
+    const std::vector<char> with_ghosts = ghosts.with_ghosts(smoothed);
+    group_start.assign(1, 0);
+    diagonal_mass.assign(nodes.n_owned, Number(0));
+    diagonal_blocks.assign(nodes.n_owned, Block::Zero());
+    for (unsigned int row = 0; row < nodes.n_owned; ++row)
+      {
+        if (!pattern.is_empty(row))
+          {
+            add_row(matrices, with_ghosts, matrices.at_node(row, sum), scale, row);
+            if (smoothed[row])
+              to_smooth.push_back(row);
+          }
+        group_start.push_back(groups.size());
+      }
+  }
+
+
+  template <int dim, typename Number>
+  void LevelMatrix<dim, Number>::add_row(const ElasticMatrices<dim> &matrices,
+                                         const std::vector<char>    &smoothed,
+                                         const MatrixSum            &sum,
+                                         const double                scale,
+                                         const unsigned int          row)
+  {
+    const NodePattern &pattern = matrices.pattern;
+    unsigned int       k       = pattern.row_start[row];
+    diagonal_mass[row]         = smoothed[row] ? scale * sum.mass * matrices.mass[k] : 0.;
+    diagonal_blocks[row] =
+      scale * sum.stiffness * Eigen::Map<const Block>(matrices.stiffness[k].data())
+      + scale * sum.mass * matrices.mass[k] * Block::Identity();
+    unsigned int place = n_side_by_side;
+    for (++k; k < pattern.row_start[row + 1]; ++k)
+      {
+        const unsigned int column = pattern.columns[k];
+        const auto        &block  = matrices.stiffness[k];
+        if (!smoothed[row] && !smoothed[column])
+          continue;
+        if (column >= nodes.n_owned)
+          {
+            ghost_entries.push_back({{}, Number(0), row, column});
+            for (unsigned int i = 0; i < dim * dim; ++i)
+              ghost_entries.back().stiffness[i] = scale * sum.stiffness * block[i];
+            ghost_entries.back().mass = scale * sum.mass * matrices.mass[k];
+            continue;
+          }
+        if (place == n_side_by_side)
+          {
+            groups.emplace_back();
+            std::fill_n(groups.back().column, n_side_by_side, row);
+            place = 0;
+          }
+        Group &group = groups.back();
+        for (unsigned int i = 0; i < dim * dim; ++i)
+          group.stiffness[i][place] = scale * sum.stiffness * block[i];
+        group.mass[place]     = scale * sum.mass * matrices.mass[k];
+        group.column[place++] = column;
+      }
+  }
+
+
+  template <int dim, typename Number>
+  void LevelMatrix<dim, Number>::subtract_product(const LevelVector<Number> &x,
+                                                  LevelVector<Number>       &r) const
+  {
+    ghosts.fetch(x);
+    for (unsigned int row = 0; row < nodes.n_owned; ++row)
+      {
+        const Number      *x_row = x.data() + 4 * row;
+        EightLanes<Number> sums[3]{};
+        for (unsigned int g = group_start[row]; g < group_start[row + 1]; ++g)
+          {
+            const Group       &group = groups[g];
+            EightLanes<Number> x_column[3], forces[3];
+            gather<dim, Number>(x.data(), group.column, x_column);
+            const EightLanes<Number> mass = load_eight(group.mass);
+            for_each_component<dim>([&](const auto c) {
+              sums[c] += mass * x_column[c];
+              forces[c] = -mass * x_row[c];
+              x_column[c] -= x_row[c];
+            });
+            for_each_component<dim>([&](const auto j) {
+              for_each_component<dim>([&](const auto i) {
+                const EightLanes<Number> entry = load_eight(group.stiffness[dim * j + i]);
+                sums[i] += entry * x_column[j];
+                forces[j] += entry * x_column[i];
+              });
+            });
+            scatter<dim, Number>(forces, group.column, r.data());
+          }
+        const Lanes<Number> sum{sum_of(sums[0]), sum_of(sums[1]), sum_of(sums[2]), Number(0)};
+        set_value(r, row, value(r, row) - diagonal_mass[row] * load(x_row) - sum);
+      }
+    for (const GhostEntry &entry : ghost_entries)
+      {
+        const Lanes<Number> x_column = ghosts.value(x, entry.column);
+        set_value(r,
+                  entry.row,
+                  value(r, entry.row)
+                    - block_product<dim, Number>(entry.stiffness, x_column - value(x, entry.row))
+                    - entry.mass * x_column);
+      }
+  }
+
+
+  template class LevelMatrix<2, float>;
+  template class LevelMatrix<2, double>;
+  template class LevelMatrix<3, float>;
+  template class LevelMatrix<3, double>;
+} // namespace signorini
