@@ -36,6 +36,8 @@ namespace signorini
             {
               const unsigned int  column   = pattern.columns[k];
               const Lanes<double> x_column = load(x + 4 * column);
+              if constexpr (with_stiffness)
+                prefetch(matrices.stiffness[k].data());
               if constexpr (with_mass)
                 sum += mass_weight * mass[k] * x_column;
               if (column == row)

@@ -268,7 +268,10 @@ namespace signorini
           if constexpr (block_size == 1)
             residual -= lower[a][0] * load(y + 4 * columns[a]);
           else
-            residual -= block_product<dim>(lower[a].data(), y + 4 * columns[a]);
+            {
+              prefetch(lower[a].data());
+              residual -= block_product<dim>(lower[a].data(), y + 4 * columns[a]);
+            }
         residual = solve_pivot(i, residual);
         std::memcpy(y + 4 * i, &residual, sizeof(residual));
       }
@@ -284,6 +287,8 @@ namespace signorini
           {
             float       *target = s + 4 * columns[a];
             Lanes<float> sum    = load(target);
+            if constexpr (block_size > 1)
+              prefetch_backwards(lower[a].data());
             if constexpr (block_size == 1)
               sum += lower[a][0] * z;
             else

@@ -19,52 +19,66 @@ namespace signorini
     }
 
 
-    /** Eight numbers side by side: one register in single precision, two in double. */
+    /** Numbers of different blocks side by side: eight in single precision, four in double. */
     template <typename Number>
-    using EightLanes __attribute__((vector_size(8 * sizeof(Number)))) = Number;
+    using SideBySide __attribute__((vector_size(32))) = Number;
 
     template <typename Number>
-    EightLanes<Number> load_eight(const Number *numbers)
+    SideBySide<Number> load_side_by_side(const Number *numbers)
     {
-      EightLanes<Number> lanes;
+      SideBySide<Number> lanes;
       std::memcpy(&lanes, numbers, sizeof(lanes));
       return lanes;
     }
 
-    template <typename Eight>
-    auto sum_of(const Eight lanes)
+    template <typename Many>
+    constexpr bool are_eight = sizeof(Many) / sizeof(std::declval<Many>()[0]) == 8;
+
+    template <typename Many>
+    auto sum_of(const Many lanes)
     {
-      const auto half = __builtin_shufflevector(lanes, lanes, 0, 1, 2, 3)
-                        + __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7);
-      return (half[0] + half[1]) + (half[2] + half[3]);
+      const auto sum_of_four = [](const auto four) {
+        return (four[0] + four[1]) + (four[2] + four[3]);
+      };
+      if constexpr (are_eight<Many>)
+        return sum_of_four(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3)
+                           + __builtin_shufflevector(lanes, lanes, 4, 5, 6, 7));
+      else
+        return sum_of_four(lanes);
     }
 
-    template <typename Four>
-    auto join(const Four low, const Four high)
+    /** Four lanes, each four or both, as a matrix of two by two pairs; to transpose takes two. */
+    template <typename Many>
+    Many lower_pairs(const Many a, const Many b)
     {
-      return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+      if constexpr (are_eight<Many>)
+        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+      else
+        return __builtin_shufflevector(a, b, 0, 4, 1, 5);
     }
-
-    /** Both halves as matrices of two by two pairs: what transposes four rows takes two of each. */
-    template <typename Eight>
-    Eight lower_pairs(const Eight a, const Eight b)
+    template <typename Many>
+    Many upper_pairs(const Many a, const Many b)
     {
-      return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+      if constexpr (are_eight<Many>)
+        return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+      else
+        return __builtin_shufflevector(a, b, 2, 6, 3, 7);
     }
-    template <typename Eight>
-    Eight upper_pairs(const Eight a, const Eight b)
+    template <typename Many>
+    Many lower_halves(const Many a, const Many b)
     {
-      return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+      if constexpr (are_eight<Many>)
+        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
+      else
+        return __builtin_shufflevector(a, b, 0, 1, 4, 5);
     }
-    template <typename Eight>
-    Eight lower_halves(const Eight a, const Eight b)
+    template <typename Many>
+    Many upper_halves(const Many a, const Many b)
     {
-      return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-    }
-    template <typename Eight>
-    Eight upper_halves(const Eight a, const Eight b)
-    {
-      return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+      if constexpr (are_eight<Many>)
+        return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
+      else
+        return __builtin_shufflevector(a, b, 2, 3, 6, 7);
     }
 
 
@@ -78,16 +92,20 @@ namespace signorini
         action(std::integral_constant<unsigned int, 2>());
     }
 
-    /** Component c of eight nodes, for each c. */
+    /** Component c of all nodes, for each c. */
     template <int dim, typename Number>
-    void gather(const Number *x, const unsigned int *nodes, EightLanes<Number> *components)
+    void gather(const Number *x, const unsigned int *nodes, SideBySide<Number> *components)
     {
-      using Eight     = EightLanes<Number>;
-      const auto rows = [&](const unsigned int k) -> Eight {
-        return join(load(x + 4 * nodes[k]), load(x + 4 * nodes[k + 4]));
+      using Many      = SideBySide<Number>;
+      const auto rows = [&](const unsigned int k) -> Many {
+        const Lanes<Number> first = load(x + 4 * nodes[k]);
+        if constexpr (are_eight<Many>)
+          return __builtin_shufflevector(first, load(x + 4 * nodes[k + 4]), 0, 1, 2, 3, 4, 5, 6, 7);
+        else
+          return first;
       };
-      const Eight a = rows(0), b = rows(1), c = rows(2), d = rows(3);
-      const Eight ab = lower_pairs(a, b), cd = lower_pairs(c, d);
+      const Many a = rows(0), b = rows(1), c = rows(2), d = rows(3);
+      const Many ab = lower_pairs(a, b), cd = lower_pairs(c, d);
       components[0] = lower_halves(ab, cd);
       components[1] = upper_halves(ab, cd);
       if constexpr (dim == 3)
@@ -95,27 +113,32 @@ namespace signorini
     }
 
 
-    /** r of eight nodes += components; a node may come more than once. */
+    /** r of all nodes += components; a node may come more than once. */
     template <int dim, typename Number>
-    void scatter(const EightLanes<Number> *components, const unsigned int *nodes, Number *r)
+    void scatter(const SideBySide<Number> *components, const unsigned int *nodes, Number *r)
     {
-      using Eight = EightLanes<Number>;
-      const Eight zero{}, third = dim == 3 ? components[(dim == 3) * 2] : zero;
-      const Eight low       = lower_pairs(components[0], components[1]),
-                  high      = upper_pairs(components[0], components[1]),
-                  third_low = lower_pairs(third, zero), third_high = upper_pairs(third, zero);
+      using Many = SideBySide<Number>;
+      const Many zero{}, third = dim == 3 ? components[(dim == 3) * 2] : zero;
+      const Many low       = lower_pairs(components[0], components[1]),
+                 high      = upper_pairs(components[0], components[1]),
+                 third_low = lower_pairs(third, zero), third_high = upper_pairs(third, zero);
       const auto add = [&](const unsigned int node, const Lanes<Number> increment) {
         const Lanes<Number> sum = load(r + 4 * node) + increment;
         std::memcpy(r + 4 * node, &sum, sizeof(sum));
       };
-      const auto add_both = [&](const unsigned int k, const Eight both) {
-        add(nodes[k], __builtin_shufflevector(both, both, 0, 1, 2, 3));
-        add(nodes[k + 4], __builtin_shufflevector(both, both, 4, 5, 6, 7));
+      const auto add_rows = [&](const unsigned int k, const Many rows) {
+        if constexpr (are_eight<Many>)
+          {
+            add(nodes[k], __builtin_shufflevector(rows, rows, 0, 1, 2, 3));
+            add(nodes[k + 4], __builtin_shufflevector(rows, rows, 4, 5, 6, 7));
+          }
+        else
+          add(nodes[k], rows);
       };
-      add_both(0, lower_halves(low, third_low));
-      add_both(1, upper_halves(low, third_low));
-      add_both(2, lower_halves(high, third_high));
-      add_both(3, upper_halves(high, third_high));
+      add_rows(0, lower_halves(low, third_low));
+      add_rows(1, upper_halves(low, third_low));
+      add_rows(2, lower_halves(high, third_high));
+      add_rows(3, upper_halves(high, third_high));
     }
   } // namespace
 
@@ -197,13 +220,14 @@ namespace signorini
     for (unsigned int row = 0; row < nodes.n_owned; ++row)
       {
         const Number      *x_row = x.data() + 4 * row;
-        EightLanes<Number> sums[3]{};
+        SideBySide<Number> sums[3]{};
         for (unsigned int g = group_start[row]; g < group_start[row + 1]; ++g)
           {
-            const Group       &group = groups[g];
-            EightLanes<Number> x_column[3], forces[3];
+            const Group &group = groups[g];
+            prefetch<sizeof(Group)>(&group);
+            SideBySide<Number> x_column[3], forces[3];
             gather<dim, Number>(x.data(), group.column, x_column);
-            const EightLanes<Number> mass = load_eight(group.mass);
+            const SideBySide<Number> mass = load_side_by_side(group.mass);
             for_each_component<dim>([&](const auto c) {
               sums[c] += mass * x_column[c];
               forces[c] = -mass * x_row[c];
@@ -211,7 +235,7 @@ namespace signorini
             });
             for_each_component<dim>([&](const auto j) {
               for_each_component<dim>([&](const auto i) {
-                const EightLanes<Number> entry = load_eight(group.stiffness[dim * j + i]);
+                const SideBySide<Number> entry = load_side_by_side(group.stiffness[dim * j + i]);
                 sums[i] += entry * x_column[j];
                 forces[j] += entry * x_column[i];
               });

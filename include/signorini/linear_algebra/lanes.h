@@ -17,6 +17,25 @@ namespace signorini
   template <typename Number>
   using Lanes __attribute__((vector_size(4 * sizeof(Number)))) = Number;
 
+  inline constexpr int prefetch_distance = 2048; ///< bytes
+
+  /**
+   * Ask for what a pass over a matrix will read soon. A product waits for memory, and the processor
+   * alone does not look beyond the next few lines (measured: 1.5 times the speed).
+   */
+  template <unsigned int size = 64>
+  inline void prefetch(const void *now_read)
+  {
+    for (unsigned int line = 0; line < size; line += 64)
+      __builtin_prefetch(static_cast<const char *>(now_read) + prefetch_distance + line);
+  }
+
+  /** The same for a pass from the end to the start. */
+  inline void prefetch_backwards(const void *now_read)
+  {
+    __builtin_prefetch(static_cast<const char *>(now_read) - prefetch_distance);
+  }
+
   template <typename Number>
   inline Lanes<Number> load(const Number *numbers)
   {

@@ -52,7 +52,7 @@ namespace signorini
 
   private:
     /** Side by side, so that each arithmetic operation works on all of them. */
-    static constexpr unsigned int n_side_by_side = 8;
+    static constexpr unsigned int n_side_by_side = 32 / sizeof(Number);
 
     /**
      * Blocks of one row with owned columns; where there are fewer, zeros with the row's own node.
