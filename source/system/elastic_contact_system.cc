@@ -15,6 +15,13 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Motion that is smaller than this part of what a step brings counts as rest. */
+    constexpr double at_rest = 1e-6;
+  } // namespace
+
+
   template <int dim>
   ElasticContactSystem<dim>::ElasticContactSystem(const Discretization<dim>     &discretization,
                                                   const ContactSurface<dim>     &surface,
@@ -87,15 +94,15 @@ namespace signorini
   {
     // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most
     // 2/tau^2 e'K e.
-    const double scale = energy_scale > 0.
-                           ? step_size * std::sqrt(energy_scale / 2.)
-                           : response_size( // at rest: what this step is going to bring
-                             *matrix.product,
-                             *matrix.preconditioner,
-                             right_hand_side,
-                             coordinates.dirichlet_entries(),
-                             prescribed);
-    return parameters.solver.tolerance * scale;
+    const double of_motion = step_size * std::sqrt(energy_scale / 2.);
+    const auto  &entries   = coordinates.dirichlet_entries();
+    // At rest, or where all motion so far is round-off: what this step is going to bring.
+    if (of_motion
+        <= at_rest * rough_response_size(*matrix.product, right_hand_side, entries, prescribed))
+      return parameters.solver.tolerance
+             * response_size(
+               *matrix.product, *matrix.preconditioner, right_hand_side, entries, prescribed);
+    return parameters.solver.tolerance * of_motion;
   }
 
 

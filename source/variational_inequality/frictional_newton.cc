@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/variational_inequality/attainable_norm.h>
 #include <signorini/variational_inequality/frictional_newton.h>
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/status_record.h>
@@ -50,6 +51,8 @@ namespace signorini
 
     stiffness = node_stiffness(problem);
     start(problem, status, solution, residual);
+    // Beyond round-off GMRES would go on to a space that is exhausted, and spoil the forces.
+    tolerance = std::max(problem.tolerance, attainable_norm(problem, solution));
     slipping.clear();
     if (update(problem, status, solution, residual) > 0)
       hold(problem, status, solution, residual);
@@ -230,7 +233,7 @@ namespace signorini
                                        problem.preconditioner,
                                        solution,
                                        residual,
-                                       problem.tolerance,
+                                       tolerance,
                                        precision == Precision::rough ? rough_reduction : 0.,
                                        limits.maximum_linear_iterations,
                                        is_guess);
@@ -241,7 +244,7 @@ namespace signorini
           reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for
       else if (precision != Precision::rough)
         reduction = 0.;
-      return std::max(problem.tolerance, reduction * norm);
+      return std::max(tolerance, reduction * norm);
     };
     const auto report =
       slip.solve(problem, residual, correction, goal, limits.maximum_linear_iterations);

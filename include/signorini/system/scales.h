@@ -23,6 +23,15 @@ namespace signorini
                        const std::vector<double>       &prescribed_values);
 
   /**
+   * The same with the diagonal of K for K, never more than a few times as much: enough to tell rest
+   * from motion, and next to free. Collective.
+   */
+  double rough_response_size(const LinearOperator            &matrix,
+                             const Vector                    &right_hand_side,
+                             const std::vector<unsigned int> &prescribed_entries,
+                             const std::vector<double>       &prescribed_values);
+
+  /**
    * What a bound of an increment may be exceeded by: nothing that matters, neither to the size of
    * the bodies nor to the motion of the step, which may be very slow; but more than the round-off
    * of the gap.

@@ -43,6 +43,7 @@ namespace signorini
     std::vector<std::size_t> slipping; ///< the nodes of `slip`, ascending
     TrescaFixedPoint         fallback;
     Vector                   correction, product;
+    double                   tolerance = 0.; ///< that of the problem, or what is attainable
     std::vector<double>      stiffness; ///< of each node: the mean of the diagonal over its entries
 
     /** Put the fixed and held entries to their values and compute the residual. */
