@@ -283,3 +283,27 @@ TEST(Friction, PastSlipSetsTheDirection)
       EXPECT_LT((node.tangential - 0.5 * node.normal * Eigen::Vector2d(0.6, 0.8)).norm(), 1e-5);
     }
 }
+
+// The tolerance of a step from rest may be that of a motion that is round-off. Forces are still
+// those of the solution, in held entries, too.
+TEST(Friction, TolerancesBelowRoundOff)
+{
+  constexpr double factor = 1e12;
+  for (unsigned int seed = 0; seed < 60; ++seed)
+    for (const unsigned int n_tangents : {1, 2})
+      {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto       problem = random_frictional(8, n_tangents, {0.3, 0.}, seed);
+        auto             large   = problem;
+        FrictionalNewton newton(limits);
+        large.right_hand_side *= factor;
+        for (double &bound : large.upper_bounds)
+          bound *= factor;
+        const auto            answer = solve(newton, large, false);
+        const Eigen::VectorXd force  = large.right_hand_side - large.matrix * answer.solution;
+        EXPECT_LT((force - answer.residual).lpNorm<Eigen::Infinity>(), 1e-12 * factor);
+        EXPECT_LT((answer.solution / factor - solve(newton, problem, false).solution)
+                    .lpNorm<Eigen::Infinity>(),
+                  1e-10);
+      }
+}
