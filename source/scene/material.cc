@@ -30,13 +30,30 @@ namespace signorini
         + join(schemes_where([](const SchemeInfo &info) { return info.damping; }), ", ") + ".");
   }
 
+  namespace
+  {
+    /** Energies are products of such numbers with squares of others, and so are their squares. */
+    constexpr double largest_number = 1e100;
+
+    double number_of_material(const SectionReader &in, const char *key, const char *reason)
+    {
+      const double value = in.positive_number(key, reason);
+      if (value > largest_number || value < 1. / largest_number)
+        in.fail(key,
+                "is so far from 1 that energies overflow or vanish. Choose other units, for all "
+                "quantities alike.");
+      return value;
+    }
+  } // namespace
+
+
   Material parse_material(const SectionReader &in)
   {
     Material material;
     material.youngs_modulus =
-      in.positive_number("Young's modulus", "an elastic body resists deformation");
+      number_of_material(in, "Young's modulus", "an elastic body resists deformation");
     material.poissons_ratio = in.number("Poisson's ratio");
-    material.density        = in.positive_number("Density", "every body has mass");
+    material.density        = number_of_material(in, "Density", "every body has mass");
 
     const std::vector<double> damping =
       dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(in.text("Damping")));

@@ -111,6 +111,8 @@ TEST(Mistakes, ShapesAndMaterial)
      {"Bodies/box/Repetitions", "1, -2, 1", {"at least one cell in y"}},
      {"Bodies/ball/Young's modulus", "0", {"must be positive"}},
      {"Bodies/ball/Young's modulus", "-500", {"must be positive"}},
+     {"Bodies/ball/Young's modulus", "1e-300", {"Choose other units"}},
+     {"Bodies/ball/Density", "1e300", {"Choose other units"}},
      {"Bodies/ball/Poisson's ratio", "0.5", {"incompressible", "mixed method", "0.49"}},
      {"Bodies/ball/Poisson's ratio", "-1", {"shear modulus infinite", "larger"}},
      {"Bodies/ball/Poisson's ratio", "0.7", {"smaller than 0.5"}},
