@@ -19,6 +19,7 @@ import shutil
 import sys
 
 from stress import families, running, scenes, table, verdict
+from studies import tables
 
 TIME_LIMIT = 120.0
 
@@ -32,8 +33,11 @@ def parse():
     parser.add_argument(
         "--only", choices=names, action="append", metavar="FAMILY", help=", ".join(names)
     )
-    parser.add_argument("--quick", action="store_true", help="two values and schemes per family")
+    parser.add_argument("--quick", action="store_true", help="two values per family, one scheme")
     parser.add_argument("--time-limit", type=float, default=TIME_LIMIT, help="of each run, seconds")
+    parser.add_argument(
+        "--draw-only", action="store_true", help="no runs: table.md from table.csv in FOLDER"
+    )
     return parser.parse_args()
 
 
@@ -56,7 +60,7 @@ def tasks(arguments, known):
             schemes = schemes_for(scene, known)
             if arguments.quick:
                 position += 1
-                schemes = [schemes[0], schemes[1 + position % (len(schemes) - 1)]]
+                schemes = [schemes[position % len(schemes)]]
             for scheme in schemes:
                 yield family, value, scenes.changed(scene, scenes.keys_of(scheme)), scheme
 
@@ -69,21 +73,26 @@ def run(arguments, task):
     ending = running.run(arguments.executable, scene.text(), folder, arguments.time_limit)
     (folder / "messages.txt").write_text(ending.messages + "\n", encoding="utf-8")
     judged = verdict.judge(ending, folder / "output", scene, scheme)
-    return table.Line(family, value, scheme["name"], judged, ending.seconds)
+    line = table.row(family, value, scheme, judged, ending.seconds)
+    print(table.in_words(line), flush=True)
+    return line
 
 
 def main():
     """Run and report. @return 0 if nothing is wrong"""
     arguments = parse()
     arguments.folder.mkdir(parents=True, exist_ok=True)
-    lines = []
-    for task in tasks(arguments, running.schemes(arguments.executable)):
-        lines.append(run(arguments, task))
-        print(lines[-1].in_words(), flush=True)
-    table.write(lines, arguments.folder)
-    counts = collections.Counter(line.verdict.outcome for line in lines)
-    print(f"{len(lines)} runs: " + ", ".join(f"{counts[o]} {o}" for o in reversed(table.ORDER)))
-    print(f"Table: {arguments.folder / 'table.md'}, all runs: {arguments.folder / 'table.csv'}")
+    csv, markdown = (arguments.folder / f"table.{ending}" for ending in ("csv", "md"))
+    if not arguments.draw_only:
+        lines = []
+        for task in tasks(arguments, running.schemes(arguments.executable)):
+            lines.append(run(arguments, task))
+            table.write(lines, csv)  # so that something is left of a run that is interrupted
+    lines = tables.read_rows(csv)
+    markdown.write_text(table.markdown(lines, families.FAMILIES), encoding="utf-8")
+    counts = collections.Counter(line["outcome"] for line in lines)
+    print(f"{len(lines)} runs: " + ", ".join(f"{counts[o]} {o}" for o in reversed(table.LETTERS)))
+    print(f"Table: {markdown}, all runs: {csv}")
     return 1 if counts[verdict.WRONG] else 0
 
 

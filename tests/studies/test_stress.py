@@ -19,6 +19,7 @@ import check_history
 
 sys.path.insert(0, str(check_history.SOURCE / "tools"))
 from stress import families, laws, running, scenes, table, verdict  # noqa: E402
+from studies import tables  # noqa: E402
 
 CONSERVES = {"energy": "conserves", "penetrates": False, "predictor": False}
 #: A point of mass 2 comes down with speed 3, is stopped for a step, and goes up with speed 3; it
@@ -183,13 +184,16 @@ class Verdicts(unittest.TestCase):
     def test_the_table_shows_the_worst(self):
         family = families.FAMILIES[0]
         lines = [
-            table.Line(family, 1.0, name, self.judge(*end), 1.0)
+            table.row(family, 1.0, {"name": name}, self.judge(*end), 1.0)
             for name, end in (("a", (0,)), ("b", (-11,)), ("c", (2, "signorini: why not")))
         ]
-        row = table.condensed(lines)
-        self.assertEqual(row[2], "1 wrong, 1 refused, 1 finished")
-        self.assertIn("signal 11", row[-1])
-        self.assertEqual(row[5], "3.0, 4")
+        self.assertEqual(
+            table.condensed(lines),
+            ["1", "fXR", "0e+00", "all", "3.0, 4", "signal 11: no message"],
+        )
+        self.assertIn(f"**{family.name}**", table.markdown(lines, families.FAMILIES))
+        table.write(lines, self.folder / "table.csv")
+        self.assertEqual(tables.read_rows(self.folder / "table.csv"), lines)
 
 
 class RealRuns(unittest.TestCase):

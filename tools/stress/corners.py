@@ -11,35 +11,30 @@ from .scenes import MOST_PROBES, changed, floor, impact, probes, rest
 
 
 def corner(angle, **what):
-    """A box turned by an angle, in degrees, lands on its lowest corner."""
+    """A box lands on the corner about which it is turned, by an angle from 0 to 90 degrees."""
     scene = impact(**what)
     turned = math.radians(angle)
-    edge, slanted = math.cos(turned), math.sin(turned)
-    # The lower left corner of the unrotated box is the lowest for negative angles only; the box is
-    # lifted so that the gap stays.
-    lift = max(0.0, -slanted)
     keys = {
         "Bodies/upper/Rotation": angle,
         "Bodies/upper/Rotation centre": point(0.0, 0.0),
-        "Bodies/upper/Translation": point(0.0, lift),
     }
     parts = MOST_PROBES - 1
-    places = [(edge * n / parts, slanted * n / parts + lift) for n in range(parts + 1)]
-    return changed(scene, {**keys, **probes(places)})
+    edge = [(math.cos(turned) * n / parts, math.sin(turned) * n / parts) for n in range(parts + 1)]
+    return changed(scene, {**keys, **probes(edge)})
 
 
 def corner_on_floor(angle):
-    """Onto a floor."""
+    """A square lands on its corner, on a floor."""
     return corner(angle)
 
 
 def corner_on_body(angle):
-    """Onto the face of another body, as slave."""
+    """A square lands on its corner, on the face of another body; the corner is slave."""
     return corner(angle, master=(4, 3))
 
 
 def corner_below(angle):
-    """The face is the slave, and its nodes find the corner between them."""
+    """The same, but the face is the slave, and has the corner between its nodes."""
     scene = corner(angle, master=(6, 3))
     face = probes([(-0.25 + 0.25 * n, 0.0) for n in range(7)])
     return changed(scene, {"Contact/Pairs": "lower : upper", **face})
@@ -91,9 +86,9 @@ def funnel(angle):
     normal, keys = (math.cos(half), math.sin(half)), floor(2)
     walls = {
         "Obstacles/Names": "left, right",
-        "Obstacles/left/Point": point(-0.001, 0.0),
+        "Obstacles/left/Point": point(-1e-9, 0.0),
         "Obstacles/left/Normal": point(*normal),
-        "Obstacles/right/Point": point(1.001, 0.0),
+        "Obstacles/right/Point": point(1.0 + 1e-9, 0.0),
         "Obstacles/right/Normal": point(-normal[0], normal[1]),
         "Contact/Pairs": "upper[0] : left, upper[1] : right",
     }

@@ -11,7 +11,7 @@ from .scene import vector
 from .scenes import WAVE_SPEED, changed, impact, rest
 
 
-@dataclasses.dataclass
+@dataclasses.dataclass(frozen=True)
 class Family:
     """One base scene and the values of one quantity."""
 
@@ -32,6 +32,7 @@ def ratio(key, dimension=2):
     base = {} if dimension == 2 else {"cells": (2, 2, 2), "steps": 25}
 
     def build(value):
+        """The step suits the upper body, of modulus and density 1."""
         scene = impact(dimension, master=master, **base)
         return changed(scene, {f"Bodies/lower/{key}": value})
 
@@ -39,7 +40,7 @@ def ratio(key, dimension=2):
 
 
 def stiff_and_heavy(value):
-    """The same wave speed in both bodies."""
+    """The lower body becomes stiffer and heavier, so that waves are as fast as in the upper one."""
     return changed(
         impact(master=(4, 3)),
         {"Bodies/lower/Young's modulus": value, "Bodies/lower/Density": value},
@@ -47,27 +48,27 @@ def stiff_and_heavy(value):
 
 
 def step(value):
-    """Courant numbers over six decades."""
+    """A square lands on a floor, with steps over six decades."""
     return impact(courant=value)
 
 
 def step_of_ball(value):
-    """The same with a round body."""
+    """A disc lands on a floor, with steps over six decades."""
     return scenes.ball(courant=value)
 
 
 def step_3d(value):
-    """In space."""
+    """A cube lands on a floor, with steps over six decades."""
     return impact(3, cells=(2, 2, 2), courant=value, steps=25)
 
 
 def poisson(value):
-    """Towards the incompressible."""
+    """A square lands on a floor; its material becomes incompressible."""
     return changed(impact(), {"Bodies/upper/Poisson's ratio": value})
 
 
 def poisson_pressed(value):
-    """The same at rest, on another body."""
+    """A square rests on another body; its material becomes incompressible."""
     return changed(rest(master=(4, 3)), held() | {"Bodies/upper/Poisson's ratio": value})
 
 
@@ -77,12 +78,12 @@ def held():
 
 
 def speed(value):
-    """Of impact, up to a third of the wave speed."""
+    """A square hits a floor with up to a third of the wave speed."""
     return impact(speed=value)
 
 
 def speed_of_ball(value):
-    """The same with a round body."""
+    """A disc hits a floor with up to a third of the wave speed."""
     return scenes.ball(speed=value)
 
 
@@ -92,7 +93,7 @@ def friction(value):
 
 
 def friction_3d(value):
-    """In space."""
+    """A cube lands obliquely."""
     return impact(3, cells=(2, 2, 2), sideways=0.02, friction=value, steps=25)
 
 
@@ -102,7 +103,7 @@ def friction_of_bodies(value):
 
 
 def friction_long_step(value):
-    """Under its weight, with steps in which waves run to and fro often."""
+    """A square slides under its weight, with steps of Courant number 50."""
     sliding = {
         "Time/Start": "given",
         "Bodies/upper/Initial velocity": vector(0.01 * WAVE_SPEED, 0.0),
@@ -111,7 +112,7 @@ def friction_long_step(value):
 
 
 def friction_equilibrium(value):
-    """The equilibrium under its weight, in which the sides of the bottom would like to slip."""
+    """A square rests in equilibrium under its weight; the ends of its bottom would like to slip."""
     return rest(friction=value, courant=50.0, steps=10)
 
 
@@ -156,7 +157,7 @@ def touching(value):
 
 
 def touching_floor(value):
-    """The same, with a floor."""
+    """A gap of any sign and size at the start, above a floor."""
     return impact(gap=value)
 
 
@@ -174,17 +175,16 @@ def preload(value):
 
 
 def control(value):
-    """The tolerance of steps that follow the motion."""
+    """Steps that follow the motion within a tolerance (doubling)."""
     return changed(
         impact(steps=10), {"Time/Step size control": "doubling", "Time/Step tolerance": value}
     )
 
 
 def bounces(value):
-    """A small column bounces; a row of the table for every third step sees most contacts. With this
-    gravity and drop a bounce takes about 20 steps."""
-    period = 25
-    scene = impact(cells=(1, 2), edges=(0.5, 1.0), speed=0.0, gap=1e-3, steps=period * value)
+    """A small column bounces, with some 20 steps from one bounce to the next; a row of the table
+    for every third step sees most of them."""
+    scene = impact(cells=(1, 2), edges=(0.5, 1.0), speed=0.0, gap=1e-3, steps=25 * value)
     gravity = 8 * 1e-3 / (15 * scene.number("Time/Step size")) ** 2
     keys = {
         "Bodies/upper/Body force": vector(0.0, -gravity),

@@ -18,6 +18,17 @@ def squeeze(part):
     return changed(scene, {"Bodies/upper/Dirichlet": pushed})
 
 
+def push_from_rest(friction):
+    """The first two steps of a block that is pushed onto the floor and would like to slip: later
+    ones, with more energy, would hide what is wrong with them."""
+    scene = impact(cells=(5, 4), speed=0.0, gap=0.0, courant=7.0, steps=2, friction=friction)
+    pushed = {
+        "Bodies/upper/Dirichlet": "3: 0; -1e-2*(1-cos(t/7))",
+        "Bodies/upper/Poisson's ratio": 0.4,
+    }
+    return changed(scene, pushed)
+
+
 def infeasible(depth):
     """The bottom itself is moved into the floor, so that nothing can give way there."""
     scene = impact(speed=0.0, gap=0.0, courant=5.0)
@@ -111,14 +122,17 @@ def spin(speed):
     return changed(scene, {"Bodies/upper/Initial velocity": turning})
 
 
-#: Name, quantity, values and builder of each family.
+MAGNITUDES = (1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300)
+COEFFICIENTS = (0.01, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0, 3.0, 10.0)
+#: Name, quantity, values and builder of each family, and the values of a quick run.
 ROWS = [
-    ("squeeze", "part of the height", (1e-6, 0.01, 0.1, 0.5, 1.0, 2.0), squeeze),
+    ("squeeze", "part of the height", (1e-6, 0.01, 0.1, 0.5, 1.0, 2.0), squeeze, (0.01, 2.0)),
+    ("push-from-rest", "coefficient", COEFFICIENTS, push_from_rest, (1.0, 10.0)),
     ("infeasible", "depth", (1e-9, 0.1), infeasible),
-    ("magnitude", "modulus, density", (1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300), magnitude),
-    ("damping", "time / step", (1e-6, 1e-2, 1.0, 1e3, 1e6, 1e12), damping),
+    ("magnitude", "modulus, density", MAGNITUDES, magnitude, (1e-150, 1e150)),
+    ("damping", "time / step", (1e-6, 1e-2, 1.0, 1e3, 1e6, 1e12), damping, (1e-6, 1e3)),
     ("local-refinement", "levels", (1.0, 4.0, 8.0, 12.0), local_refinement, (4.0,)),
-    ("pile", "coefficient", (0.0, 0.01, 0.3, 1.0, 3.0, 10.0), pile),
+    ("pile", "coefficient", (0.0, 0.01, 0.3, 1.0, 3.0, 10.0), pile, (0.0, 10.0)),
     ("stack-at-rest", "above / below", (1e-6, 1e-3, 1.0, 1e3, 1e6), stack_at_rest),
     ("corner-3d", "angle", (0.0, 1e-9, 1e-3, 1.0, 30.0, 45.0), corner_3d),
     ("spin", "speed of the rim", (1e-4, 1e-2, 0.1, 1 / 3), spin),

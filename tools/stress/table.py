@@ -4,6 +4,7 @@
 """The table of a run of extremes: all of it as CSV, and a line for each value as Markdown."""
 
 import csv
+import textwrap
 
 from studies import tables
 
@@ -23,36 +24,10 @@ NUMBERS = (
     "rejected",
 )
 HEADING = ["family", "value", "scheme", "outcome", "why", "laws broken", *NUMBERS, "seconds"]
-CONDENSED = ["family", "value", "outcome", "residual", "laws", "iterations", "why"]
+#: Letters of the outcomes, from the worst.
+LETTERS = {verdict.WRONG: "X", verdict.REFUSED: "R", verdict.WARNED: "w", verdict.FINISHED: "f"}
 #: Columns of a text in Markdown.
 WIDTH = 42
-#: From the worst.
-ORDER = (verdict.WRONG, verdict.REFUSED, verdict.WARNED, verdict.FINISHED)
-
-
-class Line:
-    """One run."""
-
-    def __init__(self, family, value, scheme, judged, seconds):
-        self.family, self.value, self.scheme = family, value, scheme
-        self.verdict, self.seconds = judged, seconds
-
-    def in_words(self):
-        """For the progress."""
-        return f"{' '.join(self.row()[:4])}: {shortened(self.verdict.why, 2 * WIDTH)}"
-
-    def row(self):
-        """Texts for the CSV."""
-        return [
-            self.family.name,
-            label(self.value),
-            self.scheme,
-            self.verdict.outcome,
-            self.verdict.why,
-            " ".join(self.verdict.laws),
-            *(f"{self.verdict.numbers[n]:.4g}" if self.verdict.numbers else "" for n in NUMBERS),
-            f"{self.seconds:.2f}",
-        ]
 
 
 def label(value):
@@ -60,35 +35,66 @@ def label(value):
     return f"{value:.9g}"
 
 
-def write(lines, folder):
-    """folder/table.csv and folder/table.md."""
-    with open(folder / "table.csv", "w", newline="", encoding="utf-8") as file:
-        csv.writer(file).writerows([HEADING, *(line.row() for line in lines)])
-    (folder / "table.md").write_text(markdown(lines), encoding="utf-8")
+def row(family, value, scheme, judged, seconds):
+    """The texts of one run by heading."""
+    said = {name: f"{number:.4g}" for name, number in judged.numbers.items()}
+    return {
+        "family": family.name,
+        "value": label(value),
+        "scheme": scheme["name"],
+        "outcome": judged.outcome,
+        "why": judged.why,
+        "laws broken": " ".join(judged.laws),
+        **{name: said.get(name, "") for name in NUMBERS},
+        "seconds": f"{seconds:.2f}",
+    }
 
 
-def markdown(lines):
-    """One line for each family and value, over all schemes."""
-    groups = {}
-    for line in lines:
-        groups.setdefault((line.family.name, line.value), []).append(line)
-    return tables.markdown([CONDENSED, *map(condensed, groups.values())]) + "\n"
+def in_words(line):
+    """One run, for the progress."""
+    run = " ".join(line[name] for name in ("family", "value", "scheme", "outcome"))
+    return f"{run}: {shortened(line['why'], 2 * WIDTH)}".removesuffix(": ")
+
+
+def write(lines, path):
+    """All runs as CSV."""
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, HEADING)
+        writer.writeheader()
+        writer.writerows(lines)
+
+
+def markdown(lines, families):
+    """A table for each family with a line for each value, over all schemes."""
+    parts = []
+    for family in families:
+        groups = {}
+        for line in lines:
+            if line["family"] == family.name:
+                groups.setdefault(line["value"], []).append(line)
+        if groups:
+            said = " ".join(family.build.__doc__.split())
+            heading = [family.quantity, "ends", "residual", "laws", "iterations", "why"]
+            parts.append(textwrap.fill(f"**{family.name}**: {said}", 100))
+            parts.append(tables.markdown([heading, *map(condensed, groups.values())]))
+    return "\n\n".join(parts) + "\n"
 
 
 def condensed(lines):
     """The texts for all schemes of one scene."""
-    counts = {o: sum(line.verdict.outcome == o for line in lines) for o in ORDER}
-    said = [line.verdict.numbers for line in lines if line.verdict.numbers]
-    broken = sorted({law for line in lines for law in line.verdict.laws}, key=order_of_law)
-    mean = max((n["mean iterations"] for n in said), default=0.0)
-    most = max((n["most iterations"] for n in said), default=0.0)
+    judged = [line for line in lines if line["residual"]]
+    broken = {law for line in lines for law in line["laws broken"].split()}
+    most = {
+        name: max((float(line[name]) for line in judged), default=0.0)
+        for name in ("residual", "mean iterations", "most iterations")
+    }
+    iterations = f"{most['mean iterations']:.1f}, {most['most iterations']:.0f}"
     return [
-        lines[0].family.name,
-        label(lines[0].value),
-        ", ".join(f"{count} {o}" for o, count in counts.items() if count),
-        f"{max(n['residual'] for n in said):.0e}" if said else "",
-        ", ".join(broken) or "all" if said else "",
-        f"{mean:.1f}, {most:.0f}" if said else "",
+        lines[0]["value"],
+        "".join(LETTERS[line["outcome"]] for line in lines),
+        f"{most['residual']:.0e}" if judged else "",
+        ", ".join(sorted(broken, key=order_of_law)) or ("all" if judged else ""),
+        iterations if judged else "",
         reasons(lines),
     ]
 
@@ -100,12 +106,11 @@ def order_of_law(name):
 
 def reasons(lines):
     """What the worst of the runs say: kinds of warnings, or the beginning of the first reason."""
-    worst = next(o for o in ORDER if any(line.verdict.outcome == o for line in lines))
-    said = [line.verdict.why for line in lines if line.verdict.outcome == worst]
+    worst = min((line["outcome"] for line in lines), key=list(LETTERS).index)
+    said = [line["why"] for line in lines if line["outcome"] == worst]
     if worst == verdict.WARNED:
-        said = dict.fromkeys(kind for text in said for kind in text.split(", "))
-        return ", ".join(said)
-    return shortened(next(iter(said), ""), WIDTH)
+        said = [", ".join(dict.fromkeys(kind for text in said for kind in text.split(", ")))]
+    return shortened(said[0], WIDTH)
 
 
 def shortened(text, width):

@@ -4,6 +4,7 @@
 """How a run ended: finished, warned, refused or wrong."""
 
 import dataclasses
+import re
 
 from studies import observe
 
@@ -90,7 +91,11 @@ def judge(ending, folder, scene, scheme):
     if ending.status != 0 and not refused:
         return Verdict(WRONG, broken_end(ending))
     if not written:
-        return Verdict(REFUSED, ending.reason()) if refused else Verdict(WRONG, "no table")
+        return (
+            Verdict(REFUSED, without_path(ending.reason()))
+            if refused
+            else Verdict(WRONG, "no table")
+        )
     warnings = list(dict.fromkeys(map(kind, ending.warnings())))
     broken = laws.broken(run)
     silent = {law: text for law, text in broken.items() if EXCUSES.get(law) not in warnings}
@@ -100,10 +105,15 @@ def judge(ending, folder, scene, scheme):
     if silent:
         verdict.outcome, verdict.why = WRONG, "; ".join(sum(silent.values(), []))
     elif refused:
-        verdict.outcome, verdict.why = REFUSED, ending.reason()
+        verdict.outcome, verdict.why = REFUSED, without_path(ending.reason())
     elif warnings:
         verdict.outcome, verdict.why = WARNED, ", ".join(warnings)
     return verdict
+
+
+def without_path(reason):
+    """The reason without the place of the scene, which begins it."""
+    return re.sub(r"^(the run failed: )?\S*scene\.prm(, line \d+)?: ", "", reason)
 
 
 def broken_end(ending):
