@@ -63,7 +63,8 @@ def local_refinement(levels):
 
 
 def pile(friction):
-    """Three boxes, turned a little into each other's corners, fall on each other under gravity."""
+    """Three boxes fall on each other under gravity, each beside the one below by a third of its
+    width."""
     base = impact(speed=0.003, steps=60, courant=2.0)
     keys = {"Bodies/Names": "upper, lower, third", **scenes.floor(2)}
     pairs = ("upper[2] : lower[3]", "lower[2] : third[3]", "third[2] : floor")
