@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
+#include <signorini/linear_algebra/improved_guess.h>
 #include <signorini/linear_algebra/lanczos.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 
@@ -12,9 +13,6 @@ namespace signorini
 {
   namespace
   {
-    constexpr double good_guess  = 0.01; ///< in tolerances
-    constexpr double improvement = 0.1;  ///< of one that is not as good
-
     /** Smallest eigenvalue of P^-1 K below which the norm of P is no longer that of K. */
     constexpr double far_from_one = 0.1;
 
@@ -56,8 +54,7 @@ namespace signorini
     const double norm        = std::sqrt(std::max(norm_square, 0.));
     const bool   may_improve = is_guess && norm <= tolerance;
     const double accepted    = std::max(tolerance, reduction * norm);
-    const double goal =
-      may_improve ? std::max(good_guess * tolerance, improvement * norm) : accepted;
+    const double goal        = may_improve ? improved_guess(norm, tolerance) : accepted;
 
     LanczosMatrix lanczos;
     const auto    iterate_to = [&](const double smaller_norm) {

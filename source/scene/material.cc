@@ -33,7 +33,7 @@ namespace signorini
   namespace
   {
     /** Energies are products of such numbers with squares of others, and so are their squares. */
-    constexpr double largest_number = 1e100;
+    constexpr double largest_number = 1e150;
 
     double number_of_material(const SectionReader &in, const char *key, const char *reason)
     {

@@ -203,7 +203,7 @@ namespace signorini
     scene.mapping    = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);
     parse_probes(in.section("Probes"), names.probes, scene);
     scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);
-    scene.solver         = parse_solver(in.section("Solver"));
+    scene.solver         = parse_solver(in.section("Solver"), has_friction(scene.pairs));
     scene.output         = parse_output(in.section("Output"));
 
     scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, scene.bodies));

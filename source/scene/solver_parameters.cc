@@ -27,12 +27,18 @@ namespace signorini
   {
     using namespace dealii::Patterns;
     const SolverParameters defaults;
+    prm.declare_entry("Inequality",
+                      name_of(defaults.inequality),
+                      choices_of<InequalityMethod>(),
+                      "Method for the inequality of a step: active-set (primal-dual; each set of "
+                      "closed nodes is solved for) or truncated-newton-multigrid (sets change in "
+                      "every iteration, the energy falls in each; without friction only).");
     prm.declare_entry("Preconditioner",
                       name_of(defaults.preconditioner),
                       choices_of<PreconditionerKind>(),
                       "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, "
                       "multigrid (geometric), ml (algebraic multigrid), or automatic (chosen from "
-                      "Courant number and mesh; ml for static problems).");
+                      "Courant number and mesh; multigrid for static problems).");
     prm.declare_entry("Tolerance",
                       as_text(defaults.tolerance),
                       Double(),
@@ -50,9 +56,14 @@ namespace signorini
                       "method gives way to the slower MPRGP.");
   }
 
-  SolverParameters parse_solver(const SectionReader &in)
+  SolverParameters parse_solver(const SectionReader &in, const bool with_friction)
   {
     SolverParameters solver;
+    solver.inequality = in.choice<InequalityMethod>("Inequality");
+    if (with_friction && solver.inequality != InequalityMethod::active_set)
+      in.fail("Inequality",
+              "knows no friction, which is no minimisation. Remove the key, or set the `Friction "
+              "coefficient` of all pairs to 0.");
     solver.preconditioner = in.choice<PreconditionerKind>("Preconditioner");
     solver.tolerance =
       in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");

@@ -47,7 +47,7 @@ namespace signorini
                     timer)
     , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
     , friction(coordinates, discretization.communicator())
-    , solver(make_solver(friction.any(), parameters.solver.limits))
+    , solver(make_solver(friction.any(), parameters.solver.inequality, parameters.solver.limits))
     , active(surface.nodes().size(), contact_status::open)
   {
   }

@@ -84,7 +84,7 @@ namespace signorini
                                                 mass_factors<dim>(loose, stiffness_of_springs)))
     , with_friction(with_friction)
     , weakness(with_friction ? not_weak : weak)
-    , solver(make_solver(with_friction, parameters.limits))
+    , solver(make_solver(with_friction, parameters.inequality, parameters.limits))
     , diagonal(discretization.make_vector())
   {
     stiffness.diagonal(diagonal);

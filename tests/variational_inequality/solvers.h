@@ -8,6 +8,7 @@
 // them.
 
 #include <signorini/variational_inequality/primal_dual_active_set.h>
+#include <signorini/variational_inequality/truncated_newton_multigrid.h>
 
 #include "dense_problem.h"
 
@@ -26,6 +27,11 @@ namespace signorini
     return std::make_unique<Mprgp>();
   }
 
+  inline std::unique_ptr<ConstrainedSolver> make_truncated_newton()
+  {
+    return std::make_unique<TruncatedNewtonMultigrid>(1000);
+  }
+
   struct SolverCase
   {
     const char *solver;
@@ -35,6 +41,8 @@ namespace signorini
 
   const SolverCase solver_cases[] = {{"active_set", make_active_set, "exact"},
                                      {"active_set", make_active_set, "diagonal"},
+                                     {"truncated_newton", make_truncated_newton, "exact"},
+                                     {"truncated_newton", make_truncated_newton, "diagonal"},
                                      {"mprgp", make_mprgp, "diagonal"}};
 
   inline std::ostream &operator<<(std::ostream &out, const SolverCase &solver_case)

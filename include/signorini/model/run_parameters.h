@@ -4,7 +4,7 @@
 #ifndef signorini_model_run_parameters_h
 #define signorini_model_run_parameters_h
 
-#include <signorini/base/enum_names.h>
+#include <signorini/base/inequality_method.h>
 #include <signorini/base/solve_report.h>
 
 namespace signorini
@@ -33,6 +33,7 @@ namespace signorini
   /** Section `Solver`: the inequality of a step and the linear systems in it. */
   struct SolverParameters
   {
+    InequalityMethod   inequality     = InequalityMethod::active_set;
     PreconditionerKind preconditioner = PreconditionerKind::automatic;
     /**
      * Solutions are accepted when their error in the energy norm of the velocity is below

@@ -92,7 +92,7 @@ namespace signorini
   parse_exact_solution(const SectionReader &in, const std::vector<BodyDescription<dim>> &bodies);
 
   void             declare_solver(dealii::ParameterHandler &prm);
-  SolverParameters parse_solver(const SectionReader &in);
+  SolverParameters parse_solver(const SectionReader &in, bool with_friction);
 
   void             declare_output(dealii::ParameterHandler &prm);
   OutputParameters parse_output(const SectionReader &in);
