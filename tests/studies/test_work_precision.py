@@ -21,6 +21,7 @@ import check_history
 sys.path.insert(0, str(check_history.SOURCE / "tools"))
 from studies import instants, observe  # noqa: E402
 from studies.expressions import Expression  # noqa: E402
+from studies.quantities import read_quantities  # noqa: E402
 
 try:
     from studies.work_precision import errors, front, page, peers, problem, study
@@ -147,6 +148,19 @@ class Errors(unittest.TestCase):
             self.assertAlmostEqual(found["displacement"], 1.0, places=6)
             self.assertAlmostEqual(found["impulse"], 1.0, places=6)
             self.assertLess(expected.errors(right)["displacement"], 1e-9)
+
+    def test_times_are_known_to_a_step(self):
+        made = self.small()
+        made.observe = ["impulse", "ends"]
+        made.observations = {
+            **made.observations,
+            **read_quantities({"ends": "end(contact_force)"}, "made", None),
+        }
+        run = made_up(folder_of("steps") / "run", [0.1] * 10, 1.0)
+        expected = errors.Expected(made, run, run)
+        self.assertAlmostEqual(expected.resolution("ends"), 10.0)
+        self.assertEqual(expected.resolution("impulse"), 0.0)
+        self.assertEqual(expected.resolution("force"), 0.0)
 
     def test_too_little_is_as_wrong_as_too_much(self):
         for value, exact in ((0.99, 1.0), (1.01, 1.0), (-2.02, -2.0), (-1.98, -2.0)):

@@ -5,12 +5,16 @@
 a reference run, relative, in per cent."""
 
 import math
+import re
 
 import numpy
 
 from ..adaptive_measures import SAMPLES, distance, force_curve
 from ..mistake import Mistake
 from ..observe import ERRORS, read_columns
+
+#: In the texts of quantities: functions whose values are whole numbers of steps.
+COUNTED = re.compile(r"\b(begin|end|duration)\(")
 
 
 def curve(result, text, times):
@@ -34,7 +38,7 @@ class Expected:
     are."""
 
     def __init__(self, study, reference, any_result):
-        self.study = study
+        self.study, self.reference = study, reference
         self.times = numpy.linspace(0.0, any_result["time"][-1], SAMPLES)
         self.curves = {
             name: (
@@ -76,6 +80,14 @@ class Expected:
                 for name, exact in self.numbers.items()
             },
         }
+
+    def resolution(self, name):
+        """What the step of the reference leaves open of a number, in per cent: times at which
+        contact begins or ends are known to a step."""
+        text = getattr(self.study.observations.get(name), "text", "")
+        if name not in self.numbers or name in self.study.exact or not COUNTED.search(text):
+            return 0.0
+        return 100 * self.reference["step_size"][-1] / abs(self.numbers[name])
 
 
 def relative(value, exact):

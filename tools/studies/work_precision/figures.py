@@ -8,6 +8,7 @@ from plotting import style  # first, it chooses the backend
 from matplotlib import pyplot
 from matplotlib.lines import Line2D
 
+from .. import instants
 from ..adaptive_figures import COLOURS, MARKERS
 from ..comparison import save
 from .front import pareto, points
@@ -29,8 +30,13 @@ def draw(problem, path):
     figure, axes = pyplot.subplots(
         down, ACROSS, squeeze=False, figsize=(4.4 * ACROSS, 3.9 * down), sharex=True
     )
-    schemes = list(dict.fromkeys(problem.scheme(variant) for variant, _ in problem.rows))
-    colours = dict(zip(schemes, (*COLOURS, *FURTHER)))
+    used = {problem.scheme(variant) for variant, _ in problem.rows}
+    # Of all schemes of the program, so that one has the same colour in all figures.
+    colours = {
+        scheme: colour
+        for scheme, colour in zip(instants.schemes, (*COLOURS, *FURTHER))
+        if scheme in used
+    }
     groups = dict.fromkeys(variant.group for variant, _ in problem.rows)
     markers = dict(zip(groups, MARKERS))
     for panel, name in zip(axes.flat, names):

@@ -59,7 +59,12 @@ class Problem(Case):
             {**cost(result), **expected.errors(result)} if result else {} for result in done
         ]
         rows = list(zip(self.study.variants, measured))
-        self.floor = next((numbers for variant, numbers in rows if variant.group == CHECK), {})
+        check = next((numbers for variant, numbers in rows if variant.group == CHECK), {})
+        self.floor = {
+            name: max(value, expected.resolution(name))
+            for name, value in check.items()
+            if name in self.quantities
+        }
         self.rows = [row for row in rows if row[0].group != CHECK]
 
     def scheme(self, variant):
