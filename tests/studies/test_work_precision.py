@@ -181,6 +181,19 @@ class Peers(unittest.TestCase):
             for name in ("dofs", "steps", *peers.COMPARED):
                 peers.number(row[name])
 
+    def test_a_force_that_alternates_counts_with_its_mean(self):
+        """At the ends of steps it is twice the mean; in the middle it is what it is."""
+        made = observe.Result("none")
+        made.history = {
+            "time": [0.0, 0.1, 0.2, 0.3],
+            "step_size": [0.0, 0.1, 0.1, 0.1],
+            "contact_force": [0.0, 8.0, 0.0, 8.0],
+        }
+        made.keys_of_time = {"Scheme": "newmark"}
+        self.assertAlmostEqual(peers.mean_force(made), 4.0)
+        made.keys_of_time = {"Scheme": "contact-stabilized"}
+        self.assertAlmostEqual(peers.mean_force(made), 8.0)
+
     def test_the_time_of_a_run_is_that_of_its_steps_if_not_noted(self):
         row = {"processor_s": "", "steps": "100", "processor_s_per_step": "0.13"}
         self.assertAlmostEqual(peers.seconds(row), 13.0)
