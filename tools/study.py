@@ -33,9 +33,11 @@ function curve(...). `figure = NAME over NAME` draws one observation over anothe
 FOLDER/figure.png beside the curve, with one kind of points for each variant, or for all variants
 with the same `group = NAME`.
 
-Three studies have a name instead of a file: krause-walloth compares all schemes on the examples of
+Four studies have a name instead of a file: krause-walloth compares all schemes on the examples of
 Krause and Walloth (2012), with figures and a page; bar-table compares them on the bar with an
-independent computation; adaptive compares uniform and adaptive meshes and steps.
+independent computation; adaptive compares uniform and adaptive meshes and steps; work-precision
+finds the cheapest way to an error of 10, 1 and 0.1 % (doc/work_precision.md tells what its study
+files have besides: [schemes], [curves], [exact] and peers).
 """
 
 import argparse
@@ -46,7 +48,7 @@ from studies import instants, references, runs, tables
 from studies.definition import Mistake, Study
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-NAMES = ("krause-walloth", "bar-table", "adaptive")
+NAMES = ("krause-walloth", "bar-table", "adaptive", "work-precision")
 
 
 def parse():
@@ -132,6 +134,10 @@ def main():
             from studies import adaptive
 
             good = adaptive.adaptive(arguments, ROOT)
+        elif arguments.study == "work-precision":
+            from studies.work_precision import study
+
+            good = study.work_precision(arguments, ROOT)
         else:
             good = study_of_a_file(arguments)
     except Mistake as mistake:

@@ -28,7 +28,6 @@ namespace signorini
         , direction(solution)
         , correction(solution)
         , product(solution)
-        , mask(solution.locally_owned_size(), 0)
       {
         for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
           x.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
@@ -50,7 +49,7 @@ namespace signorini
       /** Along the scaled gradient, and onto the bounds. */
       void nonlinear_step()
       {
-        for (unsigned int i = 0; i < mask.size(); ++i)
+        for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
           direction.local_element(i) = r.local_element(i) / diagonal.local_element(i);
         for (const unsigned int j : problem.fixed_entries)
           direction.local_element(j) = 0.;
@@ -101,12 +100,13 @@ namespace signorini
       /** Hold what is pressed against its bound, and see what a linear step would do. */
       void truncate()
       {
-        Mask pressed(mask.size(), 0);
+        Mask pressed(x.locally_owned_size(), 0);
         for (const unsigned int j : problem.fixed_entries)
           pressed[j] = 1;
         for_each_bound([&](const unsigned int i, const double bound) {
           pressed[i] = x.local_element(i) >= bound && r.local_element(i) > 0.;
         });
+        // The preconditioner still has the mask of an earlier problem, and mask is empty at first.
         has_changed = dealii::Utilities::MPI::max(static_cast<unsigned int>(pressed != mask),
                                                   x.get_mpi_communicator())
                       > 0;

@@ -10,7 +10,6 @@ its files fit together and the scenes of their variants are valid.
 
 import math
 import pathlib
-import subprocess
 import sys
 import types
 import unittest
@@ -100,24 +99,7 @@ class Files(check_history.SceneTest):
                 for variant, task in zip(case.study.variants, case.tasks)
             }
             for task in [*last.values(), *([case.reference] if case.reference else [])]:
-                keys = [
-                    part
-                    for key, value in task.settings.items()
-                    for part in ("--set", f"{key}={value}")
-                ]
-                done = subprocess.run(
-                    [
-                        check_history.settings["executable"],
-                        str(task.study.scene),
-                        "--validate",
-                        *keys,
-                    ],
-                    capture_output=True,
-                    text=True,
-                    timeout=check_history.TIMEOUT,
-                    check=False,
-                )
-                self.assertEqual(done.returncode, 0, f"{name}, {task.name}: {done.stderr}")
+                self.expect_valid(task)
 
 
 if __name__ == "__main__":

@@ -166,6 +166,20 @@ class Run:
 class SceneTest(unittest.TestCase):
     """Checks that hold for each scene. Failures name row and value."""
 
+    def expect_valid(self, task):
+        """The scene of a study with the keys of one of its runs."""
+        sets = [
+            part for key, value in task.settings.items() for part in ("--set", f"{key}={value}")
+        ]
+        done = subprocess.run(
+            [settings["executable"], str(task.study.scene), "--validate", *sets],
+            capture_output=True,
+            text=True,
+            timeout=TIMEOUT,
+            check=False,
+        )
+        self.assertEqual(done.returncode, 0, f"{task.study.path}, {task.name}: {done.stderr}")
+
     def expect_close(self, value, expected, relative, what):
         self.assertLessEqual(
             abs(value - expected), relative * abs(expected), f"{what}: {value}, expected {expected}"

@@ -4,40 +4,22 @@
 """The study adaptive: errors against degrees of freedom and run time, for uniform and for adaptive
 meshes and steps."""
 
-import json
 import math
 import pathlib
-import resource
-import time
 
-from . import adaptive_figures, adaptive_measures as measures, runs, tables
-from .definition import Study
-from .observe import Result
+from . import adaptive_figures, adaptive_measures as measures, tables
+from .case import Case as TimedCase, text
 
 #: Study files. The variants of the group "uniform" are what the others are compared with.
 CASES = ("adaptive_bar", "adaptive_geometry_a", "adaptive_geometry_b", "adaptive_sliding_block")
 UNIFORM = "uniform"
-#: Beside the results of a reference run: from what it was computed. Beside all others: their
-#: processor time.
-ORIGIN, TIME = "origin.json", "processor_time.txt"
 
 
-class Case:
-    """A study file with its runs. The reference run, if there is one, takes the keys of [scene],
-    [coarse] and [reference], the former win."""
+class Case(TimedCase):
+    """A scene with its uniform and its adaptive runs."""
 
     def __init__(self, path, coarse, folder):
-        self.study = Study(path, coarse)
-        self.study.variants = [
-            variant for variant in self.study.variants if not (coarse and variant.full)
-        ]
-        self.folder = folder / self.study.name.removeprefix("adaptive_")
-        self.folder.mkdir(parents=True, exist_ok=True)
-        self.tasks = runs.tasks(self.study, self.folder)
-        settings = {"Output/VTU": "false", **self.study.reference, **self.study.common}
-        self.reference = self.study.reference and runs.Task(
-            self.study, "reference", settings, self.folder / "reference"
-        )
+        super().__init__(path, coarse, folder, "adaptive_")
 
     def groups(self):
         """(variant, numbers) by group, in the order of the file."""
@@ -57,58 +39,6 @@ class Case:
             for cost in ("dofs", "seconds"):
                 for name in measures.ERRORS:
                     numbers[f"{name} per {cost}"] = measures.gain(numbers, uniform, cost, name)
-
-
-def origin(task):
-    """What a run depends on, but for the program."""
-    return json.dumps(
-        {"scene": task.study.scene.read_text(encoding="utf-8"), "keys": task.settings}, indent=1
-    )
-
-
-def reference(executable, task, draw_only):
-    """The reference run: kept from an earlier study if it was the same."""
-    path = task.folder / ORIGIN
-    if draw_only or (path.exists() and path.read_text(encoding="utf-8") == origin(task)):
-        return runs.read(task)
-    path.unlink(missing_ok=True)
-    result = timed(executable, task)
-    if result:
-        path.write_text(origin(task), encoding="utf-8")
-    return result
-
-
-def timed(executable, task):
-    """A run, with its processor time beside its results: other programs on the machine disturb it
-    less than the wall time."""
-    (task.folder / TIME).unlink(missing_ok=True)
-    start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
-    result = runs.run(executable, task)
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    used = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    print(
-        f"  {task.study.title}, {task.name}: {used:.1f} s of a processor,"
-        f" {time.monotonic() - start:.1f} s"
-        + (f"  failed: {result.failure}" if result.failure else ""),
-        flush=True,
-    )
-    (task.folder / TIME).write_text(f"{used:.2f}\n", encoding="utf-8")
-    return result
-
-
-def text(value):
-    """Three digits, a dash for what is not known."""
-    return "-" if math.isnan(value) else f"{value:.0f}" if value >= 1000 else f"{value:.3g}"
-
-
-def finished(task):
-    """The result of a run that was done before; an interrupted one left tables, but no time."""
-    result = runs.read(task)
-    return (
-        result
-        if not result or (task.folder / TIME).exists()
-        else Result(task.folder, "was interrupted. Run the study again.")
-    )
 
 
 def errors_of(case):
@@ -178,20 +108,9 @@ def adaptive(arguments, root):
     good, page = True, ""
     for name in CASES:
         case = Case(root / "parameters" / "studies" / f"{name}.ini", arguments.coarse, folder)
-        print(case.study.title, flush=True)
-        exact = (
-            reference(arguments.executable, case.reference, arguments.draw_only)
-            if case.reference
-            else None
-        )
-        done = (
-            list(map(finished, case.tasks))
-            if arguments.draw_only
-            else [timed(arguments.executable, task) for task in case.tasks]
-        )
-        good = good and bool(exact or not case.reference) and all(done)
-        if case.reference and not exact:
-            print(f"  left out: its reference failed: {exact.failure}", flush=True)
+        done, exact = case.run(arguments.executable, arguments.draw_only)
+        good = good and bool(done) and all(done)
+        if not done:
             continue
         case.read(done, exact)
         adaptive_figures.draw(case, errors_of(case), folder / f"{case.folder.name}.png")

@@ -10,6 +10,7 @@ import re
 import numpy
 
 from . import instants
+from .case import seconds
 from .observe import during_contact, roughness
 
 #: Curves are compared at so many equidistant times: many more than any run here has steps in
@@ -25,11 +26,12 @@ SECTIONS = {
 }
 
 
-def force_curve(result, times):
-    """The contact force, linear between the instants to which the forces of the steps belong."""
+def force_curve(result, times, force="contact_force"):
+    """A force of the history, linear between the instants to which the forces of the steps
+    belong."""
     share = instants.before_end(result.keys_of_time)
     ends, sizes = numpy.array(result["time"]), numpy.array(result["step_size"])
-    return numpy.interp(times, ends - share * sizes, result["contact_force"])
+    return numpy.interp(times, ends - share * sizes, result[force])
 
 
 def pressure_curve(result, times):
@@ -79,12 +81,6 @@ def pressure_error(result, reference, times):
     )
 
 
-def seconds(folder, result):
-    """Processor time of a run, as the study wrote it beside the results; else the wall time."""
-    path = folder / "processor_time.txt"
-    return float(path.read_text(encoding="utf-8")) if path.exists() else result["wall_time"][-1]
-
-
 def measure(result, reference):
     """All numbers of a run by name; nan if it failed. reference: None if the solution is known."""
     if not result:
@@ -96,7 +92,7 @@ def measure(result, reference):
         "dofs": sum(dofs) / len(dofs),
         "largest_dofs": max(dofs),
         "steps": len(dofs),
-        "seconds": seconds(result.folder, result),
+        "seconds": seconds(result),
         "wall_time": result["wall_time"][-1],
         "force": distance(force_curve(result, times), exact_force(result, reference, times)),
         "pressure": pressure_error(result, reference, times),

@@ -14,7 +14,18 @@ from .observe import DISTANCES, OBSERVATIONS
 from .quantities import read_curve, read_quantities
 
 #: Sections without a name of their own.
-SECTIONS = ("study", "scene", "coarse", "variations", "together", "reference", "quantities")
+SECTIONS = (
+    "study",
+    "scene",
+    "coarse",
+    "variations",
+    "together",
+    "reference",
+    "quantities",
+    "schemes",
+    "curves",
+    "exact",
+)
 #: Keys of the section [study].
 KEYS = (
     "scene",
@@ -27,6 +38,7 @@ KEYS = (
     "exact force",
     "curve",
     "figure",
+    "peers",
 )
 #: What a [variant NAME] says besides keys of the scene.
 WORDS = ("group", "paper", "full")
@@ -126,15 +138,14 @@ class Study:
                     " make it cheap."
                 )
             self.common.update(self.settings(parser, "coarse"))
-        self.variations, together = self.lists(parser, "variations"), self.lists(parser, "together")
-        if len({len(column) for column in together.values()}) > 1:
-            raise Mistake(f"{path}: the keys in [together] need the same number of values.")
-        self.sequence = [dict(zip(together, row)) for row in zip(*together.values())] or [{}]
+        self.variations = self.lists(parser, "variations")
+        self.sequence = self.rows(parser, "together") or [{}]
+        self.path_of_schemes = self.rows(parser, "schemes")
         self.variants = read_variants(parser, path)
         if parser.has_option("study", "variants"):
             other = (path.parent / parser["study"]["variants"]).resolve()
             self.variants = read_variants(read_ini(other), other) + self.variants
-        if not self.variations and not together and not self.variants:
+        if self.sequence == [{}] and not (self.variations or self.variants or self.path_of_schemes):
             raise Mistake(
                 f"{path}: nothing varies. Give [variations], [together] or [variant NAME]."
             )
@@ -162,6 +173,18 @@ class Study:
         """What runs are compared with: [reference], and the exact force."""
         text = parser.get("study", "exact force", fallback=None)
         self.exact_force = text and Expression(text, f"{self.path}: [study] exact force")
+        self.curves = self.settings(parser, "curves")
+        self.exact = {
+            name: Expression(text, f"{self.path}: [exact] {name}")
+            for name, text in self.settings(parser, "exact").items()
+        }
+        for name in self.exact:
+            if name not in (*self.curves, *self.observations):
+                raise Mistake(
+                    f"{self.path}: [exact] {name}: there is neither such a curve in [curves] nor"
+                    " such a quantity in [quantities]."
+                )
+        self.peers = parser.get("study", "peers", fallback="")
         self.reference = self.settings(parser, "reference")
         if parser.has_section("reference") and not self.reference:
             raise Mistake(
@@ -192,6 +215,13 @@ class Study:
             key: [value.strip() for value in text.split(";")]
             for key, text in Study.settings(parser, section).items()
         }
+
+    def rows(self, parser, section):
+        """Settings that change together, value by value."""
+        columns = self.lists(parser, section)
+        if len({len(column) for column in columns.values()}) > 1:
+            raise Mistake(f"{self.path}: the keys in [{section}] need the same number of values.")
+        return [dict(zip(columns, row)) for row in zip(*columns.values())]
 
     def whole_number(self, parser, key):
         """A number of [study], one if not given."""

@@ -23,17 +23,19 @@ MIDDLE, END = 0.5, 0.0
 schemes = {}
 
 
+def ask(executable, *arguments):
+    """What a program says without running a scene."""
+    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
+    return subprocess.run(
+        [str(executable), *arguments], capture_output=True, text=True, env=environment, check=False
+    )
+
+
 def use(executable):
     """Read the table of schemes of a program."""
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
     try:
-        result = subprocess.run(
-            [str(executable), "--print-schemes=json"],
-            capture_output=True,
-            text=True,
-            env=environment,
-            check=True,
-        )
+        result = ask(executable, "--print-schemes=json")
+        result.check_returncode()
         schemes.update((scheme["name"], scheme) for scheme in json.loads(result.stdout))
     except (OSError, ValueError, subprocess.CalledProcessError) as error:
         raise Mistake(
