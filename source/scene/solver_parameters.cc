@@ -53,7 +53,7 @@ namespace signorini
                       std::to_string(defaults.limits.maximum_linear_iterations),
                       Integer(),
                       "Conjugate gradient iterations of one linear solve before the active set "
-                      "method gives way to the slower MPRGP.");
+                      "method gives way to truncated-newton-multigrid, and the most of that.");
   }
 
   SolverParameters parse_solver(const SectionReader &in, const bool with_friction)

@@ -274,7 +274,8 @@ namespace signorini
     if (!(norm <= goal))
       throw StepError(
         "The inequality of this step was not solved to its tolerance: neither the active set "
-        "method nor MPRGP converged. Choose a larger Solver/Tolerance or a smaller Time/Step "
+        "method nor truncated Newton multigrid nor MPRGP converged. Choose a larger "
+        "Solver/Tolerance or a smaller Time/Step "
         "size.");
 
     return_solution(problem, scaled, iteration.point(), active, solution, residual);

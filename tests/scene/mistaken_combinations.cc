@@ -20,6 +20,13 @@ namespace
   }
 } // namespace
 
+TEST(Combinations, OfSolverAndFriction)
+{
+  expect({{"Solver/Inequality", "truncated-newton-multigrid"},
+          {"Contact/ball : floor/Friction coefficient", "0.3"}},
+         {"Inequality = truncated-newton-multigrid", "no friction", "Remove"});
+}
+
 TEST(Combinations, OfSchemes)
 {
   expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},

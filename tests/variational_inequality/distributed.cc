@@ -144,5 +144,5 @@ TEST_P(Distributed, SolutionIsThatOfTheWholeProblem)
 
 INSTANTIATE_TEST_SUITE_P(All,
                          Distributed,
-                         testing::Values(solver_cases[1], solver_cases[2]),
+                         testing::Values(solver_cases[1], solver_cases[3], solver_cases[4]),
                          testing::PrintToStringParamName());

@@ -324,15 +324,22 @@ class SmallScenes(check_history.SceneTest):
             for now, then in zip(slow, energies[0]):
                 self.assertAlmostEqual(now, then, delta=1e-8)
 
-    def test_preconditioner_changes_nothing(self):
+    def test_solver_changes_nothing(self):
         for name, text in (("disc", DISC), ("dirichlet", MOVING_CONDITION)):
             runs = [
                 check_history.Run(
                     text,
-                    f"small-{name}-{preconditioner}",
-                    [f"Solver/Preconditioner={preconditioner}"],
+                    f"small-{name}-{preconditioner}-{method}",
+                    [f"Solver/Preconditioner={preconditioner}", f"Solver/Inequality={method}"],
                 )
-                for preconditioner in ("jacobi", "incomplete-cholesky", "ml")
+                for preconditioner, method in (
+                    ("jacobi", "active-set"),
+                    ("incomplete-cholesky", "active-set"),
+                    ("ml", "active-set"),
+                    ("multigrid", "active-set"),
+                    ("multigrid", "truncated-newton-multigrid"),
+                    ("incomplete-cholesky", "truncated-newton-multigrid"),
+                )
             ]
             self.expect_contact(runs[0])
             for other in runs[1:]:

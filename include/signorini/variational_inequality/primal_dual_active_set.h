@@ -5,8 +5,7 @@
 #define signorini_variational_inequality_primal_dual_active_set_h
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
-#include <signorini/variational_inequality/constrained_solver.h>
-#include <signorini/variational_inequality/mprgp.h>
+#include <signorini/variational_inequality/truncated_newton_multigrid.h>
 
 namespace signorini
 {
@@ -19,14 +18,15 @@ namespace signorini
    * The matrix is never modified: held entries are masked in the preconditioner, which masks the
    * search directions. While the set still changes, the linear systems are solved only roughly, and
    * one iteration continues where the last one stopped. The method is known to cycle in rare cases;
-   * a set that comes back is detected, first answered by accurate linear solves, and then by Mprgp,
-   * which always converges.
+   * a set that comes back is detected, first answered by accurate linear solves, and then by
+   * TruncatedNewtonMultigrid, in which the energy falls.
    */
   class PrimalDualActiveSet : public ConstrainedSolver
   {
   public:
     explicit PrimalDualActiveSet(const ActiveSetLimits &limits)
       : limits(limits)
+      , fallback(limits.maximum_linear_iterations)
     {
     }
 
@@ -39,11 +39,11 @@ namespace signorini
     /** Of the error in a linear solve, while the set still changes. */
     static constexpr double rough_reduction = 1e-2;
 
-    const ActiveSetLimits limits;
-    ConjugateGradients    conjugate_gradients;
-    Mprgp                 fallback;
-    Vector                correction, product;
-    Mask                  mask;
+    const ActiveSetLimits    limits;
+    ConjugateGradients       conjugate_gradients;
+    TruncatedNewtonMultigrid fallback;
+    Vector                   correction, product;
+    Mask                     mask;
 
     /** Put the fixed and the active entries to their values and compute the residual. */
     void
