@@ -74,17 +74,29 @@ namespace signorini
     template <int dim>
     void check_damping(const SectionReader &in, const Scene<dim> &scene)
     {
-      if (scheme_info(scene.time.scheme).damping)
-        return;
+      // Forces of damping 1e5 times as large as those of the strains leave five digits of these.
+      constexpr double most     = 1e5;
+      const bool       is_known = scheme_info(scene.time.scheme).damping;
       for (const BodyDescription<dim> &body : scene.bodies)
-        if (body.material.damping.any())
-          in.section(body.name).fail(
-            "Damping",
-            "is not known to `Time/Scheme = " + scene.time.scheme
-              + "`. Set `Damping = 0, 0`, or "
-                "take one of "
-              + join(schemes_where([](const SchemeInfo &info) { return info.damping; }), ", ")
-              + ".");
+        {
+          const RayleighDamping &damping = body.material.damping;
+          if (!is_known && damping.any())
+            in.section(body.name).fail(
+              "Damping",
+              "is not known to `Time/Scheme = " + scene.time.scheme
+                + "`. Set `Damping = 0, 0`, or "
+                  "take one of "
+                + join(schemes_where([](const SchemeInfo &info) { return info.damping; }), ", ")
+                + ".");
+          if (std::max(damping.mass * scene.time.step_size,
+                       damping.stiffness / scene.time.step_size)
+              > most)
+            in.section(body.name).fail(
+              "Damping",
+              "stops every motion within a step, and its round-off is seen in the energy. Give a "
+              "at most 1e5 / `Step size`, and b at most 1e5 * `Step size`; what shall not move can "
+              "be held by `Dirichlet`.");
+        }
     }
 
     template <int dim>

@@ -20,6 +20,12 @@ namespace
   }
 } // namespace
 
+TEST(Combinations, OfDampingAndStepSize)
+{
+  expect({{"Bodies/ball/Damping", "0, 1e6"}}, {"Damping = 0, 1e6", "Step size", "Dirichlet"});
+  expect({{"Bodies/ball/Damping", "1e9, 0"}}, {"Damping = 1e9, 0", "Step size", "Dirichlet"});
+}
+
 TEST(Combinations, OfSolverAndFriction)
 {
   expect({{"Solver/Inequality", "truncated-newton-multigrid"},

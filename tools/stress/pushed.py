@@ -127,13 +127,13 @@ MAGNITUDES = (1e-300, 1e-150, 1e-30, 1e30, 1e150, 1e300)
 COEFFICIENTS = (0.01, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0, 3.0, 10.0)
 #: Name, quantity, values and builder of each family, and the values of a quick run.
 ROWS = [
-    ("squeeze", "part of the height", (1e-6, 0.01, 0.1, 0.5, 1.0, 2.0), squeeze, (0.01, 2.0)),
-    ("push-from-rest", "coefficient", COEFFICIENTS, push_from_rest, (1.0, 10.0)),
+    ("squeeze", "part of the height", (1e-6, 0.01, 0.1, 0.5, 1.0, 2.0), squeeze, (1e-6, 2.0)),
+    ("push-from-rest", "coefficient", COEFFICIENTS, push_from_rest, (0.1, 10.0)),
     ("infeasible", "depth", (1e-9, 0.1), infeasible),
     ("magnitude", "modulus, density", MAGNITUDES, magnitude, (1e-150, 1e150)),
     ("damping", "time / step", (1e-6, 1e-2, 1.0, 1e3, 1e6, 1e12), damping, (1e-6, 1e3)),
     ("local-refinement", "levels", (1.0, 4.0, 8.0, 12.0), local_refinement, (4.0,)),
-    ("pile", "coefficient", (0.0, 0.01, 0.3, 1.0, 3.0, 10.0), pile, (0.0, 10.0)),
+    ("pile", "coefficient", (0.0, 0.01, 0.3, 1.0, 3.0, 10.0), pile, (0.3, 10.0)),
     ("stack-at-rest", "above / below", (1e-6, 1e-3, 1.0, 1e3, 1e6), stack_at_rest),
     ("corner-3d", "angle", (0.0, 1e-9, 1e-3, 1.0, 30.0, 45.0), corner_3d),
     ("spin", "speed of the rim", (1e-4, 1e-2, 0.1, 1 / 3), spin),
