@@ -19,8 +19,8 @@ MOMENTUM_ACCURACY = 1e-8
 DEPTH = 1e-9
 #: Forces that are smaller parts of the largest one are round-off.
 NO_FORCE = 1e-7
-#: By how much friction may differ from its law where a projection ends the step: its impulses change
-#: normal forces after friction was found with them.
+#: By how much friction may differ from its law where a projection ends the step: its impulses
+#: change normal forces after friction was found with them.
 PROJECTED = 1e-3
 AXES = "xyz"
 #: What changes the energy besides the scheme.
