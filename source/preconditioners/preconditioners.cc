@@ -6,7 +6,10 @@
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/preconditioners/relative_matrix.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
+#include <limits>
 
 namespace signorini
 {
@@ -122,6 +125,28 @@ namespace signorini
           vector.local_element(i) = 0.;
       }
     };
+
+
+    /** Beyond it the coarse levels keep more of what is held than a soft body has. */
+    constexpr double most_for_multigrid = 1e6;
+
+    /** Of the stiffest node and the softest. Collective. */
+    template <int dim>
+    double ratio_of_stiffness(const ElasticMatrices<dim> &matrices)
+    {
+      const NodePattern &pattern = matrices.pattern;
+      double             largest = 0., smallest = std::numeric_limits<double>::max();
+      for (unsigned int node = 0; node < pattern.n_owned; ++node)
+        if (!pattern.is_empty(node))
+          {
+            const double stiffness = matrices.stiffness[pattern.row_start[node]][0];
+            largest                = std::max(largest, stiffness);
+            smallest               = std::min(smallest, stiffness);
+          }
+      const MPI_Comm communicator = pattern.partitioner->get_mpi_communicator();
+      return dealii::Utilities::MPI::max(largest, communicator)
+             / dealii::Utilities::MPI::min(smallest, communicator);
+    }
   } // namespace
 
 
@@ -169,7 +194,9 @@ namespace signorini
                              const std::vector<double>     &mass_factors)
   {
     const double largest = *std::max_element(mass_factors.begin(), mass_factors.end());
-    if (kind == PreconditionerKind::ml)
+    if (kind == PreconditionerKind::ml
+        || (kind == PreconditionerKind::automatic
+            && ratio_of_stiffness(discretization.matrices()) > most_for_multigrid))
       return std::make_unique<Multilevel<dim>>(discretization, coordinates, mass_factors);
     if (kind == PreconditionerKind::multigrid || kind == PreconditionerKind::automatic)
       return make_geometric_multigrid(std::make_shared<const LevelHierarchy<dim>>(discretization),

@@ -38,7 +38,8 @@ namespace signorini
   /**
    * The masked preconditioner for A in contact coordinates, of a static problem. `automatic` is
    * geometric multigrid in double precision: its number of iterations depends neither on the mesh
-   * nor on how slender the bodies are, and it knows what contact holds.
+   * nor on how slender the bodies are, and it knows what contact holds. Where a body is 1e6 times
+   * as stiff as another one it is algebraic multigrid, contact around it.
    * @param mass_factors see Multilevel
    */
   template <int dim>
