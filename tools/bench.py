@@ -10,8 +10,10 @@ from columns of history.csv: the time of a step with contact and of a step after
 vibrate, no contact) in the same run, their ratio, iterations, and matrix-vector products per step
 by matrix; then the part that the set-up of contact (search, segments, coupling) and of the
 preconditioner has in the run. Then what friction costs: the same bodies thrown obliquely, a step
-with contact with the coefficient 0.3 against one without friction. Last, the products of a step in
-undeformed flight. Times are those of this machine at this moment; ratios and counts travel.
+with contact with the coefficient 0.3 against one without friction. Then the first steps of Geometry
+A with each preconditioner, and with truncated Newton multigrid, in steps of five sizes.
+Last, the products of a step in undeformed flight. Times are those of this machine at this moment;
+ratios and counts travel.
 """
 
 import csv
@@ -36,11 +38,19 @@ OBLIQUE = {
 }
 #: Sections of the timer table that are done once per mesh because of contact.
 SET_UP = ("mesh: contact surface", "step: preconditioner set-up")
+#: Preconditioner and method of a step, and steps for Courant numbers from 5 to 2500 at refinement 4.
+SOLVERS = (
+    ("incomplete-cholesky", "active-set"),
+    ("ml", "active-set"),
+    ("multigrid", "active-set"),
+    ("multigrid", "truncated-newton-multigrid"),
+)
+STEP_SIZES, FIRST_STEPS = (5e-3, 1e-2, 4e-2, 0.32, 2.6), 8
 MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
 
 
-def run(executable, scene, processes, *settings):
-    """The rows of history.csv of one run as numbers, and the seconds of the set-up of contact."""
+def run(executable, scene, processes, *settings, sections=SET_UP):
+    """The rows of history.csv of one run as numbers, and the seconds of sections of the timer."""
     environment = dict(
         os.environ,
         OMP_NUM_THREADS="1",
@@ -66,7 +76,7 @@ def run(executable, scene, processes, *settings):
                     re.MULTILINE,
                 )[1]
             )
-            for name in SET_UP
+            for name in sections
         )
 
 
@@ -128,6 +138,32 @@ def report_friction(executable, refinement):
         )
 
 
+def report_solvers(executable, refinement):
+    """Iterations, and seconds of the inequalities, of the first steps."""
+    print(f"geometry_a, refinement {refinement}, first {FIRST_STEPS} steps of each size:")
+    for step_size in STEP_SIZES:
+        print(f"  step size {step_size}:")
+        for preconditioner, method in SOLVERS:
+            history, seconds = run(
+                executable,
+                "geometry_a",
+                1,
+                f"Bodies/ball/Refinements={refinement}",
+                f"Time/Step size={step_size}",
+                f"Time/End time={FIRST_STEPS * step_size}",
+                f"Solver/Preconditioner={preconditioner}",
+                f"Solver/Inequality={method}",
+                sections=("step: inequality",),
+            )
+            print(
+                f"    {preconditioner + ', ' + method:42}"
+                f"{sum(row['linear_iterations'] for row in history):6.0f} iterations in"
+                f" {sum(row['active_set_iterations'] for row in history):3.0f} active sets,"
+                f" {seconds:6.2f} s"
+            )
+    print()
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -160,6 +196,8 @@ def main():
             print(f"  two processes are {elapsed[1] / elapsed[2]:.2f} times as fast as one\n")
     for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
         report_friction(executable, refinement)
+    for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
+        report_solvers(executable, refinement)
     flight, _ = run(
         executable,
         "geometry_a",

@@ -47,38 +47,37 @@ namespace signorini
         return sum_of_four(lanes);
     }
 
-    /** Four lanes, each four or both, as a matrix of two by two pairs; to transpose takes two. */
+    /** Picks of the lanes of a (0 to 3) and b (4 to 7); of eight lanes in both halves alike. */
+    template <int... lanes, typename Many>
+    Many pick(const Many a, const Many b)
+    {
+      if constexpr (are_eight<Many>)
+        return __builtin_shufflevector(
+          a, b, (lanes < 4 ? lanes : lanes + 4)..., (lanes < 4 ? lanes + 4 : lanes + 8)...);
+      else
+        return __builtin_shufflevector(a, b, lanes...);
+    }
+
+    // Four vectors are transposed as a matrix of two by two pairs, by two picks each.
     template <typename Many>
     Many lower_pairs(const Many a, const Many b)
     {
-      if constexpr (are_eight<Many>)
-        return __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
-      else
-        return __builtin_shufflevector(a, b, 0, 4, 1, 5);
+      return pick<0, 4, 1, 5>(a, b);
     }
     template <typename Many>
     Many upper_pairs(const Many a, const Many b)
     {
-      if constexpr (are_eight<Many>)
-        return __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
-      else
-        return __builtin_shufflevector(a, b, 2, 6, 3, 7);
+      return pick<2, 6, 3, 7>(a, b);
     }
     template <typename Many>
     Many lower_halves(const Many a, const Many b)
     {
-      if constexpr (are_eight<Many>)
-        return __builtin_shufflevector(a, b, 0, 1, 8, 9, 4, 5, 12, 13);
-      else
-        return __builtin_shufflevector(a, b, 0, 1, 4, 5);
+      return pick<0, 1, 4, 5>(a, b);
     }
     template <typename Many>
     Many upper_halves(const Many a, const Many b)
     {
-      if constexpr (are_eight<Many>)
-        return __builtin_shufflevector(a, b, 2, 3, 10, 11, 6, 7, 14, 15);
-      else
-        return __builtin_shufflevector(a, b, 2, 3, 6, 7);
+      return pick<2, 3, 6, 7>(a, b);
     }
 
 

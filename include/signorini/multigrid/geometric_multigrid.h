@@ -10,7 +10,7 @@
 namespace signorini
 {
   /**
-   * A V-cycle over the levels of the mesh for a M + b A in contact coordinates, in single
+   * A V-cycle over the levels of the mesh for a M + b A in contact coordinates, in single or double
    * precision. It works in Cartesian components, in the space of what leaves held entries alone:
    * the finest level smooths in it, the transfer to the next one leaves out what is held, and the
    * matrices of the coarser levels are those of this transfer.
