@@ -2,29 +2,23 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
-#include <signorini/linear_algebra/improved_guess.h>
 #include <signorini/linear_algebra/lanczos.h>
+#include <signorini/linear_algebra/rough_solver.h>
+#include <signorini/linear_algebra/solver_goal.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace signorini
 {
   namespace
   {
-    /** Smallest eigenvalue of P^-1 K below which the norm of P is no longer that of K. */
-    constexpr double far_from_one = 0.1;
-
-    /**
-     * By how much the norm of the residual must be smaller than what is accepted: the square of the
-     * error in the norm of K is up to 1/lambda times that of the residual in that of P^-1.
-     */
-    double trust_in(const LanczosMatrix &lanczos)
-    {
-      const double lambda = lanczos.smallest_eigenvalue();
-      return lambda > 0. ? std::min(1., std::sqrt(lambda / far_from_one)) : 1.; // 0 by round-off
-    }
+    /** Of a residual, by which one solve in single precision can reduce it. */
+    constexpr double most_digits = 1e-5;
+    /** Sought beyond the goal, so that rounding does not miss it. */
+    constexpr double surplus = 0.8;
   } // namespace
 
 
@@ -48,13 +42,20 @@ namespace signorini
         product.reinit(solution, true);
       }
 
+    if (const RoughSolver *rough_solver = preconditioner.rough_solver())
+      return refine(*rough_solver,
+                    matrix,
+                    solution,
+                    residual,
+                    tolerance,
+                    reduction,
+                    maximum_iterations,
+                    is_guess);
+
     Report report;
     preconditioner.vmult(preconditioned, residual);
-    double       norm_square = dot(residual, preconditioned);
-    const double norm        = std::sqrt(std::max(norm_square, 0.));
-    const bool   may_improve = is_guess && norm <= tolerance;
-    const double accepted    = std::max(tolerance, reduction * norm);
-    const double goal        = may_improve ? improved_guess(norm, tolerance) : accepted;
+    double           norm_square = dot(residual, preconditioned);
+    const SolverGoal goal(std::sqrt(std::max(norm_square, 0.)), tolerance, reduction, is_guess);
 
     LanczosMatrix lanczos;
     const auto    iterate_to = [&](const double smaller_norm) {
@@ -77,12 +78,52 @@ namespace signorini
         }
     };
     direction = preconditioned;
-    iterate_to(goal);
-    if (reduction == 0. && !may_improve && norm_square <= goal * goal)
-      iterate_to(goal * trust_in(lanczos));
+    iterate_to(goal.sought);
+    if (norm_square <= goal.sought * goal.sought)
+      iterate_to(goal.sought * goal.trust(lanczos.smallest_eigenvalue()));
     // A negative square means that the preconditioner is not positive definite, and this is no
     // norm.
-    report.converged = std::abs(norm_square) <= accepted * accepted;
+    report.converged = std::abs(norm_square) <= goal.accepted * goal.accepted;
+    return report;
+  }
+
+
+  ConjugateGradients::Report ConjugateGradients::refine(const RoughSolver    &rough_solver,
+                                                        const LinearOperator &matrix,
+                                                        Vector               &solution,
+                                                        Vector               &residual,
+                                                        const double          tolerance,
+                                                        const double          reduction,
+                                                        const unsigned int    maximum_iterations,
+                                                        const bool            is_guess)
+  {
+    Report           report;
+    double           norm = rough_solver.start(residual), lambda = 1.;
+    const SolverGoal goal(norm, tolerance, reduction, is_guess);
+    double           sought = goal.sought;
+    while (norm > sought && report.iterations < maximum_iterations)
+      {
+        const double cycles = std::ceil(std::log(norm / sought) / std::log(1. / most_digits));
+        const double factor = std::pow(sought / norm, 1. / cycles) * (cycles == 1. ? surplus : 1.);
+        const auto   cycle =
+          rough_solver.solve(direction, factor, maximum_iterations - report.iterations);
+        report.iterations += cycle.iterations;
+        lambda = std::min(lambda, cycle.smallest_eigenvalue);
+        solution += direction;
+        matrix.vmult(product, direction);
+        residual -= product;
+        if (reduction > 0. && cycles == 1.)
+          {
+            report.converged = true; // what follows checks it
+            return report;
+          }
+        const double before = std::exchange(norm, rough_solver.start(residual));
+        if (!(norm < 0.5 * before))
+          break; // round-off: the caller judges the result
+        if (norm <= sought)
+          sought = goal.sought * goal.trust(lambda);
+      }
+    report.converged = norm <= goal.accepted;
     return report;
   }
 } // namespace signorini

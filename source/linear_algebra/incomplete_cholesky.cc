@@ -5,7 +5,7 @@
 #include <signorini/linear_algebra/cuthill_mckee.h>
 #include <signorini/linear_algebra/flush_denormals.h>
 #include <signorini/linear_algebra/incomplete_cholesky.h>
-#include <signorini/linear_algebra/small_blocks.h>
+#include <signorini/linear_algebra/matrix_block.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,22 +17,6 @@ namespace signorini
   namespace
   {
     using dealii::Tensor;
-
-    /**
-     * The block that the factor sees at a position of the pattern: dim x dim, or one number for
-     * the mass.
-     */
-    template <int dim, int n>
-    Tensor<2, n> matrix_block(const ElasticMatrices<dim> &matrices,
-                              const unsigned int          node,
-                              const unsigned int          k,
-                              const MatrixSum            &sum)
-    {
-      if constexpr (n == 1)
-        return to_tensor<1>(std::array<double, 1>{{sum.mass * matrices.mass[k]}});
-      else
-        return to_tensor<dim>(matrices.combined_block(node, k, sum));
-    }
   } // namespace
 
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/linear_algebra/incomplete_cholesky.h>
+#include <signorini/linear_algebra/symmetric_gauss_seidel.h>
 #include <signorini/multigrid/geometric_multigrid.h>
+#include <signorini/preconditioners/factor_coordinates.h>
 #include <signorini/preconditioners/multilevel.h>
 #include <signorini/preconditioners/preconditioners.h>
-#include <signorini/preconditioners/relative_matrix.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -46,12 +48,7 @@ namespace signorini
     };
 
 
-    /**
-     * An incomplete factor seen from contact coordinates. With two bodies in contact the factor of
-     * M + s A is that of the matrix in relative coordinates, without the rotations: there relative
-     * entries can be held within the sweeps. The mass is so well conditioned that the factor of the
-     * separate bodies does; relative entries are then held around it only.
-     */
+    /** An incomplete factor seen from contact coordinates. */
     template <int dim, int block_size>
     class ContactIncompleteCholesky : public MaskedPreconditioner
     {
@@ -59,70 +56,82 @@ namespace signorini
       ContactIncompleteCholesky(const ElasticMatrices<dim>    &matrices,
                                 const ContactCoordinates<dim> &coordinates,
                                 const MatrixSum               &sum)
-        : coordinates(coordinates)
-        , relative(block_size == dim && coordinates.coupling().any()
-                     ? relative_matrix(matrices, coordinates, sum)
-                     : ElasticMatrices<dim>())
-        , is_relative(relative.pattern.partitioner != nullptr)
-        , frames(coordinates.node_frames(),
-                 coordinates.contact_nodes(),
-                 (is_relative ? relative : matrices).pattern.partitioner)
-        , factor(is_relative ? relative : matrices,
-                 is_relative ? MatrixSum{0., 1.} : sum,
-                 frames.contact_nodes())
+        : inner(matrices, coordinates, sum, block_size == dim)
+        , factor(inner.matrices(), inner.sum(), inner.contact_nodes())
         , turned(matrices.pattern.partitioner)
       {
-        decltype(relative.stiffness)().swap(
-          relative.stiffness); // only the pattern is needed from now on
+        inner.forget_blocks();
       }
 
-      void set_mask(const Mask &mask) override
-      {
-        AssertDimension(mask.size(), turned.locally_owned_size());
-        held_entries.clear();
-        for (unsigned int i = 0; i < mask.size(); ++i)
-          if (mask[i])
-            held_entries.push_back(i);
-        Mask mask_of_factor = mask;
-        if (!is_relative)
-          for (const unsigned int i : coordinates.relative_entries())
-            mask_of_factor[i] = 0;
-        factor.set_held_nodes(frames.held_nodes(mask_of_factor));
-      }
+      void set_mask(const Mask &mask) override { factor.set_held_nodes(inner.set_mask(mask)); }
 
       void vmult(Vector &destination, const Vector &source) const override
       {
         turned.copy_locally_owned_data_from(source);
-        hold(turned);
-        if (is_relative)
-          coordinates.rotate_from_frames(turned);
-        else
-          coordinates.force_to_cartesian(turned);
+        inner.to_factor(turned);
         factor.vmult(destination, turned);
-        if (is_relative)
-          coordinates.rotate_to_frames(destination);
-        else
-          coordinates.displacement_to_contact(destination);
-        hold(destination);
+        inner.from_factor(destination);
       }
 
     private:
-      const ContactCoordinates<dim>      &coordinates;
-      ElasticMatrices<dim>                relative;
-      const bool                          is_relative;
-      const NodeFrames<dim>               frames;
+      FactorCoordinates<dim>              inner;
       IncompleteCholesky<dim, block_size> factor;
       mutable Vector                      turned;
-      std::vector<unsigned int>           held_entries;
+    };
 
-      /**
-       * The factor holds rotated entries only to single precision; a multiplier must not leak
-       * through, so they become exact zeros.
-       */
-      void hold(Vector &vector) const
+
+    /** Symmetric Gauss-Seidel seen from contact coordinates, which solves by itself. */
+    template <int dim, int block_size>
+    class ContactGaussSeidel : public MaskedPreconditioner, public RoughSolver
+    {
+    public:
+      ContactGaussSeidel(const ElasticMatrices<dim>    &matrices,
+                         const ContactCoordinates<dim> &coordinates,
+                         const MatrixSum               &sum)
+        : inner(matrices, coordinates, sum, block_size == dim)
+        , sweeps(inner.matrices(), inner.sum())
+        , turned(matrices.pattern.partitioner)
+        , is_exact(inner.is_exact())
       {
-        for (const unsigned int i : held_entries)
-          vector.local_element(i) = 0.;
+        inner.forget_blocks();
+      }
+
+      void set_mask(const Mask &mask) override { sweeps.set_held_nodes(inner.set_mask(mask)); }
+
+      void vmult(Vector &destination, const Vector &source) const override
+      {
+        turn(source);
+        sweeps.vmult(destination, turned);
+        inner.from_factor(destination);
+      }
+
+      const RoughSolver *rough_solver() const override { return is_exact ? this : nullptr; }
+
+      double start(const Vector &residual) const override
+      {
+        turn(residual);
+        return sweeps.start(turned);
+      }
+
+      Report solve(Vector            &correction,
+                   const double       reduction,
+                   const unsigned int maximum_iterations) const override
+      {
+        const Report report = sweeps.solve(correction, reduction, maximum_iterations);
+        inner.from_factor(correction);
+        return report;
+      }
+
+    private:
+      FactorCoordinates<dim>                inner;
+      SymmetricGaussSeidel<dim, block_size> sweeps;
+      mutable Vector                        turned;
+      const bool                            is_exact;
+
+      void turn(const Vector &force) const
+      {
+        turned.copy_locally_owned_data_from(force);
+        inner.to_factor(turned);
       }
     };
 
@@ -150,18 +159,28 @@ namespace signorini
   } // namespace
 
 
-  PreconditionerKind choose_preconditioner(const double                          courant_number,
-                                           const dealii::types::global_dof_index n_dofs,
-                                           const unsigned int                    matrix_life_time)
+  PreconditionerKind choose_preconditioner(const StepCost &cost)
   {
+    const double courant_number = cost.courant_number;
+    if (cost.solves_roughly)
+      {
+        // An iteration with multigrid takes six times as long, and five of them make a solution.
+        constexpr double most_iterations = 33.;
+        const double     too_large       = std::min(100., 50. * (1. + 5000. / cost.n_dofs));
+        const bool       too_many =
+          cost.iterations > 0. ? cost.iterations > most_iterations : courant_number > too_large;
+        return too_many ? PreconditionerKind::multigrid
+                        : PreconditionerKind::symmetric_gauss_seidel;
+      }
     // A factor costs about as much as it saves in 40 steps at Courant number 1, in 8 at 5. Where
     // the stiffness rules the diagonal is too poor in any case: the accuracy of a solution is
     // judged in its norm.
-    if (courant_number < 0.3 || (courant_number < 10. && matrix_life_time * courant_number < 40.))
+    if (courant_number < 0.3
+        || (courant_number < 10. && cost.matrix_life_time * courant_number < 40.))
       return PreconditionerKind::jacobi;
     // With the incomplete factor iterations grow with the Courant number, with multigrid they do
     // not, but each is dearer, and most on small meshes.
-    const double multigrid_pays = std::min(100., 12. * (1. + 30000. / n_dofs));
+    const double multigrid_pays = std::min(100., 12. * (1. + 30000. / cost.n_dofs));
     return courant_number > multigrid_pays ? PreconditionerKind::multigrid
                                            : PreconditionerKind::incomplete_cholesky;
   }
@@ -179,6 +198,8 @@ namespace signorini
                                       Vector(matrices.pattern.partitioner));
     if (kind == PreconditionerKind::ml)
       return std::make_unique<Multilevel<dim>>(matrices, coordinates, sum);
+    if (kind == PreconditionerKind::symmetric_gauss_seidel)
+      return std::make_unique<ContactGaussSeidel<dim, dim>>(matrices, coordinates, sum);
     Assert(kind == PreconditionerKind::incomplete_cholesky,
            dealii::ExcMessage("`automatic` is to be decided before: choose_preconditioner(); "
                               "multigrid needs a mesh."));
@@ -212,8 +233,10 @@ namespace signorini
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
                            const ContactCoordinates<dim> &coordinates)
   {
-    return std::make_unique<ContactIncompleteCholesky<dim, 1>>(
-      matrices, coordinates, MatrixSum{1., 0.});
+    const MatrixSum mass{1., 0.};
+    if (coordinates.coupling().any()) // sweeps of the separate bodies do not solve by themselves
+      return std::make_unique<ContactIncompleteCholesky<dim, 1>>(matrices, coordinates, mass);
+    return std::make_unique<ContactGaussSeidel<dim, 1>>(matrices, coordinates, mass);
   }
 
 

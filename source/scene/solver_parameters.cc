@@ -36,7 +36,8 @@ namespace signorini
     prm.declare_entry("Preconditioner",
                       name_of(defaults.preconditioner),
                       choices_of<PreconditionerKind>(),
-                      "Preconditioner of the conjugate gradients: jacobi, incomplete-cholesky, "
+                      "Preconditioner of the conjugate gradients: jacobi, symmetric-gauss-seidel "
+                      "(solves in single precision, refined), incomplete-cholesky, "
                       "multigrid (geometric), ml (algebraic multigrid), or automatic (chosen from "
                       "Courant number and mesh; multigrid for static problems).");
     prm.declare_entry("Tolerance",

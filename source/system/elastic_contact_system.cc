@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/preconditioners/factor_coordinates.h>
 #include <signorini/system/elastic_contact_system.h>
 #include <signorini/system/scales.h>
 #include <signorini/variational_inequality/make_solver.h>
@@ -41,12 +42,15 @@ namespace signorini
     , loads(loads)
     , parameters(parameters)
     , timer(timer)
+    , friction(coordinates, discretization.communicator())
     , step_matrices(discretization,
                     coordinates,
-                    {parameters.solver.preconditioner, parameters.mesh_life_time},
+                    {parameters.solver.preconditioner,
+                     parameters.mesh_life_time,
+                     !friction.any() && parameters.solver.inequality == InequalityMethod::active_set
+                       && sweeps_know_all(coordinates, discretization.communicator())},
                     timer)
     , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
-    , friction(coordinates, discretization.communicator())
     , solver(make_solver(friction.any(), parameters.solver.inequality, parameters.solver.limits))
     , active(surface.nodes().size(), contact_status::open)
   {
@@ -207,6 +211,7 @@ namespace signorini
       bound_tolerance(increment, discretization.mesh().body_size()),
       friction_of_nodes};
     solution.effort = solver->solve(constrained, active, increment, residual);
+    matrix.effort.add(solution.effort);
     matrix.forecast.remember(right_hand_side, increment, residual);
 
     extract(friction_of_nodes, residual, problem.further_reaction != nullptr, solution);

@@ -58,7 +58,8 @@ namespace signorini
            {},
            PreconditionerKind::automatic,
            uses,
-           0});
+           0,
+           {}});
       }
     StepMatrix<dim> &matrix = recent.front();
     if (uses - matrix.last_use > forget_age)
@@ -77,11 +78,21 @@ namespace signorini
       return; // only for the first use, and when their number has doubled
     PreconditionerKind kind = preconditioner.kind;
     if (kind == PreconditionerKind::automatic)
-      // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
-      // again.
-      kind = choose_preconditioner(discretization.mesh().courant_number(step_size),
-                                   discretization.dof_handler().n_dofs(),
-                                   std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses));
+      {
+        StepCost cost;
+        cost.courant_number = discretization.mesh().courant_number(step_size);
+        cost.n_dofs         = discretization.dof_handler().n_dofs();
+        // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
+        // again.
+        cost.matrix_life_time = std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses);
+        cost.solves_roughly   = preconditioner.solves_roughly;
+        if (matrix.kind == PreconditionerKind::multigrid)
+          return; // what it was taken for does not go away
+        if (matrix.effort.active_set_iterations > 0)
+          cost.iterations = static_cast<double>(matrix.effort.linear_iterations)
+                            / matrix.effort.active_set_iterations;
+        kind = choose_preconditioner(cost);
+      }
     if (kind == matrix.kind)
       return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
@@ -98,7 +109,8 @@ namespace signorini
     else
       matrix.preconditioner =
         make_preconditioner(kind, discretization.matrices(), coordinates, matrix.sum);
-    matrix.kind = kind;
+    matrix.kind   = kind;
+    matrix.effort = SolveReport();
     ++built;
   }
 

@@ -48,6 +48,22 @@ namespace signorini
     return held;
   }
 
+  /** The nodes of the face x = 0, held in part in turned frames; ghosts included. */
+  template <int dim>
+  HeldNodes<dim> hold_face(const SmallBody<dim> &body)
+  {
+    HeldNodes<dim> held;
+    for (unsigned int node = 0; node < body.matrices.pattern.n_local; ++node)
+      if (const auto &position = body.discretization.node_positions()[node];
+          std::abs(position[0]) < 1e-12 && !body.is_hanging(node))
+        {
+          const bool all = position[1] > 0.9;
+          held.push_back(held_in_turned_frame<dim>(
+            node, 0.4 + position[1], all ? all_directions<dim>() : first_direction<dim>()));
+        }
+    return held;
+  }
+
   /** Z (Z'KZ)^-1 Z', the columns of Z spanning what is free. */
   template <int dim>
   Eigen::MatrixXd inverse_on_free_directions(const Eigen::MatrixXd &K, const HeldNodes<dim> &held)

@@ -49,19 +49,11 @@ public:
     expect_exact<dim>(body, held, eliminate_last);
   }
 
-  /** On the face x = 0: partly held in turned frames, ghosts included. */
   HeldNodes<dim> hold_face(const SmallBody<dim> &body, std::vector<unsigned int> &nodes) const
   {
-    HeldNodes<dim> held;
-    for (unsigned int node = 0; node < body.matrices.pattern.n_local; ++node)
-      if (const auto &position = body.discretization.node_positions()[node];
-          std::abs(position[0]) < 1e-12 && !body.is_hanging(node))
-        {
-          nodes.push_back(node);
-          const bool all = position[1] > 0.9;
-          held.push_back(held_in_turned_frame<dim>(
-            node, 0.4 + position[1], all ? all_directions<dim>() : first_direction<dim>()));
-        }
+    const HeldNodes<dim> held = signorini::hold_face<dim>(body);
+    for (const HeldNode<dim> &node : held)
+      nodes.push_back(node.node);
     return held;
   }
 };

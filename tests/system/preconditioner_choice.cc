@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-// What `Preconditioner = automatic` takes: the diagonal where the mass rules or the matrix is used
-// a few times only, multigrid where the stiffness rules, the earlier the larger the mesh, the
-// incomplete factor in between. The order is the one that was measured (doc/performance.md); the
-// edges are not tested.
+// What `Preconditioner = automatic` takes. Where sweeps solve by themselves: those, until they take
+// too many iterations. Else: the diagonal where the mass rules or the matrix is used a few times
+// only, multigrid where the stiffness rules, the earlier the larger the mesh, the incomplete factor
+// in between. The order is the one that was measured (doc/performance.md); the edges are not
+// tested.
 
 #include <signorini/preconditioners/preconditioners.h>
 
@@ -12,28 +13,52 @@
 
 using namespace signorini;
 
+namespace
+{
+  /** With friction, or on processes that share the contact of two bodies. */
+  PreconditionerKind
+  of_factors(const double courant_number, const unsigned int n_dofs, const unsigned int life_time)
+  {
+    return choose_preconditioner({courant_number, n_dofs, life_time});
+  }
+
+  PreconditionerKind of_sweeps(const double courant_number, const double iterations)
+  {
+    return choose_preconditioner({courant_number, 100000, 100, true, iterations});
+  }
+} // namespace
+
 TEST(PreconditionerChoice, FollowsTheCourantNumberOnALastingMesh)
 {
   constexpr unsigned int many = 10000, dofs = 100000;
-  EXPECT_EQ(choose_preconditioner(0.1, dofs, many), PreconditionerKind::jacobi);
-  EXPECT_EQ(choose_preconditioner(1., dofs, many), PreconditionerKind::incomplete_cholesky);
-  EXPECT_EQ(choose_preconditioner(5., dofs, many), PreconditionerKind::incomplete_cholesky);
-  EXPECT_EQ(choose_preconditioner(40., dofs, many), PreconditionerKind::multigrid);
-  EXPECT_EQ(choose_preconditioner(1e5, dofs, many), PreconditionerKind::multigrid);
+  EXPECT_EQ(of_factors(0.1, dofs, many), PreconditionerKind::jacobi);
+  EXPECT_EQ(of_factors(1., dofs, many), PreconditionerKind::incomplete_cholesky);
+  EXPECT_EQ(of_factors(5., dofs, many), PreconditionerKind::incomplete_cholesky);
+  EXPECT_EQ(of_factors(40., dofs, many), PreconditionerKind::multigrid);
+  EXPECT_EQ(of_factors(1e5, dofs, many), PreconditionerKind::multigrid);
 }
 
 TEST(PreconditionerChoice, TakesMultigridLaterOnASmallMesh)
 {
   constexpr unsigned int many = 10000, dofs = 3000;
-  EXPECT_EQ(choose_preconditioner(40., dofs, many), PreconditionerKind::incomplete_cholesky);
-  EXPECT_EQ(choose_preconditioner(200., dofs, many), PreconditionerKind::multigrid);
+  EXPECT_EQ(of_factors(40., dofs, many), PreconditionerKind::incomplete_cholesky);
+  EXPECT_EQ(of_factors(200., dofs, many), PreconditionerKind::multigrid);
 }
 
 TEST(PreconditionerChoice, BuildsNothingForAFewSteps)
 {
   constexpr unsigned int dofs = 100000;
-  EXPECT_EQ(choose_preconditioner(1., dofs, 5), PreconditionerKind::jacobi);
-  EXPECT_EQ(choose_preconditioner(5., dofs, 2), PreconditionerKind::jacobi);
-  EXPECT_EQ(choose_preconditioner(20., dofs, 1), PreconditionerKind::multigrid)
+  EXPECT_EQ(of_factors(1., dofs, 5), PreconditionerKind::jacobi);
+  EXPECT_EQ(of_factors(5., dofs, 2), PreconditionerKind::jacobi);
+  EXPECT_EQ(of_factors(20., dofs, 1), PreconditionerKind::multigrid)
     << "the diagonal is too poor there, whatever it costs";
+}
+
+TEST(PreconditionerChoice, SweepsUntilTheyTakeTooManyIterations)
+{
+  EXPECT_EQ(of_sweeps(0.1, 0.), PreconditionerKind::symmetric_gauss_seidel);
+  EXPECT_EQ(of_sweeps(10., 0.), PreconditionerKind::symmetric_gauss_seidel);
+  EXPECT_EQ(of_sweeps(1000., 0.), PreconditionerKind::multigrid) << "as long as nothing is known";
+  EXPECT_EQ(of_sweeps(10., 80.), PreconditionerKind::multigrid);
+  EXPECT_EQ(of_sweeps(1000., 10.), PreconditionerKind::symmetric_gauss_seidel);
 }

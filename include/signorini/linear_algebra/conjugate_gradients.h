@@ -15,6 +15,9 @@ namespace signorini
    * The held entries need no treatment here: the preconditioner returns zero there, so the search
    * directions leave them alone. The residual is carried for *all* entries. In the held ones it is,
    * at the end, the force that holds them, and no further product is needed to know it.
+   *
+   * Where the preconditioner can solve by itself in single precision (RoughSolver), it does, and
+   * what it finds is refined by residuals in double precision until the same norm is as small.
    */
   class ConjugateGradients
   {
@@ -50,6 +53,15 @@ namespace signorini
                  bool                        is_guess = false);
 
   private:
+    Report refine(const RoughSolver    &rough_solver,
+                  const LinearOperator &matrix,
+                  Vector               &solution,
+                  Vector               &residual,
+                  double                tolerance,
+                  double                reduction,
+                  unsigned int          maximum_iterations,
+                  bool                  is_guess);
+
     Vector preconditioned, direction, product;
   };
 } // namespace signorini

@@ -10,6 +10,8 @@
 
 namespace signorini
 {
+  class RoughSolver;
+
   /** For each locally owned entry whether it is held (1: fixed or in active contact) or free (0).
    */
   using Mask = std::vector<char>;
@@ -31,6 +33,9 @@ namespace signorini
      * source has there.
      */
     virtual void vmult(Vector &destination, const Vector &source) const = 0;
+
+    /** Where it can solve by itself, with the mask and the norm that it has here; else null. */
+    virtual const RoughSolver *rough_solver() const { return nullptr; }
   };
 } // namespace signorini
 

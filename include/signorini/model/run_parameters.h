@@ -14,6 +14,7 @@ namespace signorini
   {
     automatic, ///< chosen from the Courant number
     jacobi,
+    symmetric_gauss_seidel,
     incomplete_cholesky,
     ml,       ///< algebraic multigrid
     multigrid ///< geometric, on the levels of the mesh
@@ -25,6 +26,7 @@ namespace signorini
     static constexpr EnumName<PreconditionerKind> table[] = {
       {PreconditionerKind::automatic, "automatic"},
       {PreconditionerKind::jacobi, "jacobi"},
+      {PreconditionerKind::symmetric_gauss_seidel, "symmetric-gauss-seidel"},
       {PreconditionerKind::incomplete_cholesky, "incomplete-cholesky"},
       {PreconditionerKind::ml, "ml"},
       {PreconditionerKind::multigrid, "multigrid"}};

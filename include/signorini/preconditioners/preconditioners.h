@@ -4,7 +4,6 @@
 #ifndef signorini_preconditioners_preconditioners_h
 #define signorini_preconditioners_preconditioners_h
 
-#include <signorini/linear_algebra/incomplete_cholesky.h>
 #include <signorini/model/run_parameters.h>
 #include <signorini/preconditioners/step_operator.h>
 
@@ -12,17 +11,25 @@
 
 namespace signorini
 {
+  /** What decides about the preconditioner of a step. */
+  struct StepCost
+  {
+    double                          courant_number;       ///< c_p tau / h
+    dealii::types::global_dof_index n_dofs;               ///< on all processes
+    unsigned int                    matrix_life_time = 1; ///< steps that will use the matrix
+    /** Whether conjugate gradients solve the step, and sweeps know its matrix: see RoughSolver. */
+    bool solves_roughly = false;
+    /** With sweeps so far, per active set; 0: not known yet. */
+    double iterations = 0.;
+  };
+
   /**
-   * What `automatic` means, by measurement (doc/performance.md): the diagonal where the step is so
-   * small that the mass rules or the matrix will soon be another one, geometric multigrid where the
-   * stiffness rules, the incomplete factor in between.
-   * @param courant_number   c_p tau / h
-   * @param n_dofs           degrees of freedom on all processes
-   * @param matrix_life_time number of steps that will use the matrix
+   * What `automatic` means, by measurement (doc/performance.md): sweeps of Gauss and Seidel where
+   * they solve by themselves, geometric multigrid where they take too many iterations, or will.
+   * Else the diagonal where the step is so small that the mass rules or the matrix will soon be
+   * another one, multigrid where the stiffness rules, the incomplete factor in between.
    */
-  PreconditionerKind choose_preconditioner(double                          courant_number,
-                                           dealii::types::global_dof_index n_dofs,
-                                           unsigned int                    matrix_life_time);
+  PreconditionerKind choose_preconditioner(const StepCost &cost);
 
   /**
    * The masked preconditioner for a M + b A in contact coordinates. @param kind neither automatic
@@ -49,7 +56,7 @@ namespace signorini
                              const ContactCoordinates<dim> &coordinates,
                              const std::vector<double>     &mass_factors);
 
-  /** Incomplete factor of the block-scalar mass. */
+  /** Sweeps with the block-scalar mass, or its incomplete factor where two bodies meet. */
   template <int dim>
   std::unique_ptr<MaskedPreconditioner>
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,

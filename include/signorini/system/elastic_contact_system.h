@@ -90,11 +90,11 @@ namespace signorini
       &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
     double                                    energy_scale = 0.;
+    const StepFriction<dim>                   friction;
     StepMatrices<dim>                         step_matrices;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
     std::unique_ptr<StaticEquilibrium<dim>>   static_equilibrium;
     MassProblems<dim>                         mass_problems;
-    const StepFriction<dim>                   friction;
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
 

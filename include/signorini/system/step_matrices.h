@@ -29,14 +29,17 @@ namespace signorini
     PreconditionerKind kind     = PreconditionerKind::automatic;
     unsigned int       last_use = 0; ///< counted in solutions
     unsigned int       n_uses   = 0;
+    SolveReport        effort; ///< so far, with this preconditioner
   };
 
-  /** What decides about the preconditioner of a step. */
+  /** What decides about the preconditioners of all steps. */
   struct PreconditionerChoice
   {
     PreconditionerKind kind = PreconditionerKind::automatic;
     /** Steps that will probably be made on the mesh: what it pays to build. */
     unsigned int mesh_life_time = 1;
+    /** See StepCost. */
+    bool solves_roughly = false;
   };
 
   /**

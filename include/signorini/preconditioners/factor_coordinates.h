@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_preconditioners_factor_coordinates_h
+#define signorini_preconditioners_factor_coordinates_h
+
+#include <signorini/contact/contact_coordinates.h>
+#include <signorini/contact/node_frames.h>
+
+#include <deal.II/base/mpi.h>
+
+namespace signorini
+{
+  /**
+   * Whether the blocks that a process sees make up its rows of T'K T. On several processes it does
+   * not know what partners of partners beyond its ghosts add where bodies meet.
+   */
+  template <int dim>
+  bool sweeps_know_all(const ContactCoordinates<dim> &coordinates, const MPI_Comm communicator)
+  {
+    return !coordinates.coupling().any()
+           || dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
+  }
+
+
+  /**
+   * The matrix of a step as a factor of its blocks sees it, and the way between its coordinates and
+   * contact coordinates. With two bodies in contact M + s A is seen in relative coordinates,
+   * without the rotations: there relative entries can be held within sweeps. The mass is so well
+   * conditioned that the separate bodies do; relative entries are then held around them only.
+   */
+  template <int dim>
+  class FactorCoordinates
+  {
+  public:
+    FactorCoordinates(const ElasticMatrices<dim>    &matrices,
+                      const ContactCoordinates<dim> &coordinates,
+                      const MatrixSum               &sum,
+                      bool                           follows_partners);
+
+    /** The matrix is sum() of these. */
+    const ElasticMatrices<dim> &matrices() const { return is_relative ? relative : of_bodies; }
+    MatrixSum                   sum() const { return is_relative ? MatrixSum{0., 1.} : of_step; }
+    /** Whether it is T'K T of the step, all of it, and not only close to it. */
+    bool is_exact() const;
+    /** The blocks are not needed any more, only the pattern. */
+    void forget_blocks() { decltype(relative.stiffness)().swap(relative.stiffness); }
+
+    const std::vector<unsigned int> &contact_nodes() const { return frames.contact_nodes(); }
+
+    /** @return what is held within sweeps. Collective */
+    HeldNodes<dim> set_mask(const Mask &mask);
+
+    /** Of a force: held entries become zero. */
+    void to_factor(Vector &force) const;
+    /**
+     * Of a displacement. Rotated entries are held to single precision only; a multiplier must not
+     * leak through, so they become exact zeros.
+     */
+    void from_factor(Vector &displacement) const;
+
+  private:
+    const ElasticMatrices<dim>    &of_bodies;
+    const ContactCoordinates<dim> &coordinates;
+    const MatrixSum                of_step;
+    ElasticMatrices<dim>           relative;
+    const bool                     is_relative;
+    const NodeFrames<dim>          frames;
+    std::vector<unsigned int>      held_entries;
+
+    void hold(Vector &vector) const;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/preconditioners/factor_coordinates.h>
+#include <signorini/preconditioners/relative_matrix.h>
+
+namespace signorini
+{
+  template <int dim>
+  FactorCoordinates<dim>::FactorCoordinates(const ElasticMatrices<dim>    &matrices,
+                                            const ContactCoordinates<dim> &coordinates,
+                                            const MatrixSum               &sum,
+                                            const bool                     follows_partners)
+    : of_bodies(matrices)
+    , coordinates(coordinates)
+    , of_step(sum)
+    , relative(follows_partners && coordinates.coupling().any()
+                 ? relative_matrix(matrices, coordinates, sum)
+                 : ElasticMatrices<dim>())
+    , is_relative(relative.pattern.partitioner != nullptr)
+    , frames(coordinates.node_frames(),
+             coordinates.contact_nodes(),
+             this->matrices().pattern.partitioner)
+  {
+  }
+
+
+  template <int dim>
+  bool FactorCoordinates<dim>::is_exact() const
+  {
+    return (is_relative || !coordinates.coupling().any())
+           && sweeps_know_all(coordinates, of_bodies.pattern.partitioner->get_mpi_communicator());
+  }
+
+
+  template <int dim>
+  HeldNodes<dim> FactorCoordinates<dim>::set_mask(const Mask &mask)
+  {
+    AssertDimension(mask.size(), dim * of_bodies.pattern.n_owned);
+    held_entries.clear();
+    for (unsigned int i = 0; i < mask.size(); ++i)
+      if (mask[i])
+        held_entries.push_back(i);
+    Mask within = mask;
+    if (!is_relative)
+      for (const unsigned int i : coordinates.relative_entries())
+        within[i] = 0;
+    return frames.held_nodes(within);
+  }
+
+
+  template <int dim>
+  void FactorCoordinates<dim>::to_factor(Vector &force) const
+  {
+    hold(force);
+    if (is_relative)
+      coordinates.rotate_from_frames(force);
+    else
+      coordinates.force_to_cartesian(force);
+  }
+
+
+  template <int dim>
+  void FactorCoordinates<dim>::from_factor(Vector &displacement) const
+  {
+    if (is_relative)
+      coordinates.rotate_to_frames(displacement);
+    else
+      coordinates.displacement_to_contact(displacement);
+    hold(displacement);
+  }
+
+
+  template <int dim>
+  void FactorCoordinates<dim>::hold(Vector &vector) const
+  {
+    for (const unsigned int i : held_entries)
+      vector.local_element(i) = 0.;
+  }
+
+
+  template class FactorCoordinates<2>;
+  template class FactorCoordinates<3>;
+} // namespace signorini
