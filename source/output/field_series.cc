@@ -67,7 +67,8 @@ namespace signorini
   {
     const std::string record = "fields/" + moment(step) + ".pvtu";
     auto              known  = moments;
-    known.emplace_back(time, record);
+    if (known.empty() || known.back().second != record) // as after a failure of another series
+      known.emplace_back(time, record);
     succeed_together(communicator, [&] {
       if (this_process != 0)
         return;

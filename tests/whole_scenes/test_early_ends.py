@@ -237,11 +237,13 @@ class EarlyEnds(check_history.SceneTest):
                 self.assertEqual(run.status, 1, run.errors)
                 self.assertEqual(len(run.message), 1, run.errors)
                 self.assertIn(f"cannot write `{run.folder}/fields/", run.message[0])
-                self.assertIn("Not a directory", run.message[0])
+                # The second one between the two steps of lose().
+                self.assertRegex(run.message[0], "Not a directory|No such file or directory")
                 self.assertIn(run.message[0][len("signorini: ") :], run.log)
                 series = (run.folder / "volume.pvd").read_text(encoding="utf-8")
                 named = re.findall('file="fields/([^"]*)"', series)
-                self.assertGreater(len(named), 3)
+                # With the fifth row the fourth moment may still be in work.
+                self.assertGreaterEqual(len(named), 3)
                 for record in named:
                     text = (run.folder / "fields_away" / record).read_text(encoding="utf-8")
                     pieces = re.findall('Source="([^"]*)"', text)
