@@ -19,9 +19,11 @@ namespace signorini
     : directory(directory)
     , name(name)
     , communicator(communicator)
+    , this_process(Utilities::MPI::this_mpi_process(communicator))
+    , n_processes(Utilities::MPI::n_mpi_processes(communicator))
   {
     succeed_together(communicator, [&] {
-      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      if (this_process != 0)
         return;
       std::error_code   error;
       const std::string folder = directory + "/fields";
@@ -33,43 +35,63 @@ namespace signorini
   }
 
 
+  std::string FieldSeries::moment(const unsigned int step) const
+  {
+    return name + "_" + Utilities::int_to_string(step, 6);
+  }
+
+
+  std::string FieldSeries::piece(const unsigned int step, const unsigned int process) const
+  {
+    return moment(step) + "." + std::to_string(process) + ".vtu";
+  }
+
+
   template <int dim, int spacedim>
-  void FieldSeries::write(DataOutInterface<dim, spacedim> &data,
-                          const unsigned int               step,
-                          const double                     time)
+  void FieldSeries::write_piece(DataOutInterface<dim, spacedim> &data,
+                                const unsigned int               step,
+                                const double                     time) const
   {
     DataOutBase::VtkFlags flags(time, step);
     flags.compression_level = decltype(flags.compression_level)::best_speed;
     data.set_flags(flags);
+    write_whole_file(directory + "/fields/" + piece(step, this_process),
+                     [&](std::ostream &out) { data.write_vtu(out); });
+  }
 
-    const std::string moment = name + "_" + Utilities::int_to_string(step, 6);
-    const auto        piece  = [&](const unsigned int process) {
-      return moment + "." + std::to_string(process) + ".vtu";
-    };
-    const unsigned int this_process = Utilities::MPI::this_mpi_process(communicator);
-    succeed_together(communicator, [&] {
-      write_whole_file(directory + "/fields/" + piece(this_process),
-                       [&](std::ostream &out) { data.write_vtu(out); });
-    });
 
-    // Only now all pieces are there for the files that name them.
-    moments.emplace_back(time, "fields/" + moment + ".pvtu");
+  template <int dim, int spacedim>
+  void FieldSeries::name_moment(const DataOutInterface<dim, spacedim> &data,
+                                const unsigned int                     step,
+                                const double                           time)
+  {
+    const std::string record = "fields/" + moment(step) + ".pvtu";
+    auto              known  = moments;
+    if (known.empty() || known.back().second != record) // as after a failure of another series
+      known.emplace_back(time, record);
     succeed_together(communicator, [&] {
       if (this_process != 0)
         return;
       std::vector<std::string> pieces;
-      for (unsigned int p = 0; p < Utilities::MPI::n_mpi_processes(communicator); ++p)
-        pieces.push_back(piece(p));
-      write_whole_file(directory + "/" + moments.back().second,
+      for (unsigned int p = 0; p < n_processes; ++p)
+        pieces.push_back(piece(step, p));
+      write_whole_file(directory + "/" + record,
                        [&](std::ostream &out) { data.write_pvtu_record(out, pieces); });
       write_whole_file(directory + "/" + name + ".pvd",
-                       [&](std::ostream &out) { DataOutBase::write_pvd_record(out, moments); });
+                       [&](std::ostream &out) { DataOutBase::write_pvd_record(out, known); });
     });
+    moments = std::move(known); // what could not be named may be tried once more
   }
 
 
-  template void FieldSeries::write<1, 2>(DataOutInterface<1, 2> &, unsigned int, double);
-  template void FieldSeries::write<2, 2>(DataOutInterface<2, 2> &, unsigned int, double);
-  template void FieldSeries::write<2, 3>(DataOutInterface<2, 3> &, unsigned int, double);
-  template void FieldSeries::write<3, 3>(DataOutInterface<3, 3> &, unsigned int, double);
+#define INSTANTIATE(dim, spacedim)                                                                 \
+  template void FieldSeries::write_piece(DataOutInterface<dim, spacedim> &, unsigned int, double)  \
+    const;                                                                                         \
+  template void FieldSeries::name_moment(                                                          \
+    const DataOutInterface<dim, spacedim> &, unsigned int, double);
+  INSTANTIATE(1, 2)
+  INSTANTIATE(2, 2)
+  INSTANTIATE(2, 3)
+  INSTANTIATE(3, 3)
+#undef INSTANTIATE
 } // namespace signorini

@@ -23,114 +23,125 @@ namespace signorini
              : status < mixed ? contact_status::slip
                               : contact_status::stick;
     }
+
+    /** What the patches show, with ghosts and hanging nodes. */
+    struct ShownFields
+    {
+      const Vector       &displacement, &velocity;
+      Vector              contact;  ///< pressure and gap in the first two entries of each node
+      Vector              status;   ///< in the first entry of each node
+      std::vector<Vector> friction; ///< stress, slip, increment of the slip
+    };
+
+
+    /** Pressure and gap. */
+    template <int dim>
+    Vector contact_values(const Discretization<dim> &discretization,
+                          const ContactSurface<dim> &surface,
+                          const State               &state)
+    {
+      const std::vector<double> gaps    = surface.distance(state.displacement);
+      const double              largest = Utilities::MPI::max(
+        gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())),
+        discretization.communicator());
+
+      Vector values = discretization.make_vector();
+      for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
+        values.local_element(dim * node + 1) = largest;
+      for (unsigned int i = 0; i < surface.nodes().size(); ++i)
+        {
+          const ContactNode<dim> &contact_node = surface.nodes()[i];
+          values.local_element(dim * contact_node.node) =
+            std::max(0., -contact_node.normal_force(state.contact_force) / contact_node.weight);
+          values.local_element(dim * contact_node.node + 1) = gaps[i];
+        }
+      return values;
+    }
+
+
+    /** Status, and the vectors of friction. */
+    template <int dim>
+    void add_friction(const Discretization<dim> &discretization,
+                      const ContactSurface<dim> &surface,
+                      const State               &state,
+                      ShownFields               &fields)
+    {
+      Vector              status = discretization.make_vector();
+      std::vector<Vector> vectors(friction_vectors.size(), status);
+      for (unsigned int k = 0; k < surface.nodes().size(); ++k)
+        {
+          const ContactNode<dim>             &node     = surface.nodes()[k];
+          const FrictionReading<dim>          friction = friction_at(surface, state.friction, k);
+          const std::array<Tensor<1, dim>, 3> shown    = {
+               {friction.force / node.weight, friction.accumulated_slip, friction.slip}};
+          status.local_element(dim * node.node) = friction.status;
+          for (unsigned int i = 0; i < shown.size(); ++i)
+            for (unsigned int c = 0; c < dim; ++c)
+              vectors[i].local_element(dim * node.node + c) = shown[i][c];
+        }
+      fields.status = discretization.interpolate_hanging_nodes(status);
+      for (const Vector &vector : vectors)
+        fields.friction.push_back(discretization.interpolate_hanging_nodes(vector));
+    }
+
+
+    template <int dim>
+    DataOutBase::Patch<dim - 1, dim>
+    make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
+               const unsigned int                                    face,
+               const ShownFields                                    &fields)
+    {
+      DataOutBase::Patch<dim - 1, dim> patch;
+      patch.n_subdivisions = 1;
+      patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
+      patch.data.reinit((2 + fields.friction.size()) * dim + 3, cell->face(face)->n_vertices());
+      for (const unsigned int v : cell->face(face)->vertex_indices())
+        {
+          patch.vertices[v] = cell->face(face)->vertex(v);
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              const auto dof         = cell->face(face)->vertex_dof_index(v, c);
+              patch.data(c, v)       = fields.displacement(dof);
+              patch.data(dim + c, v) = fields.velocity(dof);
+              for (unsigned int i = 0; i < fields.friction.size(); ++i)
+                patch.data((2 + i) * dim + 3 + c, v) = fields.friction[i](dof);
+            }
+          const auto   dof           = cell->face(face)->vertex_dof_index(v, 0);
+          const double pressure      = fields.contact(dof);
+          patch.data(2 * dim, v)     = pressure;
+          patch.data(2 * dim + 1, v) = fields.contact(dof + 1);
+          patch.data(2 * dim + 2, v) =
+            shown_status(pressure, !fields.friction.empty() ? fields.status(dof) : 0.);
+        }
+      return patch;
+    }
   } // namespace
 
 
   template <int dim>
-  SurfacePatches<dim>::SurfacePatches(const Discretization<dim> &discretization,
-                                      const ContactSurface<dim> &surface)
-    : discretization(discretization)
-    , surface(surface)
-    , with_friction(has_friction(surface.pairs()))
+  void SurfacePatches<dim>::build(const Discretization<dim> &discretization,
+                                  const ContactSurface<dim> &surface,
+                                  const State               &state,
+                                  const Vector              &displacement,
+                                  const Vector              &velocity)
   {
-  }
-
-
-  template <int dim>
-  void
-  SurfacePatches<dim>::build(const State &state, const Vector &displacement, const Vector &velocity)
-  {
-    Fields fields{displacement,
-                  velocity,
-                  discretization.interpolate_hanging_nodes(contact_values(state)),
-                  {},
-                  {}};
+    with_friction = has_friction(surface.pairs());
+    ShownFields fields{
+      displacement,
+      velocity,
+      discretization.interpolate_hanging_nodes(contact_values(discretization, surface, state)),
+      {},
+      {}};
     if (with_friction)
-      add_friction(state, fields);
+      add_friction(discretization, surface, state, fields);
     patches.clear();
     for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       for (const unsigned int f : cell->face_indices())
         if (surface.contains(cell, f))
           {
-            patches.push_back(make_patch(cell, f, fields));
+            patches.push_back(make_patch<dim>(cell, f, fields));
             patches.back().patch_index = patches.size() - 1;
           }
-  }
-
-
-  template <int dim>
-  Vector SurfacePatches<dim>::contact_values(const State &state) const
-  {
-    const std::vector<double> gaps    = surface.distance(state.displacement);
-    const double              largest = Utilities::MPI::max(
-      gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())),
-      discretization.communicator());
-
-    Vector values = discretization.make_vector();
-    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
-      values.local_element(dim * node + 1) = largest;
-    for (unsigned int i = 0; i < surface.nodes().size(); ++i)
-      {
-        const ContactNode<dim> &contact_node = surface.nodes()[i];
-        values.local_element(dim * contact_node.node) =
-          std::max(0., -contact_node.normal_force(state.contact_force) / contact_node.weight);
-        values.local_element(dim * contact_node.node + 1) = gaps[i];
-      }
-    return values;
-  }
-
-
-  template <int dim>
-  void SurfacePatches<dim>::add_friction(const State &state, Fields &fields) const
-  {
-    Vector              status = discretization.make_vector();
-    std::vector<Vector> vectors(friction_vectors.size(), status);
-    for (unsigned int k = 0; k < surface.nodes().size(); ++k)
-      {
-        const ContactNode<dim>             &node     = surface.nodes()[k];
-        const FrictionReading<dim>          friction = friction_at(surface, state.friction, k);
-        const std::array<Tensor<1, dim>, 3> shown    = {
-             {friction.force / node.weight, friction.accumulated_slip, friction.slip}};
-        status.local_element(dim * node.node) = friction.status;
-        for (unsigned int i = 0; i < shown.size(); ++i)
-          for (unsigned int c = 0; c < dim; ++c)
-            vectors[i].local_element(dim * node.node + c) = shown[i][c];
-      }
-    fields.status = discretization.interpolate_hanging_nodes(status);
-    for (const Vector &vector : vectors)
-      fields.friction.push_back(discretization.interpolate_hanging_nodes(vector));
-  }
-
-
-  template <int dim>
-  typename SurfacePatches<dim>::Patch
-  SurfacePatches<dim>::make_patch(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                                  const unsigned int                                    face,
-                                  const Fields &fields) const
-  {
-    Patch patch;
-    patch.n_subdivisions = 1;
-    patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
-    patch.data.reinit((2 + fields.friction.size()) * dim + 3, cell->face(face)->n_vertices());
-    for (const unsigned int v : cell->face(face)->vertex_indices())
-      {
-        patch.vertices[v] = cell->face(face)->vertex(v);
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            const auto dof         = cell->face(face)->vertex_dof_index(v, c);
-            patch.data(c, v)       = fields.displacement(dof);
-            patch.data(dim + c, v) = fields.velocity(dof);
-            for (unsigned int i = 0; i < fields.friction.size(); ++i)
-              patch.data((2 + i) * dim + 3 + c, v) = fields.friction[i](dof);
-          }
-        const auto   dof           = cell->face(face)->vertex_dof_index(v, 0);
-        const double pressure      = fields.contact(dof);
-        patch.data(2 * dim, v)     = pressure;
-        patch.data(2 * dim + 1, v) = fields.contact(dof + 1);
-        patch.data(2 * dim + 2, v) =
-          shown_status(pressure, with_friction ? fields.status(dof) : 0.);
-      }
-    return patch;
   }
 
 

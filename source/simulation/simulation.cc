@@ -111,25 +111,26 @@ namespace signorini
       log.warning(warning);
 
     write_obstacles();
-    FieldOutput<dim> fields(scene.output_directory, mesh.communicator());
+    if (scene.output.vtu)
+      fields = std::make_unique<FieldOutput<dim>>(scene.output_directory, mesh.communicator());
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
     meshed->system.set_energy(observation.energy_of_motion());
-    if (writes_fields(0.))
-      fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
-
     const auto stepping = make_time_stepping(
       scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
+    if (writes_fields(0.))
+      write_fields(observation);
     const FailureReporter failures(mesh.communicator());
     try
       {
-        make_steps(*stepping, observation, fields, log);
+        make_steps(*stepping, observation, log);
+        complete_fields(observation, true);
       }
     catch (...)
       {
         const std::exception_ptr reason = std::current_exception();
         if (failures.all_fail())
-          end_early(reason, *stepping, observation, fields, log);
+          end_early(reason, *stepping, observation, log);
         throw;
       }
     timer.print_wall_time_statistics(mesh.communicator());
@@ -141,10 +142,8 @@ namespace signorini
 
 
   template <int dim>
-  void Simulation<dim>::make_steps(TimeStepping     &stepping,
-                                   Observation<dim> &observation,
-                                   FieldOutput<dim> &fields,
-                                   RunLog           &log)
+  void
+  Simulation<dim>::make_steps(TimeStepping &stepping, Observation<dim> &observation, RunLog &log)
   {
     const Interruption interruption;
     while (!stepping.finished(state))
@@ -162,7 +161,9 @@ namespace signorini
         if (scene.time.stop_on_warning && !news.empty())
           throw RunError("`Time/Stop on warning`: " + news.front());
         if (writes_fields(stepping.fraction_done(state)))
-          write_fields(observation, fields);
+          write_fields(observation);
+        else
+          complete_fields(observation, false);
         if (stepping.finished(state))
           return;
         interruption.check(state.time, mesh.communicator());
@@ -191,11 +192,24 @@ namespace signorini
 
 
   template <int dim>
-  void Simulation<dim>::write_fields(Observation<dim> &observation, FieldOutput<dim> &fields)
+  void Simulation<dim>::write_fields(Observation<dim> &observation)
   {
+    complete_fields(observation, true);
     TimerOutput::Scope scope(timer, "field output");
     observation.pause_clock();
-    fields.write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
+    fields->write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
+    observation.resume_clock();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::complete_fields(Observation<dim> &observation, const bool wait)
+  {
+    if (!fields || !fields->is_writing())
+      return;
+    TimerOutput::Scope scope(timer, "field output: completion");
+    observation.pause_clock();
+    wait ? fields->finish() : fields->finish_if_written();
     observation.resume_clock();
   }
 
@@ -212,7 +226,6 @@ namespace signorini
   void Simulation<dim>::end_early(const std::exception_ptr &reason,
                                   const TimeStepping       &stepping,
                                   Observation<dim>         &observation,
-                                  FieldOutput<dim>         &fields,
                                   RunLog                   &log)
   {
     const std::string message = attempt([&] { std::rethrow_exception(reason); }).message;
@@ -220,8 +233,13 @@ namespace signorini
     const bool has_state =
       meshed && state.displacement.size() == meshed->discretization.dof_handler().n_dofs();
     attempt([&] { observation.finish(); });
-    if (has_state && scene.output.vtu)
-      attempt([&] { write_fields(observation, fields); }); // the reason may be a full disk
+    // The reason may be a full disk; then the next moment fails, too.
+    attempt([&] { complete_fields(observation, true); });
+    if (has_state && fields)
+      attempt([&] {
+        write_fields(observation);
+        complete_fields(observation, true);
+      });
     if (has_state)
       log.message(summary(stepping, observation));
     log.end_early("The run ended early, at the time " + Patterns::Tools::to_string(state.time)

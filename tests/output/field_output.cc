@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 // After every write the two .pvd name complete moments: each file they name is there, and so is
-// each piece.
+// each piece; written in the background, they are what they are without.
 
 #include "box_above_floor.h"
 #include "scratch.h"
@@ -66,13 +66,16 @@ namespace
   }
 
   template <int dim>
-  void write_two_moments()
+  void write_two_moments(const bool in_background)
   {
     const ScratchFolder      folder;
     const BoxAboveFloor<dim> box;
-    FieldOutput<dim>         output(folder.name, MPI_COMM_WORLD);
+    FieldOutput<dim>         output(folder.name, MPI_COMM_WORLD, in_background);
     State                    state = state_at_rest(box.discretization);
     output.write(state, box.discretization, *box.surface);
+    EXPECT_EQ(output.is_writing(), in_background);
+    output.finish();
+    EXPECT_FALSE(output.is_writing());
     MPI_Barrier(MPI_COMM_WORLD);
     expect_complete(folder.name, "volume", {"0"});
     expect_complete(folder.name, "surface", {"0"});
@@ -82,6 +85,8 @@ namespace
     state.time = 0.123456789012;
     output.write(state, box.discretization, *box.surface);
     output.write(state, box.discretization, *box.surface);
+    while (output.is_writing())
+      output.finish_if_written();
     MPI_Barrier(MPI_COMM_WORLD);
     expect_complete(folder.name, "volume", {"0", "0.123456789012"});
     expect_complete(folder.name, "surface", {"0", "0.123456789012"});
@@ -108,8 +113,11 @@ namespace
 
 TEST(FieldOutput, TwoMoments)
 {
-  write_two_moments<2>();
-  write_two_moments<3>();
+  for (const bool in_background : {false, true})
+    {
+      write_two_moments<2>(in_background);
+      write_two_moments<3>(in_background);
+    }
 }
 
 TEST(FieldOutput, VectorsOfFriction)
@@ -118,6 +126,7 @@ TEST(FieldOutput, VectorsOfFriction)
   const BoxAboveFloor<2> box(true);
   FieldOutput<2>         output(folder.name, MPI_COMM_WORLD);
   output.write(state_at_rest(box.discretization), box.discretization, *box.surface);
+  output.finish();
   MPI_Barrier(MPI_COMM_WORLD);
   const std::string surface = folder.name + "/fields/surface_000000.pvtu";
   for (const char *field : {"CSTATUS", "CSHEAR", "CSLIP", "CSLIP_INCREMENT"})
@@ -141,24 +150,81 @@ TEST(FieldOutput, NoPairsNoSurface)
   const ContactSurface<2>      surface(discretization, dirichlet, scene.obstacles, scene.pairs);
   FieldOutput<2>               output(folder.name, MPI_COMM_WORLD);
   output.write(state_at_rest(discretization), discretization, surface);
+  output.finish();
   MPI_Barrier(MPI_COMM_WORLD);
   EXPECT_TRUE(std::filesystem::exists(folder.name + "/volume.pvd"));
   EXPECT_FALSE(std::filesystem::exists(folder.name + "/surface.pvd"));
 }
 
 // A folder that vanishes during the run ends it with an error on all processes, and not with an
-// abort inside of deal.II.
+// abort inside of deal.II. No .pvd names the moment, and it can be written once more.
 TEST(FieldOutput, FolderVanishes)
 {
-  const ScratchFolder    folder;
-  const BoxAboveFloor<2> box;
-  FieldOutput<2>         output(folder.name, MPI_COMM_WORLD);
-  MPI_Barrier(MPI_COMM_WORLD);
-  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
-    std::filesystem::remove_all(folder.name + "/fields");
-  MPI_Barrier(MPI_COMM_WORLD);
-  EXPECT_THROW(output.write(state_at_rest(box.discretization), box.discretization, *box.surface),
-               RunError);
+  for (const bool in_background : {false, true})
+    {
+      const ScratchFolder    folder;
+      const BoxAboveFloor<2> box;
+      FieldOutput<2>         output(folder.name, MPI_COMM_WORLD, in_background);
+      State                  state = state_at_rest(box.discretization);
+      output.write(state, box.discretization, *box.surface);
+      output.finish();
+      const std::string fields  = folder.name + "/fields";
+      const auto        replace = [](const std::string &from, const std::string &to) {
+        MPI_Barrier(MPI_COMM_WORLD);
+        if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+          std::filesystem::rename(from, to);
+        MPI_Barrier(MPI_COMM_WORLD);
+      };
+      replace(fields, fields + "_away");
+      state.step = 3;
+      state.time = 0.5;
+      try
+        {
+          output.write(state, box.discretization, *box.surface);
+          output.finish();
+          FAIL() << "the failure was not noticed";
+        }
+      catch (const RunError &error)
+        {
+          EXPECT_NE(std::string(error.what()).find("cannot write `" + fields + "/volume_000003.0"),
+                    std::string::npos)
+            << error.what();
+        }
+      EXPECT_FALSE(output.is_writing());
+      EXPECT_EQ(attributes(folder.name + "/volume.pvd", "timestep").size(), 1u);
+      replace(fields + "_away", fields);
+      output.write(state, box.discretization, *box.surface);
+      output.finish();
+      MPI_Barrier(MPI_COMM_WORLD);
+      expect_complete(folder.name, "volume", {"0", "0.5"});
+    }
+}
+
+// The thread that writes neither sees nor keeps the mesh and the state of the run.
+TEST(FieldOutput, BackgroundWritesTheSame)
+{
+  std::vector<std::string> written;
+  for (const bool in_background : {false, true})
+    {
+      const ScratchFolder folder;
+      FieldOutput<3>      output(folder.name, MPI_COMM_WORLD, in_background);
+      {
+        const BoxAboveFloor<3> box;
+        State                  state = state_at_rest(box.discretization);
+        state.displacement = box.discretization.interpolate({{{"0.1*x*y", "0.2*z", "0.3*x*z"}}});
+        output.write(state, box.discretization, *box.surface);
+      }
+      output.finish();
+      MPI_Barrier(MPI_COMM_WORLD);
+      std::string files;
+      for (const char *series : {"volume", "surface"})
+        files += contents(folder.name + "/fields/" + series + "_000000."
+                          + std::to_string(dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD))
+                          + ".vtu");
+      written.push_back(std::regex_replace(files, std::regex("#This file was generated.*"), ""));
+    }
+  EXPECT_GT(written[0].size(), 1000u);
+  EXPECT_EQ(written[0], written[1]);
 }
 
 TEST(FieldOutput, FolderCannotBeMade)

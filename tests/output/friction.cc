@@ -52,10 +52,10 @@ namespace
   std::vector<typename SurfacePatches<dim>::Patch> patches_of(const BoxAboveFloor<dim> &box,
                                                               const State              &state)
   {
-    SurfacePatches<dim> patches(box.discretization, *box.surface);
+    SurfacePatches<dim> patches;
     const Vector        zero =
       box.discretization.interpolate_hanging_nodes(box.discretization.make_vector());
-    patches.build(state, zero, zero);
+    patches.build(box.discretization, *box.surface, state, zero, zero);
     EXPECT_EQ(patches.get_dataset_names().size(), 5 * dim + 3);
     return patches.get_patches();
   }

@@ -38,8 +38,10 @@ namespace
         state.contact_force.local_element(dim * node.node + c) =
           -pressure * node.weight * node.normal()[c];
 
-    SurfacePatches<dim> patches(discretization, *box.surface);
-    patches.build(state,
+    SurfacePatches<dim> patches;
+    patches.build(discretization,
+                  *box.surface,
+                  state,
                   discretization.interpolate_hanging_nodes(state.displacement),
                   discretization.interpolate_hanging_nodes(state.velocity));
 
@@ -93,9 +95,9 @@ TEST(SurfacePatches, FarSideLooksOpen)
     largest = std::max(largest, node.gap);
   largest = dealii::Utilities::MPI::max(largest, MPI_COMM_WORLD);
 
-  SurfacePatches<2> patches(discretization, surface);
+  SurfacePatches<2> patches;
   const Vector      zero = discretization.interpolate_hanging_nodes(state.displacement);
-  patches.build(state, zero, zero);
+  patches.build(discretization, surface, state, zero, zero);
   unsigned int on_top = 0;
   for (const auto &patch : patches.get_patches())
     for (unsigned int v = 0; v < 2; ++v)

@@ -78,6 +78,22 @@ TEST(OrderOfSteps, FieldsOfTheStartAndTheEnd)
   EXPECT_FALSE(run.has("volume.pvd")) << "of the earlier run";
 }
 
+// Bit for bit, but for the last column, which is the time that the run took; and what is not asked
+// for leaves nothing.
+TEST(OrderOfSteps, FieldsDoNotTouchTheHistory)
+{
+  const auto history = [](const SmallRun &run) {
+    return std::regex_replace(run.text("history.csv"), std::regex(",[^,\n]*\n"), "\n");
+  };
+  SmallRun with(std::vector<Override>{{"Output/VTU every", "1"}});
+  SmallRun without(std::vector<Override>{{"Output/VTU", "false"}});
+  with.run();
+  without.run();
+  EXPECT_EQ(with.times_of_fields().size(), 11u);
+  EXPECT_EQ(history(with), history(without));
+  EXPECT_FALSE(without.has("fields"));
+}
+
 TEST(OrderOfSteps, RejectedStepsLeaveNoRow)
 {
   SmallRun run({{"Time/Step size control", "force"},

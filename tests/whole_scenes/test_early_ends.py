@@ -8,6 +8,8 @@ happen alike on one and two processes."""
 
 import os
 import pathlib
+import re
+import shutil
 import signal
 import subprocess
 import time
@@ -58,7 +60,8 @@ class EarlyEnd:
     """A run that does not go to its end."""
 
     def __init__(self, scene, name, overrides=(), processes=1, end_by=None):
-        """end_by: a signal, sent to the last process when the run has made some steps."""
+        """end_by: what happens when the run has made some steps: a signal, sent to the last
+        process, or a function, called with the folder."""
         self.folder = pathlib.Path(check_history.settings["folder"]) / name / "output"
         if isinstance(scene, str):
             self.folder.mkdir(parents=True, exist_ok=True)
@@ -80,6 +83,9 @@ class EarlyEnd:
         ) as process:
             if end_by is not None:
                 self.wait_for_steps(process)
+            if callable(end_by):
+                end_by(self.folder)
+            elif end_by is not None:
                 os.kill(last_process(process.pid) if processes > 1 else process.pid, end_by)
             _, self.errors = process.communicate(timeout=check_history.TIMEOUT)
         self.status = process.returncode
@@ -204,6 +210,47 @@ class EarlyEnds(check_history.SceneTest):
                 last, exists = run.last_fields()
                 self.assertAlmostEqual(last, end, delta=1e-5 * end)
                 self.assertTrue(exists)
+
+    def test_a_lost_folder_of_fields_ends_a_run(self):
+        """A file lies where the folder was: what cannot be written, in the background or not, is
+        named, and the series names what was written before and nothing else."""
+
+        def lose(folder):
+            os.rename(folder / "fields", folder / "fields_away")
+            (folder / "fields").write_text("a file", encoding="utf-8")
+
+        for processes in (1, 2):
+            with self.subTest(processes=processes):
+                name = f"lost_{processes}"
+                folder = pathlib.Path(check_history.settings["folder"]) / name / "output"
+                for old in ("fields", "fields_away"):
+                    if (folder / old).is_file():
+                        (folder / old).unlink()
+                    shutil.rmtree(folder / old, ignore_errors=True)
+                run = EarlyEnd(
+                    BAR,
+                    name,
+                    ["Time/Step size=1e-6", "Output/VTU every=1"],
+                    processes,
+                    lose,
+                )
+                self.assertEqual(run.status, 1, run.errors)
+                self.assertEqual(len(run.message), 1, run.errors)
+                self.assertIn(f"cannot write `{run.folder}/fields/", run.message[0])
+                # The second one between the two steps of lose().
+                self.assertRegex(run.message[0], "Not a directory|No such file or directory")
+                self.assertIn(run.message[0][len("signorini: ") :], run.log)
+                series = (run.folder / "volume.pvd").read_text(encoding="utf-8")
+                named = re.findall('file="fields/([^"]*)"', series)
+                # With the fifth row the fourth moment may still be in work.
+                self.assertGreaterEqual(len(named), 3)
+                for record in named:
+                    text = (run.folder / "fields_away" / record).read_text(encoding="utf-8")
+                    pieces = re.findall('Source="([^"]*)"', text)
+                    self.assertEqual(len(pieces), processes)
+                    for piece in pieces:
+                        content = (run.folder / "fields_away" / piece).read_bytes()
+                        self.assertTrue(content.rstrip().endswith(b"</VTKFile>"), piece)
 
     def test_the_reference_integration_fails_with_its_load(self):
         """An exception in a function that SUNDIALS calls ends the run; none is forgotten."""

@@ -22,25 +22,6 @@ namespace signorini
 
   /** sqrt(3/2) times the norm of the deviator. */
   double von_mises(const Stress &stress);
-
-  /** By active cell of this process. */
-  template <int dim>
-  using MeanStrains = std::vector<dealii::SymmetricTensor<2, dim>>;
-
-  /**
-   * The mean strain of each locally owned cell: that of its displacement, because strain modes have
-   * no mean value (see StrainMode). Zero for other cells.
-   * @param displacement with ghosts and hanging nodes, see
-   *                     Discretization::interpolate_hanging_nodes()
-   */
-  template <int dim>
-  MeanStrains<dim> mean_strains(const Discretization<dim> &discretization,
-                                const Vector              &displacement);
-
-  /** The mean stress of each locally owned cell, as the law is linear that of its mean strain. */
-  template <int dim>
-  std::vector<Stress> cell_stress(const Discretization<dim> &discretization,
-                                  const MeanStrains<dim>    &strains);
 } // namespace signorini
 
 #endif

@@ -15,7 +15,8 @@ namespace signorini
   /**
    * Moments of one kind of field: `fields/<name>_<step>.pvtu` with one piece per process, and
    * `<name>.pvd` in the folder above, which names the moments written so far and is valid at any
-   * time.
+   * time. A moment is written in two halves, because the first one needs no other process: all
+   * write their pieces, and when all have, name_moment() makes them known.
    */
   class FieldSeries
   {
@@ -23,15 +24,35 @@ namespace signorini
     /** Collective. Makes the folders, and removes the .pvd that an earlier run may have left. */
     FieldSeries(const std::string &directory, const std::string &name, MPI_Comm communicator);
 
-    /** Write one moment. Collective. @throws RunError on all processes if a file cannot be written.
+    /**
+     * Write the piece of this process. Not collective; it changes nothing but the file, so that
+     * another thread can do it.
+     * @throws RunError if the file cannot be written
      */
     template <int dim, int spacedim>
-    void write(dealii::DataOutInterface<dim, spacedim> &data, unsigned int step, double time);
+    void write_piece(dealii::DataOutInterface<dim, spacedim> &data,
+                     unsigned int                             step,
+                     double                                   time) const;
+
+    /**
+     * Write the files that name the pieces of all processes, which have to be complete. Collective.
+     * @throws RunError on all processes if a file cannot be written
+     */
+    template <int dim, int spacedim>
+    void name_moment(const dealii::DataOutInterface<dim, spacedim> &data,
+                     unsigned int                                   step,
+                     double                                         time);
 
   private:
     std::string                                 directory, name;
     MPI_Comm                                    communicator;
+    unsigned int                                this_process, n_processes;
     std::vector<std::pair<double, std::string>> moments; ///< time, file relative to the directory
+
+    /** Without folder and ending. */
+    std::string moment(unsigned int step) const;
+    /** Without folder. */
+    std::string piece(unsigned int step, unsigned int process) const;
   };
 } // namespace signorini
 

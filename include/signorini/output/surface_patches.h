@@ -35,39 +35,22 @@ namespace signorini
   public:
     using Patch = dealii::DataOutBase::Patch<dim - 1, dim>;
 
-    SurfacePatches(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
-
     /**
+     * What is there afterwards is free of mesh and state: it can be written while they go on.
      * Collective. @param displacement with ghosts and hanging nodes, like @p velocity
      */
-    void build(const State &state, const Vector &displacement, const Vector &velocity);
+    void build(const Discretization<dim> &discretization,
+               const ContactSurface<dim> &surface,
+               const State               &state,
+               const Vector              &displacement,
+               const Vector              &velocity);
 
     const std::vector<Patch> &get_patches() const override { return patches; }
     std::vector<std::string>  get_dataset_names() const override;
 
   private:
-    const Discretization<dim> &discretization;
-    const ContactSurface<dim> &surface;
-    const bool                 with_friction;
-    std::vector<Patch>         patches;
-
-    /** What the patches show, with ghosts and hanging nodes. */
-    struct Fields
-    {
-      const Vector       &displacement, &velocity;
-      Vector              contact;  ///< pressure and gap in the first two entries of each node
-      Vector              status;   ///< in the first entry of each node
-      std::vector<Vector> friction; ///< stress, slip, increment of the slip
-    };
-
-    /** Pressure and gap. */
-    Vector contact_values(const State &state) const;
-    /** Status, and the vectors of friction. */
-    void add_friction(const State &state, Fields &fields) const;
-
-    Patch make_patch(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell,
-                     unsigned int                                                  face,
-                     const Fields                                                 &fields) const;
+    bool               with_friction = false;
+    std::vector<Patch> patches;
 
     std::vector<std::tuple<unsigned int,
                            unsigned int,

@@ -62,7 +62,8 @@ namespace signorini
     MeshControl<dim>                  mesh_control;
     MeshChange                        flags; ///< what the latest step wants of the mesh
     bool                              mesh_has_just_changed = true; ///< since the latest step
-    int latest_interval = -1; ///< of time, in which fields were written
+    int latest_interval = -1;                 ///< of time, in which fields were written
+    std::unique_ptr<FieldOutput<dim>> fields; ///< none if the scene wants none
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();
@@ -70,9 +71,11 @@ namespace signorini
     /** Refine the mesh of the initial state as far as the indicator wants it. */
     void adapt_initial_mesh();
     /** All steps to the end of the run. @throws Interrupted */
-    void make_steps(TimeStepping &, Observation<dim> &, FieldOutput<dim> &, RunLog &);
+    void make_steps(TimeStepping &, Observation<dim> &, RunLog &);
     void tell_progress(double fraction, const Observation<dim> &, RunLog &) const;
-    void write_fields(Observation<dim> &, FieldOutput<dim> &);
+    void write_fields(Observation<dim> &);
+    /** Of those that are being written in the background. @param wait until they are there */
+    void complete_fields(Observation<dim> &, bool wait);
     /**
      * The next step. If the mesh turns out to be too coarse for it, the step may be repeated on a
      * refined one.
@@ -94,11 +97,8 @@ namespace signorini
      * All processes fail together for a reason: write the last state, and say so in the log. What
      * cannot be written any more is left out.
      */
-    void end_early(const std::exception_ptr &reason,
-                   const TimeStepping &,
-                   Observation<dim> &,
-                   FieldOutput<dim> &,
-                   RunLog &);
+    void
+    end_early(const std::exception_ptr &reason, const TimeStepping &, Observation<dim> &, RunLog &);
   };
 } // namespace signorini
 
