@@ -42,24 +42,28 @@ namespace signorini
         product.reinit(solution, true);
       }
 
-    if (const RoughSolver *rough_solver = preconditioner.rough_solver())
-      return refine(*rough_solver,
-                    matrix,
-                    solution,
-                    residual,
-                    tolerance,
-                    reduction,
-                    maximum_iterations,
-                    is_guess);
+    const SolverLimits limits{tolerance, reduction, maximum_iterations, is_guess};
+    const RoughSolver *rough_solver = preconditioner.rough_solver();
+    return rough_solver ? refine(*rough_solver, matrix, solution, residual, limits)
+                        : iterate(matrix, preconditioner, solution, residual, limits);
+  }
 
-    Report report;
+
+  ConjugateGradients::Report ConjugateGradients::iterate(const LinearOperator       &matrix,
+                                                         const MaskedPreconditioner &preconditioner,
+                                                         Vector                     &solution,
+                                                         Vector                     &residual,
+                                                         const SolverLimits         &limits)
+  {
     preconditioner.vmult(preconditioned, residual);
     double           norm_square = dot(residual, preconditioned);
-    const SolverGoal goal(std::sqrt(std::max(norm_square, 0.)), tolerance, reduction, is_guess);
+    const SolverGoal goal(std::sqrt(std::max(norm_square, 0.)), limits);
 
+    Report        report;
     LanczosMatrix lanczos;
     const auto    iterate_to = [&](const double smaller_norm) {
-      while (norm_square > smaller_norm * smaller_norm && report.iterations < maximum_iterations)
+      while (norm_square > smaller_norm * smaller_norm
+             && report.iterations < limits.maximum_iterations)
         {
           matrix.vmult(product, direction);
           ++report.iterations;
@@ -92,27 +96,24 @@ namespace signorini
                                                         const LinearOperator &matrix,
                                                         Vector               &solution,
                                                         Vector               &residual,
-                                                        const double          tolerance,
-                                                        const double          reduction,
-                                                        const unsigned int    maximum_iterations,
-                                                        const bool            is_guess)
+                                                        const SolverLimits   &limits)
   {
     Report           report;
     double           norm = rough_solver.start(residual), lambda = 1.;
-    const SolverGoal goal(norm, tolerance, reduction, is_guess);
+    const SolverGoal goal(norm, limits);
     double           sought = goal.sought;
-    while (norm > sought && report.iterations < maximum_iterations)
+    while (norm > sought && report.iterations < limits.maximum_iterations)
       {
         const double cycles = std::ceil(std::log(norm / sought) / std::log(1. / most_digits));
         const double factor = std::pow(sought / norm, 1. / cycles) * (cycles == 1. ? surplus : 1.);
         const auto   cycle =
-          rough_solver.solve(direction, factor, maximum_iterations - report.iterations);
+          rough_solver.solve(direction, factor, limits.maximum_iterations - report.iterations);
         report.iterations += cycle.iterations;
         lambda = std::min(lambda, cycle.smallest_eigenvalue);
         solution += direction;
         matrix.vmult(product, direction);
         residual -= product;
-        if (reduction > 0. && cycles == 1.)
+        if (limits.reduction > 0. && cycles == 1.)
           {
             report.converged = true; // what follows checks it
             return report;

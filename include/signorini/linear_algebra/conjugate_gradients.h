@@ -6,6 +6,7 @@
 
 #include <signorini/linear_algebra/linear_operator.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
+#include <signorini/linear_algebra/solver_goal.h>
 
 namespace signorini
 {
@@ -53,14 +54,16 @@ namespace signorini
                  bool                        is_guess = false);
 
   private:
+    Report iterate(const LinearOperator       &matrix,
+                   const MaskedPreconditioner &preconditioner,
+                   Vector                     &solution,
+                   Vector                     &residual,
+                   const SolverLimits         &limits);
     Report refine(const RoughSolver    &rough_solver,
                   const LinearOperator &matrix,
                   Vector               &solution,
                   Vector               &residual,
-                  double                tolerance,
-                  double                reduction,
-                  unsigned int          maximum_iterations,
-                  bool                  is_guess);
+                  const SolverLimits   &limits);
 
     Vector preconditioned, direction, product;
   };

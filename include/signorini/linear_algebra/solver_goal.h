@@ -11,17 +11,23 @@
 
 namespace signorini
 {
-  /** When a linear solver stops: bounds for the norm of the residual, see ConjugateGradients. */
+  /** When a linear solver stops, see ConjugateGradients::solve(). */
+  struct SolverLimits
+  {
+    double       tolerance;
+    double       reduction;
+    unsigned int maximum_iterations;
+    bool         is_guess;
+  };
+
+  /** The norms of the residual that follow, once that at the start is known. */
   struct SolverGoal
   {
-    SolverGoal(const double norm,
-               const double tolerance,
-               const double reduction,
-               const bool   is_guess)
-      : improves_guess(is_guess && norm <= tolerance)
-      , is_final(reduction == 0. && !improves_guess)
-      , accepted(std::max(tolerance, reduction * norm))
-      , sought(improves_guess ? improved_guess(norm, tolerance) : accepted)
+    SolverGoal(const double norm, const SolverLimits &limits)
+      : improves_guess(limits.is_guess && norm <= limits.tolerance)
+      , is_final(limits.reduction == 0. && !improves_guess)
+      , accepted(std::max(limits.tolerance, limits.reduction * norm))
+      , sought(improves_guess ? improved_guess(norm, limits.tolerance) : accepted)
     {
     }
 
