@@ -19,6 +19,13 @@ namespace signorini
     constexpr double most_digits = 1e-5;
     /** Sought beyond the goal, so that rounding does not miss it. */
     constexpr double surplus = 0.8;
+    /**
+     * P of symmetric sweeps is larger than K, by L D^-1 L', so that the norm with P^-1 is smaller
+     * than the error: by less than this where eigenvalues of P^-1 K are above 1/4, as nearly all
+     * are while the mass rules. Without it `bar_2d` drifts by 2.6e-10 of its energy, with it by
+     * 2e-11 as with any other preconditioner.
+     */
+    constexpr double underestimate = 2.;
   } // namespace
 
 
@@ -99,7 +106,7 @@ namespace signorini
                                                         const SolverLimits   &limits)
   {
     Report           report;
-    double           norm = rough_solver.start(residual), lambda = 1.;
+    double           norm = underestimate * rough_solver.start(residual), lambda = 1.;
     const SolverGoal goal(norm, limits);
     double           sought = goal.sought;
     while (norm > sought && report.iterations < limits.maximum_iterations)
@@ -118,7 +125,7 @@ namespace signorini
             report.converged = true; // what follows checks it
             return report;
           }
-        const double before = std::exchange(norm, rough_solver.start(residual));
+        const double before = std::exchange(norm, underestimate * rough_solver.start(residual));
         if (!(norm < 0.5 * before))
           break; // round-off: the caller judges the result
         if (norm <= sought)

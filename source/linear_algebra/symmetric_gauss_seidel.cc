@@ -119,7 +119,7 @@ namespace signorini
           rooted[dim * p + i] = sum;
           size                = std::max(size, std::abs(sum));
         }
-    scale               = dealii::Utilities::MPI::max(size, matrix.communicator);
+    scale = matrix.root_scale * dealii::Utilities::MPI::max(size, matrix.communicator);
     const double factor = scale > 0. ? matrix.root_scale / scale : 0.;
     for (unsigned int p = 0; p < matrix.n_positions(); ++p)
       for (unsigned int i = 0; i < dim; ++i)
