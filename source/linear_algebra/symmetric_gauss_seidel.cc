@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/flush_denormals.h>
+#include <signorini/linear_algebra/small_blocks.h>
 #include <signorini/linear_algebra/symmetric_gauss_seidel.h>
 
 #include <deal.II/base/mpi.h>
@@ -13,6 +14,8 @@ namespace signorini
 {
   namespace
   {
+    using dealii::Tensor;
+
     /** A block, or its transpose, times lanes; or a number times lanes. */
     template <int dim, typename Entry>
     inline Lanes<float> times(const Entry &block, const Lanes<float> x)
@@ -54,7 +57,6 @@ namespace signorini
     , direction(solution)
     , back(solution)
     , forth(solution)
-    , rooted(dim * matrix.n_positions())
   {
   }
 
@@ -105,25 +107,26 @@ namespace signorini
   template <int dim, int block_size>
   void SymmetricGaussSeidel<dim, block_size>::set_direction(const Vector &source) const
   {
+    const auto component = [&](const unsigned int p, const unsigned int i) {
+      const unsigned int first = dim * matrix.order.nodes[p];
+      const auto        &root  = matrix.inverse_roots[p];
+      double             sum   = 0.;
+      if constexpr (block_size == 1)
+        sum = root[0] * source.local_element(first + i);
+      else
+        for (unsigned int j = 0; j <= i; ++j) // the inverse of a lower triangle is one
+          sum += root[dim * j + i] * source.local_element(first + j);
+      return sum;
+    };
     double size = 0.;
     for (unsigned int p = 0; p < matrix.n_positions(); ++p)
       for (unsigned int i = 0; i < dim; ++i)
-        {
-          double             sum  = 0.;
-          const unsigned int node = matrix.order.nodes[p];
-          if constexpr (block_size == 1)
-            sum = matrix.inverse_roots[p][0] * source.local_element(dim * node + i);
-          else
-            for (unsigned int j = 0; j <= i; ++j)
-              sum += matrix.inverse_roots[p][dim * j + i] * source.local_element(dim * node + j);
-          rooted[dim * p + i] = sum;
-          size                = std::max(size, std::abs(sum));
-        }
-    scale = matrix.root_scale * dealii::Utilities::MPI::max(size, matrix.communicator);
+        size = std::max(size, std::abs(component(p, i)));
+    scale = dealii::Utilities::MPI::max(matrix.root_scale * size, matrix.communicator);
     const double factor = scale > 0. ? matrix.root_scale / scale : 0.;
     for (unsigned int p = 0; p < matrix.n_positions(); ++p)
       for (unsigned int i = 0; i < dim; ++i)
-        direction[4 * p + i] = static_cast<float>(factor * rooted[dim * p + i]);
+        direction[4 * p + i] = static_cast<float>(factor * component(p, i));
   }
 
 

@@ -17,10 +17,10 @@ namespace signorini
 
   bool IncrementForecast::guess(const Vector &right_hand_side, Vector &increment)
   {
-    const unsigned int n = entries.size();
+    const unsigned int n = increments.size();
     if (n == 0)
       return false;
-    AssertDimension(right_hand_side.size(), entries[0].product.size());
+    AssertDimension(right_hand_side.size(), increments[0].size());
     AssertDimension(increment.size(), right_hand_side.size());
 
     // b - s with s from the last two steps
@@ -33,7 +33,7 @@ namespace signorini
     Eigen::VectorXd projection(n), scaling(n);
     for (unsigned int i = 0; i < n; ++i)
       {
-        projection[i] = dot(entries[i].increment, force);
+        projection[i] = dot(increments[i], force);
         scaling[i]    = gram(i, i) > 0. ? 1. / std::sqrt(gram(i, i)) : 0.;
       }
     // The increments are nearly parallel; directions that are lost in round-off are left out.
@@ -46,7 +46,7 @@ namespace signorini
     weights   = scaling.asDiagonal() * modes.eigenvectors() * weights;
     increment = 0.;
     for (unsigned int i = 0; i < n; ++i)
-      increment.add(weights[i], entries[i].increment);
+      increment.add(weights[i], increments[i]);
     return true;
   }
 
@@ -57,27 +57,27 @@ namespace signorini
   {
     AssertDimension(increment.size(), right_hand_side.size());
     AssertDimension(residual.size(), right_hand_side.size());
-    Assert(entries.empty() || entries[0].increment.size() == increment.size(),
+    Assert(increments.empty() || increments[0].size() == increment.size(),
            dealii::ExcMessage("The mesh has changed: clear() what was remembered."));
-    Entry entry;
-    if (entries.size() == n_kept) // reuse the memory of the oldest
+    Vector product = right_hand_side;
+    product -= residual;
+    if (increments.size() == n_kept) // reuse the memory of the oldest
       {
-        entry = std::move(entries.back());
-        entries.pop_back();
+        increments.push_front(std::move(increments.back()));
+        increments.pop_back();
+        increments.front() = increment;
       }
-    entry.increment = increment;
-    entry.product   = right_hand_side;
-    entry.product -= residual;
-    entries.push_front(std::move(entry));
+    else
+      increments.push_front(increment);
     if (residuals.size() == 2)
       residuals.pop_back();
     residuals.push_front(residual);
 
-    const unsigned int n = entries.size();
+    const unsigned int n = increments.size();
     Eigen::MatrixXd    new_gram(n, n);
     new_gram.bottomRightCorner(n - 1, n - 1) = gram.topLeftCorner(n - 1, n - 1);
     for (unsigned int i = 0; i < n; ++i)
-      new_gram(0, i) = new_gram(i, 0) = dot(entries[i].increment, entries[0].product);
+      new_gram(0, i) = new_gram(i, 0) = dot(increments[i], product);
     gram = new_gram;
 
     // A solution for an iterate gone astray would leave its round-off in all that follow.
@@ -89,7 +89,7 @@ namespace signorini
 
   void IncrementForecast::clear()
   {
-    entries.clear();
+    increments.clear();
     residuals.clear();
     gram.resize(0, 0);
   }

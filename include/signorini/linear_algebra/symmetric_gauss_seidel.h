@@ -68,9 +68,8 @@ namespace signorini
      * Four numbers per position: the iterates of conjugate gradients, what the sweep back gives
      * (t), and what the sweep forth gives, which collects the sums of the sweep back before.
      */
-    mutable std::vector<float>  solution, residual, direction, back, forth;
-    mutable std::vector<double> rooted;     ///< C^-1 source, dim numbers per position
-    mutable double              scale = 1.; ///< the right-hand side is that much larger
+    mutable std::vector<float> solution, residual, direction, back, forth;
+    mutable double             scale = 1.; ///< the right-hand side is that much larger
 
     /** C^-1 source into `direction`, scaled to the range of single precision. */
     void set_direction(const Vector &source) const;

@@ -43,13 +43,9 @@ namespace signorini
   private:
     static constexpr unsigned int n_kept = 6;
 
-    struct Entry
-    {
-      Vector increment, product; ///< d and K d
-    };
-    std::deque<Entry>  entries;   ///< latest first
-    std::deque<Vector> residuals; ///< the two latest
-    Eigen::MatrixXd    gram;      ///< d_i'K d_j
+    std::deque<Vector> increments; ///< latest first
+    std::deque<Vector> residuals;  ///< the two latest
+    Eigen::MatrixXd    gram;       ///< d_i'K d_j
   };
 } // namespace signorini
 
