@@ -114,7 +114,8 @@ TEST(TiedBodies, AreOneBlock)
 {
   for (const double angle : {0., 0.7})
     {
-      for (const std::string preconditioner : {"jacobi", "incomplete-cholesky", "ml"})
+      for (const std::string preconditioner :
+           {"jacobi", "symmetric-gauss-seidel", "incomplete-cholesky", "ml"})
         expect_one_block(preconditioner, 0.01, angle);
       expect_one_block("mass", 0., angle);
     }

@@ -136,9 +136,9 @@ class Ledger(check_history.SceneTest):
         """The fixed point of the jumps is found by extrapolation, which tried jumps of 1e25 times
         the speed where two iterates were nearly alike. Neither is such a jump a solution because
         the next one is as large, nor may its round-off stay in the first guess of later steps. How
-        alike the iterates are is a matter of round-off: six of these eight runs went astray."""
+        alike the iterates are is a matter of round-off: six of the first eight runs went astray."""
         for tolerance in ("1e-12", "1e-11", "2e-11", "5e-11"):
-            for preconditioner in ("jacobi", "incomplete-cholesky"):
+            for preconditioner in ("jacobi", "incomplete-cholesky", "symmetric-gauss-seidel"):
                 with self.subTest(tolerance=tolerance, preconditioner=preconditioner):
                     run = check_history.Run(
                         COARSE,

@@ -334,11 +334,13 @@ class SmallScenes(check_history.SceneTest):
                 )
                 for preconditioner, method in (
                     ("jacobi", "active-set"),
+                    ("symmetric-gauss-seidel", "active-set"),
                     ("incomplete-cholesky", "active-set"),
                     ("ml", "active-set"),
                     ("multigrid", "active-set"),
                     ("multigrid", "truncated-newton-multigrid"),
                     ("incomplete-cholesky", "truncated-newton-multigrid"),
+                    ("symmetric-gauss-seidel", "truncated-newton-multigrid"),
                 )
             ]
             self.expect_contact(runs[0])
