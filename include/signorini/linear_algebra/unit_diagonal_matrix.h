@@ -40,7 +40,7 @@ namespace signorini
     std::vector<Block>        lower;              ///< L, with a spare block at the end
     GhostRows                 earlier, later;     ///< ghosts before and behind the interface
     std::vector<Block>        inverse_roots;      ///< C^-1/root_scale of positions, and a spare one
-    double                    root_scale = 0.; ///< of this process
+    double                    root_scale = 0.;    ///< of this process
 
     unsigned int n_positions() const { return position_of.size(); }
 
