@@ -53,6 +53,24 @@ namespace signorini
 
 
   template <int dim>
+  void ContactCoordinates<dim>::follow_frames()
+  {
+    for (const ContactNode<dim> &node : owned_contact_nodes)
+      frames[node.node] = node.frame;
+    for (std::size_t j = 0; j < prescribed.size(); ++j)
+      {
+        const Frame       &frame  = frames.at(prescribed[j] / dim);
+        const unsigned int row    = prescribed[j] % dim;
+        DirichletSource   &source = dirichlet_sources[j];
+        Assert(rows_along_axes<dim>(frame)[source.component] == row,
+               dealii::ExcMessage("A prescribed direction stays in its row of the frame."));
+        source.direction = frame[dim * row + source.component];
+      }
+    ++turns;
+  }
+
+
+  template <int dim>
   std::vector<unsigned int> ContactCoordinates<dim>::contact_nodes() const
   {
     std::vector<unsigned int> nodes;

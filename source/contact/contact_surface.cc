@@ -30,10 +30,12 @@ namespace signorini
   ContactSurface<dim>::ContactSurface(const Discretization<dim>             &discretization,
                                       const DirichletConditions<dim>        &dirichlet,
                                       const std::vector<NamedObstacle<dim>> &obstacles,
-                                      const std::vector<PairDescription>    &pairs)
+                                      const std::vector<PairDescription>    &pairs,
+                                      const ContactMotion                    motion)
     : discretization(discretization)
     , descriptions(pairs)
-    , obstacle_contact(discretization, dirichlet, obstacles, pairs)
+    , motion(motion)
+    , obstacle_contact(discretization, dirichlet, obstacles, pairs, motion)
     , contact_nodes(obstacle_contact.nodes())
     , n_left_to_dirichlet(obstacle_contact.n_left_to_dirichlet_conditions())
   {
@@ -240,9 +242,16 @@ namespace signorini
   {
     std::vector<double> result = normal_gap(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
-      result[k] = std::isinf(result[k])
-                    ? obstacle_contact.at_an_end(contact_nodes[k], displacement)->distance()
-                    : result[k] * contact_nodes[k].distance_per_gap();
+      if (const ContactNode<dim> &node = contact_nodes[k];
+          !descriptions[node.pair].of_two_bodies()
+          && (motion == ContactMotion::follow || std::isinf(result[k])))
+        {
+          const auto way = obstacle_contact.obstacle(node.pair).project(
+            obstacle_contact.displaced(node.node, displacement));
+          result[k] = way.is_carried(obstacle_contact.end_tolerance()) ? way.gap : way.distance();
+        }
+      else
+        result[k] *= node.distance_per_gap();
     return result;
   }
 

@@ -4,6 +4,7 @@
 #include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
+#include <signorini/contact/free_directions.h>
 #include <signorini/contact/obstacle_contact.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -21,42 +22,17 @@ namespace signorini
 
   namespace
   {
-    constexpr double no_part = 1e-12; ///< parts of a unit normal below this are none
-    constexpr double no_free_part =
-      1e-6; ///< with a free part below this, nothing can close the gap
-
-    /**
-     * A node with prescribed directions meets the obstacle in the others: with the directions
-     * there that is closest to the normal, and with the gap along it. The frame becomes one in
-     * which prescribed directions are tangential.
-     * @return whether the node can move towards the obstacle
-     */
+    /** What the displacement prescribed at the start takes of the gap. */
     template <int dim>
-    bool meet_in_free_directions(const DirichletConditions<dim>                      &dirichlet,
-                                 const typename DirichletConditions<dim>::Components &conditions,
-                                 ContactNode<dim>                                    &contact_node)
+    double brought(const DirichletConditions<dim>                      &dirichlet,
+                   const typename DirichletConditions<dim>::Components &conditions,
+                   const ContactNode<dim>                              &node)
     {
-      std::array<bool, dim> held;
-      Tensor<1, dim>        normal  = contact_node.normal();
-      double                brought = 0.; // of the gap, by the prescribed displacement
+      double result = 0.;
       for (unsigned int c = 0; c < dim; ++c)
-        if ((held[c] = conditions[c] != DirichletConditions<dim>::none)
-            && std::abs(normal[c]) > no_part)
-          {
-            contact_node.prescribed_part[c] = normal[c];
-            brought += normal[c] * dirichlet.value(conditions[c], contact_node.position, c, 0.);
-            normal[c] = 0.;
-          }
-      if (contact_node.prescribed_part.norm() > 0.)
-        {
-          contact_node.free_part = normal.norm();
-          if (contact_node.free_part < no_free_part)
-            return false;
-          normal /= contact_node.free_part;
-          contact_node.gap = (contact_node.gap - brought) / contact_node.free_part;
-        }
-      contact_frame_with_dirichlet<dim>(normal, held, contact_node.frame);
-      return true;
+        if (node.prescribed_part[c] != 0.)
+          result += node.prescribed_part[c] * dirichlet.value(conditions[c], node.position, c, 0.);
+      return result;
     }
   } // namespace
 
@@ -65,10 +41,12 @@ namespace signorini
   ObstacleContact<dim>::ObstacleContact(const Discretization<dim>             &discretization,
                                         const DirichletConditions<dim>        &dirichlet,
                                         const std::vector<NamedObstacle<dim>> &obstacles,
-                                        const std::vector<PairDescription>    &pair_descriptions)
+                                        const std::vector<PairDescription>    &pair_descriptions,
+                                        const ContactMotion                    motion)
     : discretization(discretization)
     , pairs(pair_descriptions)
     , obstacles(obstacles)
+    , motion(motion)
   {
     std::map<unsigned int, ContactNode<dim>> closest;
     std::vector<Complaint>                   complaints;
@@ -81,11 +59,15 @@ namespace signorini
         if (const auto conditions = dirichlet.nodes().find(node);
             conditions != dirichlet.nodes().end())
           {
-            if (!meet_in_free_directions(dirichlet, conditions->second, contact_node))
+            if (!meet_in_free_directions<dim>(
+                  conditions->second, contact_node.normal(), contact_node)
+                && !wait_for_other_normals(conditions->second, contact_node))
               {
                 ++n_left_to_dirichlet;
                 continue;
               }
+            contact_node.gap -= brought(dirichlet, conditions->second, contact_node);
+            contact_node.gap /= contact_node.free_part;
             if (contact_node.free_part != 1.)
               ++n_oblique;
             check_that_they_rest(dirichlet, conditions->second, contact_node, complaints);
@@ -99,22 +81,48 @@ namespace signorini
 
 
   template <int dim>
+  bool ObstacleContact<dim>::wait_for_other_normals(
+    const typename DirichletConditions<dim>::Components &conditions,
+    ContactNode<dim>                                    &contact_node) const
+  {
+    const auto &areas = surface_nodes.at(contact_node.node).areas;
+    if (motion == ContactMotion::linearised
+        || std::all_of(areas.begin(), areas.end(), [&](const auto &pair_and_area) {
+             return obstacle(pair_and_area.first).is_flat();
+           }))
+      return false;
+    for (unsigned int c = 0; c < dim; ++c)
+      if (conditions[c] == DirichletConditions<dim>::none)
+        {
+          Tensor<1, dim> free;
+          free[c]          = 1.;
+          contact_node.gap = std::numeric_limits<double>::infinity();
+          return meet_in_free_directions<dim>(conditions, free, contact_node);
+        }
+    return false;
+  }
+
+
+  template <int dim>
   void ObstacleContact<dim>::check_that_they_rest(
     const DirichletConditions<dim>                      &dirichlet,
     const typename DirichletConditions<dim>::Components &conditions,
     const ContactNode<dim>                              &contact_node,
     std::vector<Complaint>                              &complaints) const
   {
+    const PairDescription &pair = pairs[contact_node.pair];
+    const bool turns = motion == ContactMotion::follow && !obstacle(contact_node.pair).is_flat();
     for (unsigned int c = 0; c < dim; ++c)
-      if (contact_node.prescribed_part[c] != 0. && dirichlet.moves(conditions[c], c))
+      if (conditions[c] != DirichletConditions<dim>::none && dirichlet.moves(conditions[c], c)
+          && (contact_node.prescribed_part[c] != 0. || turns))
         {
-          const PairDescription &pair = pairs[contact_node.pair];
-          std::ostringstream     message;
+          std::ostringstream message;
           message << "Bodies/" << discretization.mesh().bodies()[pair.slave].name
                   << "/Dirichlet: at (" << contact_node.position << ") the displacement in "
                   << "xyz"[c] << " is prescribed and changes in time, and the obstacle '"
-                  << obstacles[pair.obstacle].name
-                  << "' is oblique to it. Such a motion opens and closes the gap by itself, which "
+                  << obstacles[pair.obstacle].name << "' is "
+                  << (turns ? "curved" : "oblique to it")
+                  << ". Such a motion opens and closes the gap by itself, which "
                      "is not implemented. Prescribe a displacement that rests, move another part "
                      "of the boundary, or turn the scene until the obstacle and the prescribed "
                      "direction are parallel or at right angles.";
@@ -128,29 +136,27 @@ namespace signorini
                                          std::map<unsigned int, ContactNode<dim>> &closest)
   {
     const PairDescription &description = pairs[pair];
-    const auto             rank        = [&](const ObstacleProjection<dim> &projection) {
-      return std::pair(!projection.is_carried(end_tolerance()), projection.gap);
-    };
-    Vector area = discretization.make_vector(), outward = area;
+    Vector                 area = discretization.make_vector(), outward = area;
     integrate(description, area, outward);
     for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
         const double weight = area.local_element(dim * node);
         if (!(weight > 0.))
           continue;
-        surface_nodes[node]          = description.slave;
+        SurfaceNode &surface_node = surface_nodes[node];
+        surface_node.body         = description.slave;
+        surface_node.areas.emplace_back(pair, weight);
         const Point<dim> &position   = discretization.node_positions()[node];
-        const auto        projection = obstacles[description.obstacle].shape->project(position);
+        const auto        projection = obstacle(pair).project(position);
         double            facing     = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           facing += outward.local_element(dim * node + c) * projection.normal[c];
         const auto known = closest.find(node);
         // Across the normal, where an equator or the side of a box is, round-off must not decide.
-        const bool faces = facing > 1e-8 * weight;
+        const bool faces = facing > 1e-8 * weight || motion == ContactMotion::follow;
         if (faces
             && (known == closest.end()
-                || rank(projection) < rank(
-                     obstacles[pairs[known->second.pair].obstacle].shape->project(position))))
+                || is_closer(projection, obstacle(known->second.pair).project(position))))
           closest[node] = {
             node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
       }
@@ -202,6 +208,28 @@ namespace signorini
 
 
   template <int dim>
+  bool ObstacleContact<dim>::is_closer(const ObstacleProjection<dim> &first,
+                                       const ObstacleProjection<dim> &second) const
+  {
+    const auto rank = [&](const ObstacleProjection<dim> &projection) {
+      return std::pair(!projection.is_carried(end_tolerance()), projection.gap);
+    };
+    return rank(first) < rank(second);
+  }
+
+
+  template <int dim>
+  Point<dim> ObstacleContact<dim>::displaced(const unsigned int node,
+                                             const Vector      &displacement) const
+  {
+    Point<dim> position = discretization.node_positions()[node];
+    for (unsigned int c = 0; c < dim; ++c)
+      position[c] += displacement.local_element(dim * node + c);
+    return position;
+  }
+
+
+  template <int dim>
   double ObstacleContact<dim>::end_tolerance() const
   {
     return touching_distance(discretization.mesh().body_size());
@@ -212,13 +240,9 @@ namespace signorini
   std::optional<ObstacleProjection<dim>>
   ObstacleContact<dim>::at_an_end(const ContactNode<dim> &node, const Vector &displacement) const
   {
-    const PairDescription &pair = pairs[node.pair];
-    if (pair.of_two_bodies() || !obstacles[pair.obstacle].shape->has_end())
+    if (pairs[node.pair].of_two_bodies() || !obstacle(node.pair).has_end())
       return {};
-    Point<dim> position = node.position;
-    for (unsigned int c = 0; c < dim; ++c)
-      position[c] += displacement.local_element(dim * node.node + c);
-    return obstacles[pair.obstacle].shape->project(position);
+    return obstacle(node.pair).project(displaced(node.node, displacement));
   }
 
 
@@ -226,15 +250,13 @@ namespace signorini
   std::vector<double> ObstacleContact<dim>::geometric_penetration(const Vector &displacement) const
   {
     std::vector<double> deepest(discretization.mesh().bodies().size(), 0.);
-    for (const auto &[node, body] : surface_nodes)
+    for (const auto &[node, surface_node] : surface_nodes)
       {
-        Point<dim> position = discretization.node_positions()[node];
-        for (unsigned int c = 0; c < dim; ++c)
-          position[c] += displacement.local_element(dim * node + c);
-        for (const PairDescription &pair : pairs)
-          if (!pair.of_two_bodies() && pair.slave == body)
-            deepest[body] =
-              std::max(deepest[body], obstacles[pair.obstacle].shape->project(position).depth());
+        const Point<dim> position = displaced(node, displacement);
+        double          &depth    = deepest[surface_node.body];
+        for (unsigned int pair = 0; pair < pairs.size(); ++pair)
+          if (!pairs[pair].of_two_bodies() && pairs[pair].slave == surface_node.body)
+            depth = std::max(depth, obstacle(pair).project(position).depth());
       }
     Utilities::MPI::max(deepest, discretization.communicator(), deepest);
     return deepest;

@@ -23,11 +23,18 @@ namespace signorini
 
 
   template <int dim>
+  Tensor<1, dim> RoundObstacle<dim>::arm(const Point<dim> &p) const
+  {
+    const Tensor<1, dim> away = p - centre;
+    return away - (away * axis) * axis;
+  }
+
+
+  template <int dim>
   ObstacleProjection<dim> RoundObstacle<dim>::project(const Point<dim> &p) const
   {
-    Tensor<1, dim> away = p - centre;
-    away -= (away * axis) * axis;
-    const double distance = away.norm();
+    const Tensor<1, dim> away     = arm(p);
+    const double         distance = away.norm();
     if (distance == 0.) // the centre: every direction is right
       {
         Tensor<1, dim> any;
@@ -42,6 +49,22 @@ namespace signorini
         return {-sign * radius, any / any.norm()};
       }
     return {sign * (distance - radius), -sign / distance * away};
+  }
+
+
+  template <int dim>
+  MotionCondition<dim> RoundObstacle<dim>::condition_of_motion(const Point<dim> &start,
+                                                               const Point<dim> &end) const
+  {
+    const ObstacleProjection<dim> before = project(start);
+    const Tensor<1, dim>          first = arm(start), second = arm(end);
+    // -(|second| - |first|) = normal.(second - first)
+    const Tensor<1, dim> normal = -sign / (first.norm() + second.norm()) * (first + second);
+    const double         size   = normal.norm();
+    // Past the centre there is no such thing as a way round: the tangent plane at the start holds.
+    if (!(size > 0.1))
+      return {before.normal, before.gap};
+    return {normal / size, before.gap / size, size};
   }
 
 

@@ -18,10 +18,17 @@ namespace signorini
                  ? relative_matrix(matrices, coordinates, sum)
                  : ElasticMatrices<dim>())
     , is_relative(relative.pattern.partitioner != nullptr)
-    , frames(coordinates.node_frames(),
-             coordinates.contact_nodes(),
-             this->matrices().pattern.partitioner)
+    , n_turns(coordinates.n_turns())
+    , frames(frames_now())
   {
+  }
+
+
+  template <int dim>
+  NodeFrames<dim> FactorCoordinates<dim>::frames_now() const
+  {
+    return NodeFrames<dim>(
+      coordinates.node_frames(), coordinates.contact_nodes(), matrices().pattern.partitioner);
   }
 
 
@@ -37,6 +44,11 @@ namespace signorini
   HeldNodes<dim> FactorCoordinates<dim>::set_mask(const Mask &mask)
   {
     AssertDimension(mask.size(), dim * of_bodies.pattern.n_owned);
+    if (n_turns != coordinates.n_turns())
+      {
+        frames  = frames_now();
+        n_turns = coordinates.n_turns();
+      }
     held_entries.clear();
     for (unsigned int i = 0; i < mask.size(); ++i)
       if (mask[i])

@@ -70,6 +70,7 @@ namespace signorini
         "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The "
         "nodes of the slave may not enter the master: take the finer or the curved surface as "
         "slave. Each pair may have a subsection of its name.");
+      declare_contact_motion(prm);
       for (const PairName &pair : pairs)
         section(prm, pair.text(), declare_pair);
     }

@@ -68,6 +68,7 @@ namespace signorini
             << ", \"penetrates\": " << truth(info.penetrates)
             << ",\n   \"changing_mesh\": " << truth(info.changing_mesh)
             << ", \"variable_step\": " << truth(info.variable_step())
+            << ", \"moving_contact\": " << truth(info.moving_contact)
             << ", \"inertia\": " << truth(info.inertia) << "}";
         separator = ",\n";
       }

@@ -99,7 +99,7 @@ namespace signorini
         "contact-stabilized",
         EnergyLaw::dissipates,
         "Newmark with a predictor that respects the contact condition; smooth contact forces");
-      info.friction = info.predictor = true;
+      info.friction = info.predictor = info.moving_contact = true;
       refuse_massless_nodes(info,
                             ": its predictor stops the mass of contact nodes, and they have none");
       info.make = [](const SchemeParameters &parameters) -> Made {
@@ -131,8 +131,8 @@ namespace signorini
         with_trapezoidal_rule("contact-implicit",
                               EnergyLaw::dissipates,
                               "Newmark without a predictor; contact forces oscillate");
-      info.friction = true;
-      info.make     = make_with_rule<ContactImplicitNewmark>;
+      info.friction = info.moving_contact = true;
+      info.make                           = make_with_rule<ContactImplicitNewmark>;
       return info;
     }
 

@@ -43,7 +43,7 @@ namespace signorini
                     "mesh: contact surface",
                     [&] {
                       return ContactSurface<dim>(
-                        discretization, dirichlet, scene.obstacles, scene.pairs);
+                        discretization, dirichlet, scene.obstacles, scene.pairs, scene.motion);
                     }))
     , mass_note(give_mass(discretization, surface, scene.time.mass))
     , coordinates(discretization, surface, dirichlet)
@@ -55,6 +55,8 @@ namespace signorini
              system_parameters(scene, mesh_life_time),
              timer)
   {
+    if (scene.motion == ContactMotion::follow)
+      system.let_contact_follow(dirichlet, surface, coordinates);
   }
 
 

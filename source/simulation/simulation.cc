@@ -13,6 +13,7 @@
 #include <signorini/schemes/trapezoidal_rule.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/expectations.h>
+#include <signorini/simulation/following_contact.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
@@ -48,6 +49,17 @@ namespace signorini
     }
 
 
+    template <int dim>
+    std::unique_ptr<TimeScheme> make_scheme(const Scene<dim>       &scene,
+                                            const SchemeParameters &parameters)
+    {
+      auto scheme = make_time_scheme(scene.time.scheme, parameters);
+      if (scene.motion == ContactMotion::linearised)
+        return scheme;
+      return std::make_unique<FollowingContact>(std::move(scheme));
+    }
+
+
     TimeIntegration time_integration(const TimeParameters &time, const SchemeParameters &parameters)
     {
       const SchemeInfo &info   = scheme_info(time.scheme);
@@ -79,7 +91,7 @@ namespace signorini
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
     , scheme_parameters(with_spectral_radius(scene, mesh))
-    , scheme(make_time_scheme(scene.time.scheme, scheme_parameters))
+    , scheme(make_scheme(scene, scheme_parameters))
     , mesh_control(mesh,
                    scene.adaptivity,
                    time_integration(scene.time, scheme_parameters),

@@ -58,6 +58,21 @@ namespace signorini
 
 
   template <int dim>
+  void ElasticContactSystem<dim>::let_contact_follow(const DirichletConditions<dim> &dirichlet,
+                                                     ContactSurface<dim>            &moving_surface,
+                                                     ContactCoordinates<dim> &moving_coordinates)
+  {
+    step_contact = std::make_unique<StepContact<dim>>(
+      discretization, dirichlet, moving_surface, moving_coordinates, [this] {
+        std::vector<bool> held = mass_problems.held_by_projection();
+        for (std::size_t k = 0; k < active.size(); ++k)
+          held[k] = held[k] || contact_status::is_closed(active[k]);
+        return held;
+      });
+  }
+
+
+  template <int dim>
   void ElasticContactSystem<dim>::apply_mass(Vector &destination, const Vector &source) const
   {
     dealii::TimerOutput::Scope scope(timer, "step: products M v and A u");
@@ -178,15 +193,19 @@ namespace signorini
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem,
                                         IncrementSolution      &solution)
   {
-    StepMatrix<dim> &matrix =
-      step_matrices.get(problem.stiffness_factor, problem.damping_factor, problem.step_size);
+    StepMatrix<dim> &matrix = step_matrices.get(
+      problem.stiffness_factor, problem.damping_factor, problem.step_size, active);
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;
     coordinates.force_to_contact(right_hand_side);
     Vector &increment = solution.increment;
     increment         = discretization.make_vector();
-    if (!matrix.forecast.guess(right_hand_side, increment))
+    if (step_contact && step_contact->repeats())
+      matrix.forecast.repeat();
+    if (matrix.forecast.guess(problem.right_hand_side, increment))
+      coordinates.displacement_to_contact(increment);
+    else
       guess_from_start(problem, *matrix.product, right_hand_side, increment);
     expect_contact(increment, problem.bounds);
 
@@ -212,9 +231,10 @@ namespace signorini
       friction_of_nodes};
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.effort.add(solution.effort);
-    matrix.forecast.remember(right_hand_side, increment, residual);
 
     extract(friction_of_nodes, residual, problem.further_reaction != nullptr, solution);
+    coordinates.force_to_cartesian(residual);
+    matrix.forecast.remember(problem.right_hand_side, increment, residual);
   }
 
 

@@ -25,7 +25,7 @@ namespace signorini
 
     // b - s with s from the last two steps
     Vector force = right_hand_side;
-    if (residuals.size() == 2)
+    if (residuals.size() == 2 && !repeats)
       force.add(-2., residuals[0], 1., residuals[1]);
     else
       force -= residuals[0];
@@ -59,6 +59,8 @@ namespace signorini
     AssertDimension(residual.size(), right_hand_side.size());
     Assert(increments.empty() || increments[0].size() == increment.size(),
            dealii::ExcMessage("The mesh has changed: clear() what was remembered."));
+    if (repeats)
+      drop_latest();
     Vector product = right_hand_side;
     product -= residual;
     if (increments.size() == n_kept) // reuse the memory of the oldest
@@ -87,8 +89,18 @@ namespace signorini
   }
 
 
+  void IncrementForecast::drop_latest()
+  {
+    increments.pop_front();
+    residuals.pop_front();
+    gram    = Eigen::MatrixXd(gram.bottomRightCorner(increments.size(), increments.size()));
+    repeats = false;
+  }
+
+
   void IncrementForecast::clear()
   {
+    repeats = false;
     increments.clear();
     residuals.clear();
     gram.resize(0, 0);

@@ -65,15 +65,17 @@ namespace signorini
         left[k]    = bounds[k] - left[k];
         admissible = admissible && left[k] >= -bound_length;
       }
-    if (dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible),
-                                    discretization.communicator()))
+    is_identity = dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible),
+                                              discretization.communicator());
+    if (is_identity)
       return SolveReport();
     dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
     if (mass_parameters.predictor == PredictorMass::lumped)
       return project_node_by_node(left, correction, mass_correction);
 
     prepare();
-    correction                     = last_correction; // in contact coordinates
+    correction = last_correction;
+    coordinates.displacement_to_contact(correction);
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.dirichlet_entries();
     const std::vector<double> nothing(held.size(), 0.);
@@ -90,7 +92,6 @@ namespace signorini
                                             projected,
                                             correction,
                                             mass_correction);
-    last_correction                          = correction;
     for (unsigned int k = 0; k < projected.size(); ++k)
       if (projected[k])
         held.push_back(coordinates.normal_entries()[k]);
@@ -98,6 +99,7 @@ namespace signorini
     keep_only(held, mass_correction);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
+    last_correction = correction;
     return report;
   }
 
@@ -109,7 +111,7 @@ namespace signorini
   {
     SolveReport effort;
     for (unsigned int k = 0; k < left.size(); ++k)
-      if (left[k] < 0.)
+      if ((projected[k] = left[k] < 0.))
         {
           correction.local_element(coordinates.normal_entries()[k]) = left[k];
           ++effort.n_active;
@@ -163,6 +165,16 @@ namespace signorini
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
     return effort;
+  }
+
+
+  template <int dim>
+  std::vector<bool> MassProblems<dim>::held_by_projection() const
+  {
+    std::vector<bool> held(projected.size(), false);
+    for (std::size_t k = 0; k < held.size(); ++k)
+      held[k] = !is_identity && projected[k];
+    return held;
   }
 
 

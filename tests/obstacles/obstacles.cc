@@ -225,3 +225,52 @@ TEST(Obstacles, FunctionWithoutNormalIsRefused)
   ASSERT_TRUE(root.try_project({1., 1.}));
   EXPECT_EQ(root.try_project({1., 1.})->normal, root.project({1., 1.}).normal);
 }
+
+// The condition of a motion says exactly what the gap at its end is, whatever the motion; the gap
+// of a motion that turned out to be another one differs by the square of the difference.
+TEST(Obstacles, ConditionOfAMotionIsItsGapAtTheEnd)
+{
+  const Plane<3>         plane(Point<3>(0., 1., 0.), Tensor<1, 3>({1., 2., 3.}));
+  const RoundObstacle<3> ball = sphere<3>({2., 0., 0.}, 1.),
+                         bowl = sphere<3>({0., 0., 0.}, 1., true);
+  const RoundObstacle<3> pipe(Point<3>(0., 0., 1.), Tensor<1, 3>({1., 2., 2.}), 0.3, false);
+  const LevelSet<3>      wave("wave", "z - 0.1*sin(3*x)*cos(2*y)");
+  const Point<3>         start(0.3, 0.2, 0.1);
+  for (const RigidObstacle<3> *obstacle :
+       std::initializer_list<const RigidObstacle<3> *>{&plane, &ball, &bowl, &pipe, &wave})
+    for (const double size : {0., 1e-12, 1e-6, 1e-3, 0.1})
+      for (const Tensor<1, 3> &direction :
+           {Tensor<1, 3>({1., 0., 0.}), Tensor<1, 3>({0., 0., -1.}), Tensor<1, 3>({-2., 1., 1.})})
+        {
+          const Tensor<1, 3> motion    = size * direction;
+          const auto         condition = obstacle->condition_of_motion(start, start + motion);
+          EXPECT_NEAR(condition.normal.norm(), 1., 1e-14);
+          EXPECT_NEAR(
+            condition.bound * condition.gap_per_slack, obstacle->project(start).gap, 1e-14);
+          EXPECT_NEAR(condition.gap_after(motion), obstacle->project(start + motion).gap, 2e-14);
+          // The direction is that in the middle, but for a tilt of second order.
+          const auto middle = obstacle->project(start + 0.5 * motion);
+          EXPECT_LT((condition.normal - middle.normal).norm(), 1e-12 + 10. * size * size);
+        }
+}
+
+// A point that slides past the edge of a roof would need a normal far from that of any face: the
+// normal stays that of a face, and the bound says where the roof is at the end of this motion.
+TEST(Obstacles, ConditionAtAnEdgeIsRightForTheMotionItIsMadeFor)
+{
+  const LevelSet<2>  roof("roof", "y + abs(x)");
+  const Point<2>     start(-0.1, 0.1);
+  const Tensor<1, 2> motion({0.3, 0.});
+  const auto         condition = roof.condition_of_motion(start, start + motion);
+  EXPECT_NEAR(condition.gap_after(motion), 0.3 / std::sqrt(2.), 1e-15);
+  EXPECT_NEAR(std::abs(condition.normal[0]), std::sqrt(0.5), 1e-15);
+}
+
+// Through the middle of a ball there is no way around it: the plane of the start holds.
+TEST(Obstacles, ConditionOfAMotionThroughABallHoldsAtTheStart)
+{
+  const RoundObstacle<2> ball      = sphere<2>({0., 0.}, 1.);
+  const auto             condition = ball.condition_of_motion({-1.5, 0.}, {1.5, 0.});
+  EXPECT_NEAR(condition.bound, 0.5, 1e-15);
+  EXPECT_LT((condition.normal - Tensor<1, 2>({1., 0.})).norm(), 1e-15);
+}

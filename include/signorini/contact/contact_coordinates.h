@@ -54,6 +54,15 @@ namespace signorini
     void rotate_to_frames(Vector &vector) const;
     void rotate_from_frames(Vector &vector) const;
 
+    /**
+     * The frames of the contact nodes have turned: take them over. Which entries are prescribed or
+     * tangential does not change with them.
+     */
+    void follow_frames();
+
+    /** How often frames have turned. */
+    unsigned int n_turns() const { return turns; }
+
     /** What moves the other side of the contact nodes. */
     const NodeCoupling<dim> &coupling() const { return node_coupling; }
 
@@ -115,6 +124,7 @@ namespace signorini
     std::map<unsigned int, Frame>          frames;
     std::vector<unsigned int>              normals, prescribed;
     std::vector<std::vector<unsigned int>> tangential;
+    unsigned int                           turns = 0;
 
     /** Where the value of a prescribed entry comes from. */
     struct DirichletSource

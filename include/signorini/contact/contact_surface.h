@@ -26,13 +26,24 @@ namespace signorini
     ContactSurface(const Discretization<dim>             &discretization,
                    const DirichletConditions<dim>        &dirichlet,
                    const std::vector<NamedObstacle<dim>> &obstacles,
-                   const std::vector<PairDescription>    &pairs);
+                   const std::vector<PairDescription>    &pairs,
+                   ContactMotion                          motion = ContactMotion::linearised);
 
     /** What was asked to be in contact; ContactNode::pair is an index into this. */
     const std::vector<PairDescription> &pairs() const { return descriptions; }
 
     /** Nodes that this process owns. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
+
+    /** Contact with obstacles, as far as it does not change in time. */
+    const ObstacleContact<dim> &at_obstacles() const { return obstacle_contact; }
+
+    /** The geometry of a node at an obstacle from now on; see FollowedContact. */
+    void set_geometry(const std::size_t k, const ContactNode<dim> &node)
+    {
+      Assert(node.partners.empty(), dealii::ExcMessage("This is about contact with obstacles."));
+      contact_nodes[k] = node;
+    }
 
     /** What moves the other side of the nodes. */
     const NodeCoupling<dim> &coupling() const { return *node_coupling; }
@@ -66,7 +77,9 @@ namespace signorini
      */
     std::vector<double> normal_gap(const Vector &displacement) const;
 
-    /** Distance to the other side, to be shown to people; to the end for nodes past it. Collective.
+    /**
+     * Distance to the other side, to be shown to people; to the end for nodes past it. Where
+     * contact follows the motion, the true one. Collective.
      */
     std::vector<double> distance(const Vector &displacement) const;
 
@@ -105,6 +118,7 @@ namespace signorini
   private:
     const Discretization<dim>         &discretization;
     const std::vector<PairDescription> descriptions;
+    const ContactMotion                motion;
     ObstacleContact<dim>               obstacle_contact;
     std::vector<ContactNode<dim>>      contact_nodes;
     std::unique_ptr<NodeCoupling<dim>> node_coupling;

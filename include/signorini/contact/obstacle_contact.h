@@ -18,7 +18,9 @@ namespace signorini
    * Contact with rigid obstacles. A node belongs to the closest obstacle among the pairs of its
    * body, one that carries it first, and only if its surface faces that obstacle. A node with
    * prescribed directions meets it in the others; one whose normal displacement is prescribed is
-   * left out.
+   * left out. Where contact follows the motion every node of the surface may touch sooner or later:
+   * what it faces is looked up in every step (FollowedContact), and only nodes that are prescribed
+   * in all directions are left out.
    */
   template <int dim>
   class ObstacleContact
@@ -32,7 +34,8 @@ namespace signorini
     ObstacleContact(const Discretization<dim>             &discretization,
                     const DirichletConditions<dim>        &dirichlet,
                     const std::vector<NamedObstacle<dim>> &obstacles,
-                    const std::vector<PairDescription>    &pairs);
+                    const std::vector<PairDescription>    &pairs,
+                    ContactMotion                          motion = ContactMotion::linearised);
 
     /** The owned nodes that may touch an obstacle, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
@@ -53,6 +56,30 @@ namespace signorini
     /** What a node may be past an end before it is free: round-off. */
     double end_tolerance() const;
 
+    /** A node of the contact boundaries of its body. */
+    struct SurfaceNode
+    {
+      unsigned int body;
+      /** Pairs with obstacles to which the node belongs, and its area (length in 2d) in each. */
+      std::vector<std::pair<unsigned int, double>> areas;
+    };
+
+    /** All owned nodes of the surfaces of pairs with obstacles. */
+    const std::map<unsigned int, SurfaceNode> &surface() const { return surface_nodes; }
+
+    /** The obstacle of a pair. */
+    const RigidObstacle<dim> &obstacle(const unsigned int pair) const
+    {
+      return *obstacles[pairs[pair].obstacle].shape;
+    }
+
+    /** Where a node is. */
+    dealii::Point<dim> displaced(unsigned int node, const Vector &displacement) const;
+
+    /** Whether the first way is the better one: obstacles that carry come first, then near ones. */
+    bool is_closer(const ObstacleProjection<dim> &first,
+                   const ObstacleProjection<dim> &second) const;
+
     /**
      * For each body the largest depth of a displaced node of its contact boundaries in *any*
      * obstacle of the body, whether the node has faced it at the start or not; 0 if there is none.
@@ -70,14 +97,22 @@ namespace signorini
     const Discretization<dim>            &discretization;
     const std::vector<PairDescription>    pairs;
     const std::vector<NamedObstacle<dim>> obstacles;
+    const ContactMotion                   motion;
     std::vector<ContactNode<dim>>         contact_nodes;
-    std::map<unsigned int, unsigned int>  surface_nodes; ///< owned ones, with their body
+    std::map<unsigned int, SurfaceNode>   surface_nodes;
     unsigned int                          n_left_to_dirichlet = 0, n_oblique = 0;
 
     void check_that_they_rest(const DirichletConditions<dim>                      &dirichlet,
                               const typename DirichletConditions<dim>::Components &conditions,
                               const ContactNode<dim>                              &contact_node,
                               std::vector<Complaint> &complaints) const;
+
+    /**
+     * Of a node that cannot move towards its obstacle: whether contact that follows the motion may
+     * hold it one day. Then it has no bound, and a frame for its free directions.
+     */
+    bool wait_for_other_normals(const typename DirichletConditions<dim>::Components &conditions,
+                                ContactNode<dim> &contact_node) const;
 
     /** Enter the nodes of a pair that have no closer obstacle yet. */
     void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest);

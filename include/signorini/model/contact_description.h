@@ -15,6 +15,20 @@
 
 namespace signorini
 {
+  /** Which configuration normals, gaps and partners belong to. */
+  enum class ContactMotion
+  {
+    linearised, ///< to the initial one, once for all
+    follow      ///< to the motion of each step
+  };
+
+  template <>
+  struct EnumNames<ContactMotion>
+  {
+    static constexpr EnumName<ContactMotion> table[] = {{ContactMotion::linearised, "linearised"},
+                                                        {ContactMotion::follow, "follow"}};
+  };
+
   /** What the tangential stress can reach. */
   enum class FrictionKind
   {

@@ -38,6 +38,14 @@ namespace signorini
 
     bool has_end() const override { return !ends.empty(); }
 
+    bool is_flat() const override { return true; }
+
+    MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
+                                             const dealii::Point<dim> &) const override
+    {
+      return {-normal, (start - point) * normal};
+    }
+
   private:
     const dealii::Point<dim>     point;
     const dealii::Tensor<1, dim> normal;

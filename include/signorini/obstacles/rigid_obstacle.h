@@ -40,6 +40,24 @@ namespace signorini
     double distance() const { return std::hypot(std::max(0., gap), std::max(0., beyond)); }
   };
 
+  /**
+   * A linear condition on the motion d of a point that says what its gap g at the end of the motion
+   * says: g = gap_per_slack (bound - normal.d).
+   */
+  template <int dim>
+  struct MotionCondition
+  {
+    dealii::Tensor<1, dim> normal; ///< unit vector towards the obstacle
+    double                 bound;  ///< length
+    double                 gap_per_slack = 1.;
+
+    /** What the condition takes for the gap at the end of a motion. */
+    double gap_after(const dealii::Tensor<1, dim> &motion) const
+    {
+      return gap_per_slack * (bound - normal * motion);
+    }
+  };
+
   /** A rigid, fixed obstacle, known by the closest point of its surface. */
   template <int dim>
   class RigidObstacle
@@ -59,6 +77,26 @@ namespace signorini
 
     /** Whether projections may be past an end. */
     virtual bool has_end() const { return false; }
+
+    /** Whether all normals are the same. */
+    virtual bool is_flat() const { return false; }
+
+    /**
+     * The condition whose normal is the discrete gradient of the gap over a motion,
+     *
+     *   -nu.(end - start) = g(end) - g(start),
+     *
+     * scaled to a unit vector; its bound is then g(start), scaled alike, whatever the motion turns
+     * out to be (Gonzalez, Comput. Methods Appl. Mech. Engrg. 190 (2000) 1763-1783, equation (24)).
+     * It is the normal in the middle, tilted along the motion. Where that takes more than
+     * `largest_tilt`, at edges, the rest goes into the bound, which is then right for this motion
+     * only, and never negative.
+     */
+    virtual MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
+                                                     const dealii::Point<dim> &end) const;
+
+    /** Of the normal of a condition against that in the middle of the motion: radians. */
+    static constexpr double largest_tilt = 0.1;
   };
 
   /** Section `Obstacles/<name>` of a scene. */

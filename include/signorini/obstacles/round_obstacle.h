@@ -25,11 +25,18 @@ namespace signorini
 
     ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override;
 
+    /** Exact, without a singularity where the motion is small. */
+    MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
+                                             const dealii::Point<dim> &end) const override;
+
   private:
     const dealii::Point<dim>     centre;
     const dealii::Tensor<1, dim> axis;
     const double                 radius;
     const double                 sign;
+
+    /** From the centre or the axis to a point. */
+    dealii::Tensor<1, dim> arm(const dealii::Point<dim> &p) const;
   };
 
   template <int dim>

@@ -65,10 +65,12 @@ namespace signorini
     const MatrixSum                of_step;
     ElasticMatrices<dim>           relative;
     const bool                     is_relative;
-    const NodeFrames<dim>          frames;
+    unsigned int                   n_turns;
+    NodeFrames<dim>                frames;
     std::vector<unsigned int>      held_entries;
 
-    void hold(Vector &vector) const;
+    NodeFrames<dim> frames_now() const;
+    void            hold(Vector &vector) const;
   };
 } // namespace signorini
 

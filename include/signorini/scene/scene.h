@@ -52,6 +52,7 @@ namespace signorini
     std::vector<BodyDescription<dim>>  bodies;
     std::vector<NamedObstacle<dim>>    obstacles;
     std::vector<PairDescription>       pairs;
+    ContactMotion                      motion = ContactMotion::linearised;
     std::vector<ProbeDescription<dim>> probes;
     std::vector<PointProbeDescription<dim>> point_probes;
     ExactSolutionDescription<dim>           exact_solution;

@@ -73,6 +73,11 @@ namespace signorini
   std::vector<PairDescription>
   parse_pairs(const SectionReader &in, const std::vector<PairName> &names, const Scene<dim> &scene);
 
+  void declare_contact_motion(dealii::ParameterHandler &prm);
+  /** Needs all that contact depends on: schemes, bodies, pairs, adaptivity. */
+  template <int dim>
+  ContactMotion parse_contact_motion(const SectionReader &in, const Scene<dim> &scene);
+
   void declare_adaptivity(dealii::ParameterHandler &prm);
   template <int dim>
   AdaptivityParameters parse_adaptivity(const SectionReader                     &in,

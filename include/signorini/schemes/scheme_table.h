@@ -95,6 +95,7 @@ namespace signorini
     bool        mean_velocity; ///< velocities of contact nodes are means over the step
     bool        changing_mesh; ///< the mesh may change between steps
     bool        moving_dirichlet; ///< prescribed displacements may change in time
+    bool        moving_contact;   ///< contact may follow the motion
     bool        inertia;          ///< moves masses; else velocities, damping and waves mean nothing
     std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
                                ///< have equal sizes

@@ -8,6 +8,7 @@
 #include <signorini/system/mass_problems.h>
 #include <signorini/system/massless_equilibrium.h>
 #include <signorini/system/static_equilibrium.h>
+#include <signorini/system/step_contact.h>
 #include <signorini/system/step_friction.h>
 #include <signorini/system/step_matrices.h>
 #include <signorini/variational_inequality/constrained_solver.h>
@@ -67,8 +68,17 @@ namespace signorini
               has_massless_nodes ? this : nullptr,
               has_dirichlet ? this : nullptr,
               is_damped ? this : nullptr,
-              this};
+              this,
+              step_contact.get()};
     }
+
+    /**
+     * Contact is that of the motion of each step from now on. The surface and the coordinates are
+     * those of the constructor, and turn.
+     */
+    void let_contact_follow(const DirichletConditions<dim> &dirichlet,
+                            ContactSurface<dim>            &moving_surface,
+                            ContactCoordinates<dim>        &moving_coordinates);
 
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
@@ -97,6 +107,7 @@ namespace signorini
     MassProblems<dim>                         mass_problems;
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
+    std::unique_ptr<StepContact<dim>>         step_contact; ///< null: contact is linearised
 
     Vector      normal_forces(const std::vector<double> &forces) const override;
     SolveReport project(const Vector    &free_increment,

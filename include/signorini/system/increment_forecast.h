@@ -20,7 +20,7 @@ namespace signorini
    *
    * It costs a few scalar products and no product with K: K d = b - s is known from the solve, s
    * being the residual with the forces that hold constraints. The forces of the new step are
-   * extrapolated.
+   * extrapolated. All vectors are Cartesian, whatever contact coordinates do meanwhile.
    */
   class IncrementForecast
   {
@@ -37,6 +37,12 @@ namespace signorini
      */
     void remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual);
 
+    /**
+     * The next problem is that of the latest step once more, with other conditions of contact: its
+     * increment is near, and its solution will take its place.
+     */
+    void repeat() { repeats = !increments.empty(); }
+
     /** Forget everything: the next step has another size or another mesh. */
     void clear();
 
@@ -46,6 +52,9 @@ namespace signorini
     std::deque<Vector> increments; ///< latest first
     std::deque<Vector> residuals;  ///< the two latest
     Eigen::MatrixXd    gram;       ///< d_i'K d_j
+    bool               repeats = false;
+
+    void drop_latest();
   };
 } // namespace signorini
 

@@ -47,6 +47,9 @@ namespace signorini
 
     Vector solve(const Vector &force);
 
+    /** Per contact node whether the latest projection holds it. */
+    std::vector<bool> held_by_projection() const;
+
   private:
     const Discretization<dim>     &discretization;
     const ContactSurface<dim>     &surface;
@@ -58,8 +61,9 @@ namespace signorini
     std::unique_ptr<StepOperator<dim>>    mass;
     std::unique_ptr<MaskedPreconditioner> preconditioner;
     PrimalDualActiveSet                   solver;
-    ActiveSet                             projected; ///< nodes that the last projection held
-    Vector                                last_correction;
+    ActiveSet projected;          ///< nodes that the last projection held that was no identity
+    bool      is_identity = true; ///< the latest one
+    Vector    last_correction;
 
     void prepare();
     /** The projection node by node with the lumped mass: obstacles only. */

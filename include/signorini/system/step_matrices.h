@@ -4,6 +4,7 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
+#include <signorini/base/contact_status.h>
 #include <signorini/multigrid/level_hierarchy.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/increment_forecast.h>
@@ -30,6 +31,8 @@ namespace signorini
     unsigned int       last_use = 0; ///< counted in solutions
     unsigned int       n_uses   = 0;
     SolveReport        effort; ///< so far, with this preconditioner
+    /** Of the contact nodes of this process when the preconditioner was built. */
+    std::vector<dealii::Tensor<1, dim>> normals;
   };
 
   /** What decides about the preconditioners of all steps. */
@@ -57,10 +60,11 @@ namespace signorini
                  dealii::TimerOutput           &timer);
 
     /**
-     * The matrix of the factors s and c; valid until the next call. @param step_size decides about
-     * the preconditioner
+     * The matrix of the factors s and c; valid until the next call. Collective. @param step_size
+     * decides about the preconditioner @param held contact nodes that will probably be held
      */
-    StepMatrix<dim> &get(double stiffness_factor, double damping_factor, double step_size);
+    StepMatrix<dim> &
+    get(double stiffness_factor, double damping_factor, double step_size, const ActiveSet &held);
 
     /** Of the last matrix; empty if there was none. */
     std::string preconditioner_name() const
@@ -82,6 +86,9 @@ namespace signorini
 
     /** Give the matrix the preconditioner that pays, unless it has it. */
     void choose(StepMatrix<dim> &matrix, double step_size);
+    void build(StepMatrix<dim> &matrix, PreconditionerKind kind, double step_size);
+    /** Whether the preconditioner knows other normals of what is held. Collective. */
+    bool has_turned(const StepMatrix<dim> &matrix, const ActiveSet &held) const;
   };
 } // namespace signorini
 

@@ -192,6 +192,32 @@ namespace signorini
   };
 
 
+  /**
+   * Contact whose normals and gaps are those of the motion of each step. In a step they are fixed,
+   * and a step that was made with those of another motion is made again.
+   */
+  class MovingContact
+  {
+  public:
+    virtual ~MovingContact() = default;
+
+    /** Look around at the start of a step; normals are those of the motion that is expected. */
+    virtual void begin_step(const State &start, double step_size) = 0;
+
+    /** Take the normals of a motion of the same step. */
+    virtual void follow(const Vector &increment) = 0;
+
+    /**
+     * How far the true gaps at the end of the step just made are from what its normals say, where
+     * that matters; in units of what can be tolerated. The same on all processes.
+     */
+    virtual double mismatch(const Vector &increment) const = 0;
+
+    /** Entries (owned, local) of increments on which normals depend. */
+    virtual std::vector<unsigned int> entries() const = 0;
+  };
+
+
   /** What a system can do beyond DynamicalSystem; null: it cannot, or has nothing of the kind. */
   struct Capabilities
   {
@@ -201,6 +227,7 @@ namespace signorini
     const MovingDirichletConditions *moving_dirichlet = nullptr;
     const ViscousDamping            *damping          = nullptr;
     StaticProblems                  *statics          = nullptr;
+    MovingContact                   *moving_contact   = nullptr;
   };
 
 

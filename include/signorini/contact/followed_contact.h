@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_followed_contact_h
+#define signorini_contact_followed_contact_h
+
+#include <signorini/contact/contact_surface.h>
+
+namespace signorini
+{
+  /**
+   * Contact with obstacles in the configurations of a step, instead of the reference one. Every
+   * node of a contact surface faces the obstacle that is closest when the step begins, or the one
+   * that it would enter on its way; its bound is the true gap there, and its normal the discrete
+   * gradient of the true gap over the motion of the step (MotionCondition). So a motion keeps all
+   * linear conditions of its own normals exactly if no node penetrates at the end, and the forces
+   * are those of closed gaps.
+   *
+   * The normals depend on the motion, and the motion on the normals: who leads the step calls
+   * follow() until mismatch() is small. At flat obstacles, and far from any, there is nothing to
+   * repeat.
+   */
+  template <int dim>
+  class FollowedContact
+  {
+  public:
+    /** All must outlive the object, which writes the geometry of the surface. */
+    FollowedContact(const Discretization<dim>      &discretization,
+                    const DirichletConditions<dim> &dirichlet,
+                    ContactSurface<dim>            &surface);
+
+    /**
+     * Look what every node faces at the start of a step.
+     * @param expected increment of the step
+     */
+    void begin_step(const Vector &displacement, const Vector &expected);
+
+    /** The conditions of the same step with the normals of this motion. */
+    void follow(const Vector &increment);
+
+    /**
+     * By how much the gaps at the end of a motion differ from what their conditions say, at the
+     * nodes that matter, and at those that penetrate: the largest, in units of tolerance().
+     * Collective.
+     * @param matters per contact node
+     */
+    double mismatch(const Vector &increment, const std::vector<bool> &matters) const;
+
+    /** Length: 1e-12 of the bodies, and the round-off of coordinates. */
+    double tolerance() const { return accepted; }
+
+  private:
+    struct Node
+    {
+      unsigned int           pair;
+      dealii::Point<dim>     start;        ///< position at the start of the step
+      dealii::Tensor<1, dim> displacement; ///< there
+      double                 gap;          ///< there; infinite past the end of the obstacle
+      MotionCondition<dim>   condition;
+    };
+
+    const Discretization<dim>      &discretization;
+    const DirichletConditions<dim> &dirichlet;
+    ContactSurface<dim>            &surface;
+    const ObstacleContact<dim>     &at_obstacles;
+    std::vector<Node>               nodes; ///< in the order of the surface
+    double                          accepted   = 0.;
+    unsigned int                    n_followed = 0; ///< motions of this step
+
+    /** The motion of a contact node. */
+    dealii::Tensor<1, dim> motion(std::size_t node, const Vector &increment) const;
+    /** Let a node face the obstacle of a pair. */
+    void face(Node &node, unsigned int pair) const;
+    /** Face an obstacle that the node enters instead of the one that it faces. */
+    void face_what_is_entered(std::size_t k, const dealii::Point<dim> &end);
+    /** Write the condition of a node to the surface. */
+    void enter(std::size_t k);
+  };
+} // namespace signorini
+
+#endif

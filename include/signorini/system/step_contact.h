@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_system_step_contact_h
+#define signorini_system_step_contact_h
+
+#include <signorini/contact/contact_coordinates.h>
+#include <signorini/contact/followed_contact.h>
+#include <signorini/time/dynamical_system.h>
+
+#include <deque>
+#include <functional>
+
+namespace signorini
+{
+  /**
+   * Contact that follows the motion, as steps need it: contact coordinates turn with the normals,
+   * and the motion that a step is expected to make continues the last ones.
+   */
+  template <int dim>
+  class StepContact : public MovingContact
+  {
+  public:
+    /**
+     * All must outlive the object.
+     * @param held per contact node of this process whether the latest solutions hold it
+     */
+    StepContact(const Discretization<dim>                &discretization,
+                const DirichletConditions<dim>           &dirichlet,
+                ContactSurface<dim>                      &surface,
+                ContactCoordinates<dim>                  &coordinates,
+                const std::function<std::vector<bool>()> &held);
+
+    void                      begin_step(const State &start, double step_size) override;
+    void                      follow(const Vector &increment) override;
+    double                    mismatch(const Vector &increment) const override;
+    std::vector<unsigned int> entries() const override;
+
+    /** Whether the next problem is that of the latest one with other normals. */
+    bool repeats() const { return is_repetition; }
+
+  private:
+    const ContactSurface<dim>               &surface;
+    ContactCoordinates<dim>                 &coordinates;
+    FollowedContact<dim>                     geometry;
+    const std::function<std::vector<bool>()> held;
+    bool                                     is_repetition = false;
+
+    /** Where the contact nodes were when the latest steps began, latest first. */
+    struct Moment
+    {
+      double              time;
+      std::vector<double> displacement; ///< of entries()
+    };
+    std::deque<Moment> moments;
+
+    Vector expected_increment(const State &start, double step_size);
+  };
+} // namespace signorini
+
+#endif

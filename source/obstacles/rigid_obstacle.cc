@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/obstacles/rigid_obstacle.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  MotionCondition<dim> RigidObstacle<dim>::condition_of_motion(const Point<dim> &start,
+                                                               const Point<dim> &end) const
+  {
+    const Tensor<1, dim> motion = end - start;
+    const double         before = project(start).gap, after = project(end).gap;
+    Tensor<1, dim>       normal = project(start + 0.5 * motion).normal;
+    const double         length = motion.norm();
+    const double         missed = before - after - normal * motion;
+    // The tilt that round-off in the gaps suggests for a small motion would be arbitrary.
+    const double round_off = 1e-14 * (start.norm() + std::abs(before) + std::abs(after));
+    if (std::abs(missed) <= round_off)
+      return {normal, before};
+    if (std::abs(missed) > largest_tilt * length)
+      return {normal, std::max(0., after + normal * motion)};
+    normal += missed / (length * length) * motion;
+    const double size = normal.norm();
+    return {normal / size, before / size, size};
+  }
+
+
+  template class RigidObstacle<2>;
+  template class RigidObstacle<3>;
+} // namespace signorini

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// `Contact/Motion`: which scenes contact can follow.
+
+#include <signorini/base/spelling.h>
+#include <signorini/scene/sections.h>
+
+#include <deal.II/base/parameter_handler.h>
+
+namespace signorini
+{
+  namespace
+  {
+    const std::string or_linearised = ", or set `Motion = linearised`.";
+
+
+    /** The pairs of a body with obstacles have one law of friction: nodes go from one to another.
+     */
+    template <int dim>
+    void check_friction(const SectionReader &in, const Scene<dim> &scene)
+    {
+      for (const PairDescription &first : scene.pairs)
+        for (const PairDescription &second : scene.pairs)
+          if (first.slave == second.slave && (first.friction.any || second.friction.any)
+              && (first.friction.law != second.friction.law
+                  || first.friction.coefficient != second.friction.coefficient
+                  || first.friction.bound != second.friction.bound))
+            in.fail("Motion",
+                    "follow: a node may slide from one obstacle of its body to another, and `"
+                      + first.name + "` and `" + second.name
+                      + "` have different laws of friction, which is not implemented. Give both "
+                        "the same law"
+                      + or_linearised);
+    }
+  } // namespace
+
+
+  void declare_contact_motion(dealii::ParameterHandler &prm)
+  {
+    prm.declare_entry(
+      "Motion",
+      name_of(ContactMotion::linearised),
+      choices_of<ContactMotion>(),
+      "What normals, gaps and obstacles of contact nodes belong to. linearised: to the initial "
+      "configuration, once for all, as in small motions; follow: to the motion of each step, so "
+      "that nodes slide along curved obstacles and from one to the next.");
+  }
+
+
+  template <int dim>
+  ContactMotion parse_contact_motion(const SectionReader &in, const Scene<dim> &scene)
+  {
+    const ContactMotion motion = in.choice<ContactMotion>("Motion");
+    if (motion == ContactMotion::linearised)
+      return motion;
+    const std::string head = name_of(motion) + std::string(" ");
+    if (!scheme_info(scene.time.scheme).moving_contact)
+      in.fail(
+        "Motion",
+        head + "needs one of the schemes "
+          + join(schemes_where([](const SchemeInfo &info) { return info.moving_contact; }), ", ")
+          + ", whose energy is proved for gaps at the end of a step, and Time/Scheme is "
+          + scene.time.scheme + ". Take one of them" + or_linearised);
+    if (scene.time.mass.has_massless_contact_nodes())
+      in.fail("Motion",
+              head
+                + "does not know contact nodes without mass: every node of the surface may be "
+                  "one. Set `Time/Mass = consistent`"
+                + or_linearised);
+    if (scene.adaptivity.any())
+      in.fail("Motion",
+              head + "does not know meshes that change. Set `Adaptivity/Indicator = none`"
+                + or_linearised);
+    for (const PairDescription &pair : scene.pairs)
+      if (pair.of_two_bodies())
+        in.fail("Motion",
+                head + "knows rigid obstacles only, and `" + pair.name
+                  + "` are two bodies. Remove the pair" + or_linearised);
+    if (scene.time.start == StartKind::equilibrium)
+      for (const PairDescription &pair : scene.pairs)
+        if (!scene.obstacles[pair.obstacle].shape->is_flat())
+          in.fail("Motion",
+                  head + "finds no equilibrium to start from at curved obstacles, as in `"
+                    + pair.name + "`. Set `Time/Start = given`" + or_linearised);
+    check_friction(in, scene);
+    return motion;
+  }
+
+  template ContactMotion parse_contact_motion(const SectionReader &, const Scene<2> &);
+  template ContactMotion parse_contact_motion(const SectionReader &, const Scene<3> &);
+} // namespace signorini

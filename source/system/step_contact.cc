@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/system/step_contact.h>
+
+namespace signorini
+{
+  template <int dim>
+  StepContact<dim>::StepContact(const Discretization<dim>                &discretization,
+                                const DirichletConditions<dim>           &dirichlet,
+                                ContactSurface<dim>                      &surface,
+                                ContactCoordinates<dim>                  &coordinates,
+                                const std::function<std::vector<bool>()> &held)
+    : surface(surface)
+    , coordinates(coordinates)
+    , geometry(discretization, dirichlet, surface)
+    , held(held)
+  {
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int> StepContact<dim>::entries() const
+  {
+    std::vector<unsigned int> result;
+    for (const ContactNode<dim> &node : surface.nodes())
+      for (unsigned int c = 0; c < dim; ++c)
+        result.push_back(dim * node.node + c);
+    return result;
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::begin_step(const State &start, const double step_size)
+  {
+    geometry.begin_step(start.displacement, expected_increment(start, step_size));
+    coordinates.follow_frames();
+    is_repetition = false;
+  }
+
+
+  template <int dim>
+  Vector StepContact<dim>::expected_increment(const State &start, const double step_size)
+  {
+    const std::vector<unsigned int> contact = entries();
+    while (!moments.empty() && moments.front().time >= start.time)
+      moments.pop_front(); // the step is made again
+    moments.push_front({start.time, {}});
+    for (const unsigned int i : contact)
+      moments.front().displacement.push_back(start.displacement.local_element(i));
+    if (moments.size() > 3)
+      moments.pop_back();
+
+    Vector expected = start.velocity;
+    expected *= step_size;
+    if (moments.size() == 1)
+      return expected;
+    const auto mean_velocity = [&](const unsigned int moment, const std::size_t i) {
+      const Moment &to = moments[moment], &from = moments[moment + 1];
+      return (to.displacement[i] - from.displacement[i]) / (to.time - from.time);
+    };
+    // What the bodies did on average is a better guess than their velocity: it has no vibrations
+    // that the steps do not resolve, and contact has acted on it.
+    for (std::size_t i = 0; i < contact.size(); ++i)
+      {
+        const double velocity              = moments.size() == 2
+                                               ? mean_velocity(0, i)
+                                               : 2. * mean_velocity(0, i) - mean_velocity(1, i);
+        expected.local_element(contact[i]) = step_size * velocity;
+      }
+    return expected;
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::follow(const Vector &increment)
+  {
+    geometry.follow(increment);
+    coordinates.follow_frames();
+    is_repetition = true;
+  }
+
+
+  template <int dim>
+  double StepContact<dim>::mismatch(const Vector &increment) const
+  {
+    return geometry.mismatch(increment, held());
+  }
+
+
+  template class StepContact<2>;
+  template class StepContact<3>;
+} // namespace signorini
