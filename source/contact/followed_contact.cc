@@ -32,6 +32,8 @@ namespace signorini
     , at_obstacles(surface.at_obstacles())
     , nodes(surface.nodes().size())
   {
+    for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
+      some_move = some_move || !at_obstacles.obstacle(pair).is_at_rest();
   }
 
 
@@ -46,8 +48,12 @@ namespace signorini
 
 
   template <int dim>
-  void FollowedContact<dim>::begin_step(const Vector &displacement, const Vector &expected)
+  void FollowedContact<dim>::begin_step(const Vector &displacement,
+                                        const Vector &expected,
+                                        const double  start,
+                                        const double  end)
   {
+    surface.move_obstacles(start, end);
     double largest_coordinate = 0.;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
@@ -60,8 +66,8 @@ namespace signorini
         unsigned int pair  = areas.front().first;
         if (areas.size() > 1)
           for (const auto &[other, area] : areas)
-            if (at_obstacles.is_closer(at_obstacles.obstacle(other).project(node.start),
-                                       at_obstacles.obstacle(pair).project(node.start)))
+            if (at_obstacles.is_closer(at_obstacles.obstacle(other).project_before(node.start),
+                                       at_obstacles.obstacle(pair).project_before(node.start)))
               pair = other;
         face(node, pair);
       }
@@ -76,7 +82,7 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::face(Node &node, const unsigned int pair) const
   {
-    const ObstacleProjection<dim> way = at_obstacles.obstacle(pair).project(node.start);
+    const ObstacleProjection<dim> way = at_obstacles.obstacle(pair).project_before(node.start);
     node.pair                         = pair;
     node.gap       = way.is_carried(at_obstacles.end_tolerance()) ? way.gap : infinity;
     node.condition = {way.normal, node.gap};
@@ -112,9 +118,10 @@ namespace signorini
         if (n_followed < most_changes
             && at_obstacles.surface().at(surface.nodes()[k].node).areas.size() > 1)
           face_what_is_entered(k, end);
-        const RigidObstacle<dim> &obstacle = at_obstacles.obstacle(node.pair);
+        const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(node.pair);
         // What cannot get there needs no more than the plane at the start.
-        if (node.gap < 2. * d.norm() && !obstacle.is_flat())
+        if (std::isfinite(node.gap)
+            && (!obstacle.is_at_rest() || (node.gap < 2. * d.norm() && !obstacle.is_flat())))
           node.condition = obstacle.condition_of_motion(node.start, end);
         enter(k);
       }
@@ -151,6 +158,18 @@ namespace signorini
 
 
   template <int dim>
+  Vector FollowedContact<dim>::obstacle_motion() const
+  {
+    Vector result = discretization.make_vector();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        result.local_element(dim * surface.nodes()[k].node + c) =
+          nodes[k].condition.obstacle_motion[c];
+    return result;
+  }
+
+
+  template <int dim>
   double FollowedContact<dim>::mismatch(const Vector            &increment,
                                         const std::vector<bool> &matters) const
   {
@@ -159,11 +178,11 @@ namespace signorini
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
         const Node               &node     = nodes[k];
-        const RigidObstacle<dim> &obstacle = at_obstacles.obstacle(node.pair);
+        const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(node.pair);
         if (node.gap == infinity || obstacle.is_flat())
           continue;
         const Tensor<1, dim> d = motion(k, increment);
-        if (!matters[k] && node.gap > 2. * d.norm())
+        if (!matters[k] && node.gap > 2. * d.norm() && obstacle.is_at_rest())
           continue;
         const double gap = obstacle.project(node.start + d).gap;
         if (matters[k] || gap < 0.)

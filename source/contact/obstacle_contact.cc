@@ -46,6 +46,7 @@ namespace signorini
     : discretization(discretization)
     , pairs(pair_descriptions)
     , obstacles(obstacles)
+    , moved(obstacles.begin(), obstacles.end())
     , motion(motion)
   {
     std::map<unsigned int, ContactNode<dim>> closest;
@@ -208,6 +209,14 @@ namespace signorini
 
 
   template <int dim>
+  void ObstacleContact<dim>::move_obstacles(const double start, const double end)
+  {
+    for (MovedObstacle<dim> &obstacle : moved)
+      obstacle.move(start, end);
+  }
+
+
+  template <int dim>
   bool ObstacleContact<dim>::is_closer(const ObstacleProjection<dim> &first,
                                        const ObstacleProjection<dim> &second) const
   {
@@ -274,7 +283,7 @@ namespace signorini
         double     deepest = 0.;
         Point<dim> place;
         const auto look = [&](const Point<dim> &point) {
-          const double depth = obstacles[pair.obstacle].shape->project(point).depth();
+          const double depth = moved[pair.obstacle].project(point).depth();
           if (depth > deepest)
             {
               deepest = depth;

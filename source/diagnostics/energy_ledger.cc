@@ -46,7 +46,7 @@ namespace signorini
     booking.friction  = report.work_friction;
     booking.damping   = report.work_damping;
     booking.scheme    = report.work_scheme;
-    booking.external  = report.work_dirichlet;
+    booking.external  = report.work_dirichlet + report.work_obstacles;
     if (load != nullptr)
       {
         // The loads act with their mean, so that E with -f'u changes by the work of the change of

@@ -120,8 +120,8 @@ namespace signorini
                 n_at_once += 1.;
               }
             const Row row = unknowns_at(nodes[k].position, place);
-            if (2. * row[dim] > place.radius * place.radius)
-              continue;
+            if (2. * row[dim] > place.radius * place.radius || std::abs(rise) > place.radius)
+              continue; // too far away, or on the far side of the body
             matrix += row * row.transpose();
             right_hand_side += rise * row;
             squares += rise * rise;

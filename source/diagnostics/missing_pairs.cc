@@ -267,7 +267,9 @@ namespace signorini
       return true;
     };
     const auto is_in_obstacle = [&](const Absent &absent) {
-      const double depth = present.depth(absent.body, *obstacles[absent.other].shape);
+      MovedObstacle<dim> moved(obstacles[absent.other]);
+      moved.move(time, time);
+      const double depth = present.depth(absent.body, moved);
       const auto   body = name(absent.body), obstacle = obstacles[absent.other].name;
       return depth > depth_limit * size(absent.body)
              && tell("the body '" + body + "' is " + three_digits(100. * depth / size(absent.body))

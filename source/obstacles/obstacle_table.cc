@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/obstacles/box_obstacle.h>
 #include <signorini/obstacles/level_set.h>
 #include <signorini/obstacles/obstacle_table.h>
 #include <signorini/obstacles/plane.h>
@@ -30,6 +31,11 @@ namespace signorini
        declare_cylinder<dim>,
        {"Point", "Radius", "Bodies inside", "Axis"},
        parse_cylinder<dim>},
+      {"box",
+       "box (2d: rectangle) along the axes",
+       declare_box<dim>,
+       {"Lower corner", "Upper corner", "Bodies inside"},
+       parse_box<dim>},
       {"function",
        "function (the zero set of an expression)",
        declare_level_set,

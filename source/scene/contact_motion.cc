@@ -53,7 +53,14 @@ namespace signorini
   {
     const ContactMotion motion = in.choice<ContactMotion>("Motion");
     if (motion == ContactMotion::linearised)
-      return motion;
+      {
+        for (const NamedObstacle<dim> &obstacle : scene.obstacles)
+          if (obstacle.motion)
+            in.fail("Motion",
+                    "linearised contact does not know that the obstacle '" + obstacle.name
+                      + "' moves. Set `Motion = follow`, or let the obstacle rest.");
+        return motion;
+      }
     const std::string head = name_of(motion) + std::string(" ");
     if (!scheme_info(scene.time.scheme).moving_contact)
       in.fail(
@@ -79,9 +86,10 @@ namespace signorini
                   + "` are two bodies. Remove the pair" + or_linearised);
     if (scene.time.start == StartKind::equilibrium)
       for (const PairDescription &pair : scene.pairs)
-        if (!scene.obstacles[pair.obstacle].shape->is_flat())
+        if (!scene.obstacles[pair.obstacle].shape->is_flat()
+            || scene.obstacles[pair.obstacle].motion)
           in.fail("Motion",
-                  head + "finds no equilibrium to start from at curved obstacles, as in `"
+                  head + "finds no equilibrium to start from at curved or moving obstacles, as in `"
                     + pair.name + "`. Set `Time/Start = given`" + or_linearised);
     check_friction(in, scene);
     return motion;

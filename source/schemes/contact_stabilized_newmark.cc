@@ -41,7 +41,8 @@ namespace signorini
     const double dirichlet_work  = -(dirichlet_part(system, mass_c) * change_by_rule) / tau;
 
     report.corrector      = solution.effort;
-    report.work_contact   = r * d;
+    report.work_obstacles = obstacle_work(system, r);
+    report.work_contact   = r * d - report.work_obstacles;
     report.work_predictor = projection_work - dirichlet_work;
     report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
     add_support_force(system, weight, solution.dirichlet_reaction, report);
@@ -49,9 +50,11 @@ namespace signorini
     Vector         velocity_change = change_by_rule;
     FrictionOfStep friction        = friction_of_step(state.friction, solution, weight, r);
     report.work_friction           = friction.work;
+    report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     if (stop_sticking_nodes && friction.state.any())
       {
-        const ActiveSet sticking = staying_nodes(system, gap, solution, false, true);
+        const ActiveSet sticking =
+          staying_nodes(system, gaps_at_start(system, gap), solution, false, true);
         report.work_friction +=
           stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
       }

@@ -53,14 +53,18 @@ namespace signorini
     const Vector dirichlet_force = dirichlet_part(system, mass_c);
     const double projection_work = (mass_c * p - 0.5 * (mass_c * c)) / (tau * tau);
     const double dirichlet_work  = dirichlet_force * p / (tau * tau);
+    const double work_of_obstacles =
+      (obstacle_work(system, mass_c) - obstacle_work(system, dirichlet_force)) / (tau * tau);
 
     const double weight = rule.reaction_weight(tau);
     Vector       r      = solution.contact_reaction;
     r *= weight;
     report.predictor      = motion.predictor.effort;
     report.corrector      = solution.effort;
-    report.work_contact   = r * d;
-    report.work_predictor = projection_work - dirichlet_work;
+    report.work_obstacles = obstacle_work(system, r);
+    report.work_contact   = r * d - report.work_obstacles;
+    report.work_predictor = projection_work - dirichlet_work - work_of_obstacles;
+    report.work_obstacles += work_of_obstacles;
     report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
     add_support_force(system, weight, solution.dirichlet_reaction, report);
     add_support_force(system, 1. / (tau * tau), dirichlet_force, report);
@@ -74,12 +78,14 @@ namespace signorini
 
     // A neighbour that p stops pulls p of a held node below its gap, and leaves v_new.nu =
     // -p.nu/tau there.
-    const ActiveSet held = staying_nodes(system, gap, solution, true, stop_sticking_nodes);
+    const ActiveSet held =
+      staying_nodes(system, gaps_at_start(system, gap), solution, true, stop_sticking_nodes);
     report.work_predictor +=
       stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
     report.work_friction    = friction.work;
+    report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     State end =
       end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
     rule.book_dissipation(system, state, end, d, report);

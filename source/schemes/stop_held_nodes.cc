@@ -38,17 +38,24 @@ namespace signorini
   {
     Vector new_velocity = velocity, correction, impulses;
     new_velocity += velocity_change;
+    Vector relative_velocity = new_velocity;
+    if (const Vector *motion = obstacle_motion(system))
+      relative_velocity.add(-1. / step_size, *motion);
     const SolveReport effort = system.capabilities().projections->stop_relative_motion(
-      new_velocity, held, correction, impulses);
+      relative_velocity, held, correction, impulses);
     if (effort.n_active == 0)
       return 0.;
     const Vector dirichlet      = dirichlet_part(system, impulses);
     const double work_dirichlet = dirichlet * new_velocity;
-    const double work = impulses * new_velocity + 0.5 * (impulses * correction) - work_dirichlet;
+    const double work_obstacles =
+      (obstacle_work(system, impulses) - obstacle_work(system, dirichlet)) / step_size;
+    const double work =
+      impulses * new_velocity + 0.5 * (impulses * correction) - work_dirichlet - work_obstacles;
 
     velocity_change += correction;
     contact_force.add(1. / step_size, impulses, -1. / step_size, dirichlet);
     report.work_dirichlet += work_dirichlet;
+    report.work_obstacles += work_obstacles;
     add_support_force(system, 1. / step_size, dirichlet, report);
     report.predictor.linear_iterations += effort.linear_iterations;
     return work;

@@ -83,12 +83,14 @@ namespace signorini
 
     StepReport report;
     report.corrector      = solution.effort;
-    report.work_contact   = r * d;
+    report.work_obstacles = obstacle_work(system, r);
+    report.work_contact   = r * d - report.work_obstacles;
     report.work_dirichlet = dirichlet_work(solution, tau);
     add_support_force(system, reaction_weight(tau), solution.dirichlet_reaction, report);
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, reaction_weight(tau), r);
     report.work_friction    = friction.work;
+    report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
 
     Vector free_increment = state.velocity;
     free_increment *= tau;

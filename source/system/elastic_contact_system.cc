@@ -210,11 +210,23 @@ namespace signorini
     expect_contact(increment, problem.bounds);
 
     Friction friction_of_nodes;
+    Vector   drag;
     if (friction.any())
-      friction_of_nodes = friction.of_step(problem.force_factor,
-                                           problem.bounds,
-                                           touching_distance(discretization.mesh().body_size()),
-                                           problem.further_reaction);
+      {
+        friction_of_nodes = friction.of_step(problem.force_factor,
+                                             gaps_at_start(*this, problem.bounds),
+                                             touching_distance(discretization.mesh().body_size()),
+                                             problem.further_reaction);
+        if (step_contact)
+          drag = step_contact->drag();
+      }
+    if (drag.size() > 0) // from now on tangential entries are slip
+      {
+        increment -= drag;
+        Vector product = drag;
+        matrix.product->vmult(product, drag);
+        right_hand_side -= product;
+      }
 
     const std::vector<double> prescribed = prescribed_increments(problem.start, problem.step_size);
     Vector                    residual   = discretization.make_vector();
@@ -232,7 +244,7 @@ namespace signorini
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.effort.add(solution.effort);
 
-    extract(friction_of_nodes, residual, problem.further_reaction != nullptr, solution);
+    extract(friction_of_nodes, residual, problem.further_reaction != nullptr, drag, solution);
     coordinates.force_to_cartesian(residual);
     matrix.forecast.remember(problem.right_hand_side, increment, residual);
   }
@@ -268,7 +280,7 @@ namespace signorini
     active             = found.status;
     solution.increment = found.increment;
     solution.effort    = found.effort;
-    extract(laws, found.residual, false, solution);
+    extract(laws, found.residual, false, {}, solution);
   }
 
 
@@ -276,6 +288,7 @@ namespace signorini
   void ElasticContactSystem<dim>::extract(const Friction    &friction_of_nodes,
                                           const Vector      &residual,
                                           const bool         pressed_from_elsewhere,
+                                          const Vector      &drag,
                                           IncrementSolution &solution) const
   {
     solution.contact_reaction = coordinates.normal_reaction(active, residual);
@@ -295,6 +308,8 @@ namespace signorini
                          solution);
         coordinates.force_to_cartesian(solution.friction_reaction);
       }
+    if (drag.size() > 0)
+      solution.increment += drag;
 
     coordinates.displacement_to_cartesian(solution.increment);
     coordinates.force_to_cartesian(solution.contact_reaction);

@@ -33,8 +33,9 @@ namespace signorini
   template <int dim>
   void StepContact<dim>::begin_step(const State &start, const double step_size)
   {
-    geometry.begin_step(start.displacement, expected_increment(start, step_size));
-    coordinates.follow_frames();
+    geometry.begin_step(
+      start.displacement, expected_increment(start, step_size), start.time, start.time + step_size);
+    take_over_geometry();
     is_repetition = false;
   }
 
@@ -76,8 +77,39 @@ namespace signorini
   void StepContact<dim>::follow(const Vector &increment)
   {
     geometry.follow(increment);
-    coordinates.follow_frames();
+    take_over_geometry();
     is_repetition = true;
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::take_over_geometry()
+  {
+    coordinates.follow_frames();
+    if (geometry.obstacles_move())
+      motion_of_obstacles = geometry.obstacle_motion();
+  }
+
+
+  template <int dim>
+  const Vector *StepContact<dim>::obstacle_motion() const
+  {
+    return geometry.obstacles_move() ? &motion_of_obstacles : nullptr;
+  }
+
+
+  template <int dim>
+  Vector StepContact<dim>::drag() const
+  {
+    if (!geometry.obstacles_move())
+      return {};
+    Vector all = motion_of_obstacles, result;
+    coordinates.displacement_to_contact(all);
+    result.reinit(all);
+    for (const auto &of_node : coordinates.tangential_entries())
+      for (const unsigned int i : of_node)
+        result.local_element(i) = all.local_element(i);
+    return result;
   }
 
 

@@ -38,6 +38,12 @@ namespace signorini
     /** Contact with obstacles, as far as it does not change in time. */
     const ObstacleContact<dim> &at_obstacles() const { return obstacle_contact; }
 
+    /** See ObstacleContact::move_obstacles(). */
+    void move_obstacles(const double start, const double end)
+    {
+      obstacle_contact.move_obstacles(start, end);
+    }
+
     /** The geometry of a node at an obstacle from now on; see FollowedContact. */
     void set_geometry(const std::size_t k, const ContactNode<dim> &node)
     {

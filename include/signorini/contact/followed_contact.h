@@ -31,9 +31,10 @@ namespace signorini
 
     /**
      * Look what every node faces at the start of a step.
-     * @param expected increment of the step
+     * @param expected   increment of the step
+     * @param start, end times of the step
      */
-    void begin_step(const Vector &displacement, const Vector &expected);
+    void begin_step(const Vector &displacement, const Vector &expected, double start, double end);
 
     /** The conditions of the same step with the normals of this motion. */
     void follow(const Vector &increment);
@@ -45,6 +46,12 @@ namespace signorini
      * @param matters per contact node
      */
     double mismatch(const Vector &increment, const std::vector<bool> &matters) const;
+
+    /** The motion of the obstacles at the contact nodes in the step, zero elsewhere. */
+    Vector obstacle_motion() const;
+
+    /** Whether any obstacle moves. */
+    bool obstacles_move() const { return some_move; }
 
     /** Length: 1e-12 of the bodies, and the round-off of coordinates. */
     double tolerance() const { return accepted; }
@@ -64,6 +71,7 @@ namespace signorini
     ContactSurface<dim>            &surface;
     const ObstacleContact<dim>     &at_obstacles;
     std::vector<Node>               nodes; ///< in the order of the surface
+    bool                            some_move  = false;
     double                          accepted   = 0.;
     unsigned int                    n_followed = 0; ///< motions of this step
 

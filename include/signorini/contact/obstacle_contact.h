@@ -7,7 +7,7 @@
 #include <signorini/base/complaints.h>
 #include <signorini/contact/contact_node.h>
 #include <signorini/discretization/dirichlet_conditions.h>
-#include <signorini/obstacles/rigid_obstacle.h>
+#include <signorini/obstacles/moved_obstacle.h>
 
 #include <map>
 #include <optional>
@@ -67,11 +67,14 @@ namespace signorini
     /** All owned nodes of the surfaces of pairs with obstacles. */
     const std::map<unsigned int, SurfaceNode> &surface() const { return surface_nodes; }
 
-    /** The obstacle of a pair. */
-    const RigidObstacle<dim> &obstacle(const unsigned int pair) const
+    /** The obstacle of a pair, where it is now. */
+    const MovedObstacle<dim> &obstacle(const unsigned int pair) const
     {
-      return *obstacles[pairs[pair].obstacle].shape;
+      return moved[pairs[pair].obstacle];
     }
+
+    /** Obstacles move from where they are at one time to where they are at another. */
+    void move_obstacles(double start, double end);
 
     /** Where a node is. */
     dealii::Point<dim> displaced(unsigned int node, const Vector &displacement) const;
@@ -97,6 +100,7 @@ namespace signorini
     const Discretization<dim>            &discretization;
     const std::vector<PairDescription>    pairs;
     const std::vector<NamedObstacle<dim>> obstacles;
+    std::vector<MovedObstacle<dim>>       moved; ///< the obstacles
     const ContactMotion                   motion;
     std::vector<ContactNode<dim>>         contact_nodes;
     std::map<unsigned int, SurfaceNode>   surface_nodes;

@@ -28,7 +28,7 @@ namespace signorini
     double friction  = 0.;
     double damping   = 0.; ///< viscous, of the bodies
     double scheme    = 0.; ///< by the rule of integration itself: numerical dissipation
-    double external  = 0.; ///< work of prescribed nodes, and change of the loads in time:
+    double external  = 0.; ///< work of prescribed nodes and moving obstacles, and change of loads:
                            ///< -(f_new - f)'(u + u_new)/2
     double transfer = 0.;  ///< change by a new mesh
     double residual = 0.;

@@ -49,7 +49,11 @@ namespace signorini
   {
     dealii::Tensor<1, dim> normal; ///< unit vector towards the obstacle
     double                 bound;  ///< length
-    double                 gap_per_slack = 1.;
+    double                 gap_per_slack   = 1.;
+    dealii::Tensor<1, dim> obstacle_motion = {}; ///< of its surface at the point, in the same time
+
+    /** Of the point at the start of the motion, in the units of the bound. */
+    double gap_before() const { return bound - normal * obstacle_motion; }
 
     /** What the condition takes for the gap at the end of a motion. */
     double gap_after(const dealii::Tensor<1, dim> &motion) const
@@ -58,7 +62,10 @@ namespace signorini
     }
   };
 
-  /** A rigid, fixed obstacle, known by the closest point of its surface. */
+  template <int dim>
+  class ObstacleMotion;
+
+  /** A rigid obstacle, known by the closest point of its surface. */
   template <int dim>
   class RigidObstacle
   {
@@ -78,8 +85,11 @@ namespace signorini
     /** Whether projections may be past an end. */
     virtual bool has_end() const { return false; }
 
-    /** Whether all normals are the same. */
+    /** Whether all normals are the same, at all times. */
     virtual bool is_flat() const { return false; }
+
+    /** Whether it does not move. */
+    virtual bool is_at_rest() const { return true; }
 
     /**
      * The condition whose normal is the discrete gradient of the gap over a motion,
@@ -103,8 +113,9 @@ namespace signorini
   template <int dim>
   struct NamedObstacle
   {
-    std::string                               name;
-    std::shared_ptr<const RigidObstacle<dim>> shape;
+    std::string                                name;
+    std::shared_ptr<const RigidObstacle<dim>>  shape;            ///< at time 0, before any motion
+    std::shared_ptr<const ObstacleMotion<dim>> motion = nullptr; ///< null: it stays there
   };
 } // namespace signorini
 

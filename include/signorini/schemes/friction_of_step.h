@@ -13,7 +13,7 @@ namespace signorini
   struct FrictionOfStep
   {
     FrictionState state;     ///< at the end of the step; empty without friction
-    double        work = 0.; ///< of its force on the increment
+    double        work = 0.; ///< of its force on the slip
   };
 
   /**
@@ -26,6 +26,13 @@ namespace signorini
                                   const IncrementSolution &solution,
                                   double                   factor,
                                   Vector                  &contact_force);
+
+  /** What moving obstacles do by the friction of a step, whose own work is that on the slip. */
+  inline double work_of_obstacles_by_friction(DynamicalSystem     &system,
+                                              const FrictionState &friction)
+  {
+    return friction.any() ? obstacle_work(system, friction.force) : 0.;
+  }
 } // namespace signorini
 
 #endif

@@ -26,6 +26,7 @@ namespace signorini
    * @param velocity_change of the step, corrected
    * @param contact_force   gets the impulses over the step size
    * @param report          gets the effort (with the predictor), and the work at prescribed nodes
+   *                        and of obstacles
    * @return the change of energy, <= 0
    */
   double stop_held_nodes(DynamicalSystem &system,

@@ -159,11 +159,14 @@ namespace signorini
 
     /**
      * The reactions of a problem whose statuses are `active`, and the increment, in Cartesian
-     * components. @param solution with the increment in contact coordinates
+     * components.
+     * @param drag     what the increment is to get besides slip; empty: nothing
+     * @param solution with the increment in contact coordinates
      */
     void extract(const Friction    &friction_of_nodes,
                  const Vector      &residual,
                  bool               pressed_from_elsewhere,
+                 const Vector      &drag,
                  IncrementSolution &solution) const;
 
     /**

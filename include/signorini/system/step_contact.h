@@ -35,6 +35,13 @@ namespace signorini
     void                      follow(const Vector &increment) override;
     double                    mismatch(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
+    const Vector             *obstacle_motion() const override;
+
+    /**
+     * The motion of the obstacles along the tangents on which friction acts, in contact
+     * coordinates: what increments have beyond the slip. Empty where nothing moves.
+     */
+    Vector drag() const;
 
     /** Whether the next problem is that of the latest one with other normals. */
     bool repeats() const { return is_repetition; }
@@ -45,6 +52,7 @@ namespace signorini
     FollowedContact<dim>                     geometry;
     const std::function<std::vector<bool>()> held;
     bool                                     is_repetition = false;
+    Vector                                   motion_of_obstacles;
 
     /** Where the contact nodes were when the latest steps began, latest first. */
     struct Moment
@@ -55,6 +63,7 @@ namespace signorini
     std::deque<Moment> moments;
 
     Vector expected_increment(const State &start, double step_size);
+    void   take_over_geometry();
   };
 } // namespace signorini
 

@@ -215,6 +215,12 @@ namespace signorini
 
     /** Entries (owned, local) of increments on which normals depend. */
     virtual std::vector<unsigned int> entries() const = 0;
+
+    /**
+     * The motion of what the contact nodes face, in the step: an increment for each contact node,
+     * zero elsewhere. Null where nothing moves by itself.
+     */
+    virtual const Vector *obstacle_motion() const = 0;
   };
 
 
@@ -291,6 +297,36 @@ namespace signorini
   {
     const MasslessNodes *nodes = system.capabilities().massless_nodes;
     return nodes != nullptr ? nodes->massless_entries() : std::vector<unsigned int>();
+  }
+
+  /** The motion of obstacles in the step; null if none moves. */
+  inline const Vector *obstacle_motion(DynamicalSystem &system)
+  {
+    const MovingContact *contact = system.capabilities().moving_contact;
+    return contact != nullptr ? contact->obstacle_motion() : nullptr;
+  }
+
+  /** What moving obstacles do in the step by forces with which they act on the bodies. */
+  inline double obstacle_work(DynamicalSystem &system, const Vector &forces)
+  {
+    const Vector *motion = obstacle_motion(system);
+    return motion != nullptr ? forces * *motion : 0.;
+  }
+
+  /**
+   * The gaps of the start of a step from the bounds of the step, which know the motion of
+   * obstacles, too.
+   */
+  inline NormalGap gaps_at_start(DynamicalSystem &system, const NormalGap &bounds)
+  {
+    NormalGap gaps = bounds;
+    if (const Vector *motion = obstacle_motion(system))
+      {
+        const NormalGap moved = system.relative_normal(*motion);
+        for (std::size_t k = 0; k < gaps.size(); ++k)
+          gaps[k] -= moved[k];
+      }
+    return gaps;
   }
 
   /** The part of nodal forces in prescribed directions; zero in a system that has none. */

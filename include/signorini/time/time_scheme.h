@@ -22,6 +22,7 @@ namespace signorini
     double      work_predictor = 0.; ///< change of energy by the projection of the predictor
     double      work_friction  = 0.; ///< change of energy by friction
     double      work_dirichlet = 0.; ///< work of the reactions at prescribed displacements
+    double      work_obstacles = 0.; ///< work of moving obstacles
     double      work_damping   = 0.; ///< change of energy by viscous damping
     double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
     /**

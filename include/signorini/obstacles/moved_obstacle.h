@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_obstacles_moved_obstacle_h
+#define signorini_obstacles_moved_obstacle_h
+
+#include <signorini/obstacles/obstacle_motion.h>
+#include <signorini/obstacles/rigid_obstacle.h>
+
+namespace signorini
+{
+  /**
+   * An obstacle that moves, in a step: it is where it is at the end of the step, and conditions
+   * compare with where it was at the start.
+   */
+  template <int dim>
+  class MovedObstacle : public RigidObstacle<dim>
+  {
+  public:
+    /** At time 0. */
+    MovedObstacle(const NamedObstacle<dim> &obstacle);
+
+    /** A step from one time to another; both may be the same. */
+    void move(double start, double end);
+
+    ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override
+    {
+      return turned(shape->project(after.back(p)), after);
+    }
+    /** At the start of the step. */
+    ObstacleProjection<dim> project_before(const dealii::Point<dim> &p) const
+    {
+      return turned(shape->project(before.back(p)), before);
+    }
+    std::optional<ObstacleProjection<dim>> try_project(const dealii::Point<dim> &p) const override;
+
+    bool has_end() const override { return shape->has_end(); }
+    bool is_flat() const override { return shape->is_flat() && !(motion && motion->turns()); }
+    bool is_at_rest() const override { return motion == nullptr; }
+
+    /**
+     * That of the motion relative to the obstacle, in which it is at rest. With mean places of both
+     * at the middle, x1 - x0 = R_m (X1 - X0) + s, R_m the mean rotation and s the motion of the
+     * obstacle at the mean of X0 and X1.
+     */
+    MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
+                                             const dealii::Point<dim> &end) const override;
+
+  private:
+    std::shared_ptr<const RigidObstacle<dim>>  shape;
+    std::shared_ptr<const ObstacleMotion<dim>> motion; ///< null: at rest
+    ObstaclePlace<dim>                         before, after;
+
+    static ObstacleProjection<dim> turned(ObstacleProjection<dim>   way,
+                                          const ObstaclePlace<dim> &place)
+    {
+      way.normal = place.rotation * way.normal;
+      return way;
+    }
+  };
+} // namespace signorini
+
+#endif

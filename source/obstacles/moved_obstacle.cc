@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/obstacles/moved_obstacle.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  MovedObstacle<dim>::MovedObstacle(const NamedObstacle<dim> &obstacle)
+    : shape(obstacle.shape)
+    , motion(obstacle.motion)
+  {
+    before.rotation = after.rotation = Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    move(0., 0.);
+  }
+
+
+  template <int dim>
+  void MovedObstacle<dim>::move(const double start, const double end)
+  {
+    if (!motion)
+      return;
+    before = motion->place(start);
+    after  = motion->place(end);
+  }
+
+
+  template <int dim>
+  std::optional<ObstacleProjection<dim>> MovedObstacle<dim>::try_project(const Point<dim> &p) const
+  {
+    const auto way = shape->try_project(after.back(p));
+    return way ? std::optional(turned(*way, after)) : std::nullopt;
+  }
+
+
+  template <int dim>
+  MotionCondition<dim> MovedObstacle<dim>::condition_of_motion(const Point<dim> &start,
+                                                               const Point<dim> &end) const
+  {
+    if (!motion)
+      return shape->condition_of_motion(start, end);
+    const Point<dim>     first = before.back(start), second = after.back(end);
+    MotionCondition<dim> condition = shape->condition_of_motion(first, second);
+    const Point<dim>     middle    = first + 0.5 * (second - first);
+    condition.obstacle_motion      = after.forth(middle) - before.forth(middle);
+
+    const Tensor<2, dim> mean_rotation = 0.5 * (before.rotation + after.rotation);
+    const Tensor<1, dim> normal        = transpose(invert(mean_rotation)) * condition.normal;
+    const double         size          = normal.norm();
+    condition.normal                   = normal / size;
+    condition.bound = condition.bound / size + condition.normal * condition.obstacle_motion;
+    condition.gap_per_slack *= size;
+    return condition;
+  }
+
+
+  template class MovedObstacle<2>;
+  template class MovedObstacle<3>;
+} // namespace signorini

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/expressions.h>
+#include <signorini/base/user_error.h>
+#include <signorini/obstacles/obstacle_motion.h>
+
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+
+#include <cmath>
+#include <sstream>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  template <int dim>
+  ObstacleMotion<dim>::ObstacleMotion(const std::string &name, const Description &description)
+    : name(name)
+    , centre(description.centre)
+    , axis(description.axis)
+    , moves_by_rate(is_given(description.velocity))
+    , rotates(!description.angular_velocity.empty() && description.angular_velocity != "0")
+    , translation(
+        make_function<dim, dim>(moves_by_rate ? description.velocity : description.displacement))
+    , angular_velocity(make_function<dim, 1>({{description.angular_velocity}}))
+  {
+  }
+
+
+  template <int dim>
+  ObstaclePlace<dim> ObstacleMotion<dim>::place(const double time) const
+  {
+    ObstaclePlace<dim> result{centre, {}, rotation(0.)};
+    for (unsigned int c = 0; c < dim; ++c)
+      result.displacement[c] =
+        moves_by_rate ? integral(*translation, time, c) : value(*translation, time, c);
+    if (rotates)
+      result.rotation = rotation(integral(*angular_velocity, time, 0));
+    return result;
+  }
+
+
+  template <int dim>
+  double ObstacleMotion<dim>::value(Function          &function,
+                                    const double       time,
+                                    const unsigned int component) const
+  {
+    function.set_time(time);
+    const double result = function.value(Point<dim>(), component);
+    if (!std::isfinite(result))
+      {
+        std::ostringstream message;
+        message << "The motion of the obstacle '" << name << "' is not a finite number at time "
+                << time << ". Check `Motion`, `Velocity` and `Angular velocity` in Obstacles/"
+                << name << ".";
+        throw RunError(message.str());
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  double ObstacleMotion<dim>::integral(Function          &function,
+                                       const double       time,
+                                       const unsigned int component) const
+  {
+    if (time == 0.)
+      return 0.;
+    // Adaptive; a constant and all polynomials that one may think of are exact at once.
+    return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
+      [&](const double t) { return value(function, t, component); }, 0., time, 12, 1e-13);
+  }
+
+
+  template <int dim>
+  Tensor<2, dim> ObstacleMotion<dim>::rotation(const double angle) const
+  {
+    const double   c = std::cos(angle), s = std::sin(angle);
+    Tensor<2, dim> result;
+    if constexpr (dim == 2)
+      {
+        result[0][0] = result[1][1] = c;
+        result[1][0]                = s;
+        result[0][1]                = -s;
+      }
+    else
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            const unsigned int k    = 3 - i - j; // the third one, if i and j differ
+            const double       turn = i == j ? 0. : ((j + 1) % 3 == i ? axis[k] : -axis[k]);
+            result[i][j]            = (i == j ? c : 0.) + (1. - c) * axis[i] * axis[j] + s * turn;
+          }
+    return result;
+  }
+
+
+  template struct ObstaclePlace<2>;
+  template struct ObstaclePlace<3>;
+  template class ObstacleMotion<2>;
+  template class ObstacleMotion<3>;
+} // namespace signorini

@@ -1,0 +1,398 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Contact that follows the motion (`Contact/Motion = follow`) does what rigid bodies do where they
+are stiff and small: they slide along a bowl with the speed, the force and the period of a mass
+point, fly past what they do not touch, and fall off a table. Nodes end steps outside of the true
+obstacle, and the ledger holds as it does with fixed normals.
+"""
+
+import math
+
+import check_history
+
+#: Radius of the bowl and half the width of the block in it. Its strains are linear: what a turn by
+#: an angle makes of it is an error of second order in the angle and first order in its size.
+RADIUS, HALF = 1.0, 0.001
+#: Of energies, relative to that of the motion: round-off of positions that are 1000 times the size.
+ACCURACY = 1e-9
+
+BOWL = """
+set Dimension = 2
+subsection Time
+  set Scheme          = {scheme}
+  set Spectral radius = 1
+  set Step size       = {step}
+  set End time        = {end}
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = -{half}, {bottom!r}
+    set Upper corner     = {half}, {top!r}
+    set Repetitions      = 2, 1
+    set Young's modulus  = 10
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = -{speed!r}*y; {speed!r}*x
+    set Body force       = 0; -{gravity}
+  end
+end
+subsection Obstacles
+  set Names = bowl
+  subsection bowl
+    set Shape         = sphere
+    set Bodies inside = true
+  end
+end
+subsection Contact
+  set Pairs  = block : bowl
+  set Motion = follow
+end
+"""
+
+FLIGHT = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.01
+  set End time  = 3
+end
+subsection Bodies
+  set Names = disc
+  subsection disc
+    set Shape            = ball
+    set Centre           = -1.5, 2.1
+    set Radius           = 1
+    set Refinements      = 3
+    set Young's modulus  = 100
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 1; 0
+  end
+end
+subsection Obstacles
+  set Names = circle
+  subsection circle
+    set Shape = sphere
+  end
+end
+subsection Contact
+  set Pairs  = disc : circle
+  set Motion = {motion}
+end
+"""
+
+TABLE = """
+set Dimension = 2
+subsection Time
+  set Start     = equilibrium
+  set Step size = 0.005
+  set End time  = 1.6
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = -2.2, 1
+    set Upper corner     = -2, 1.1
+    set Repetitions      = 8, 4
+    set Young's modulus  = 1e4
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 20; 0
+    set Body force       = 0; -1
+  end
+end
+subsection Obstacles
+  set Names = table, floor
+  subsection table
+    set Point  = -2, 1
+    set Normal = 0, 1
+    set Extent = 4
+  end
+  subsection floor
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs  = block : table, block : floor
+  set Motion = follow
+end
+"""
+
+PUNCH = """
+set Dimension = 2
+subsection Time
+  set Scheme    = {scheme}
+  set Step size = 0.01
+  set End time  = 4
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape           = box
+    set Lower corner    = -1, -1
+    set Upper corner    = 1, 0
+    set Repetitions     = 16, 8
+    set Young's modulus = 100
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Dirichlet       = 2: 0; 0
+  end
+end
+subsection Obstacles
+  set Names = punch
+  subsection punch
+    set Shape  = sphere
+    set Centre = 0.1, 0.51
+    set Radius = 0.5
+    set {motion}
+  end
+end
+subsection Contact
+  set Pairs  = block : punch
+  set Motion = follow
+  subsection block : punch
+    set Friction coefficient = {friction}
+  end
+end
+"""
+
+ROLLERS = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.01
+  set End time  = 3
+end
+subsection Bodies
+  set Names = strip
+  subsection strip
+    set Shape           = box
+    set Lower corner    = -2.5, -0.1
+    set Upper corner    = 0.5, 0.1
+    set Repetitions     = 60, 4
+    set Young's modulus = 1000
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Damping         = 0, 0.002
+  end
+end
+subsection Obstacles
+  set Names = above, below
+  subsection above
+    set Shape            = sphere
+    set Centre           = 0, 0.61
+    set Radius           = 0.5
+    set Motion           = 0; -0.013*sin(pi/2*min(t,1))
+    set Rotation centre  = 0, 0.61
+    set Angular velocity = min(t,1)
+  end
+  subsection below
+    set Shape            = sphere
+    set Centre           = 0, -0.61
+    set Radius           = 0.5
+    set Motion           = 0; 0.013*sin(pi/2*min(t,1))
+    set Rotation centre  = 0, -0.61
+    set Angular velocity = -min(t,1)
+  end
+end
+subsection Contact
+  set Pairs  = strip : above, strip : below
+  set Motion = follow
+  subsection strip : above
+    set Friction coefficient = 0.5
+  end
+  subsection strip : below
+    set Friction coefficient = 0.5
+  end
+end
+"""
+
+
+def in_bowl(scheme, step, end, speed, gravity=0.0):
+    """A block whose lower corners are on the bowl, turning about its centre."""
+    bottom = -math.sqrt(RADIUS**2 - HALF**2)
+    return BOWL.format(
+        scheme=scheme,
+        step=step,
+        end=end,
+        speed=speed,
+        gravity=gravity,
+        half=HALF,
+        bottom=bottom,
+        top=bottom + HALF,
+    )
+
+
+#: Distance from the centre of the bowl to the centre of the block, and the mass of the block.
+ARM = math.sqrt(RADIUS**2 - HALF**2) - HALF / 2
+MASS = 2 * HALF * HALF
+
+
+def relative_change(history):
+    """Of the total energy, from the start to the end."""
+    return history["total_energy"][-1] / history["total_energy"][0] - 1
+
+
+class MovingContact(check_history.unittest.TestCase):
+    """See the beginning of the file."""
+
+    def expect_laws(self, run, largest_change):
+        """True gaps, a ledger that explains all, and no energy gained."""
+        history = run.history
+        energy = max(history["kinetic_energy"])
+        self.assertLess(max(history["max_penetration"]), 1e-10 * HALF)
+        self.assertLess(max(map(abs, history["energy_residual"])), ACCURACY * energy)
+        changes = [b - a for a, b in zip(history["total_energy"], history["total_energy"][1:])]
+        self.assertLess(max(changes), ACCURACY * energy)
+        self.assertLess(abs(relative_change(history)), largest_change)
+
+    def test_block_slides_in_a_bowl_as_a_mass_point(self):
+        """Angle V t/R and force m V^2/R. The scheme without predictor loses what the sudden start
+        of the force makes vibrate, 1e-10; the projected one takes from nodes in contact what their
+        velocity has of the next normal, a part that falls with the step. 1000 steps."""
+        speed, end = 0.3, 1.0
+        for scheme, change in (("contact-implicit", 4e-10), ("contact-stabilized-projected", 1e-5)):
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(in_bowl(scheme, 0.001, end, speed), f"bowl_{scheme}")
+                self.expect_laws(run, change)
+                history = run.history
+                angle = math.atan2(history["momentum_y"][-1], history["momentum_x"][-1])
+                self.assertAlmostEqual(angle / (speed * end), 1, delta=1e-3)
+                second_half = history["contact_force"][500:]
+                force = sum(second_half) / len(second_half)
+                self.assertAlmostEqual(force / (MASS * speed**2 * ARM), 1, delta=2e-3)
+
+    def test_predictor_without_projection_is_late_in_a_bowl(self):
+        """contact-stabilized keeps the approach velocity of nodes in contact, so that their mass
+        gets no centripetal impulse: dissipative, but with an angle that is too small, and the run
+        says so."""
+        run = check_history.Run(in_bowl("contact-stabilized", 0.004, 1.0, 0.3), "bowl_late")
+        angle = math.atan2(run.history["momentum_y"][-1], run.history["momentum_x"][-1])
+        self.assertLess(angle, 0.9 * 0.3)
+        self.assertIn("contact-stabilized-projected", run.log)
+
+    def test_pendulum_of_large_amplitude_has_its_period(self):
+        """2 pi sqrt(r/g) / agm(1, cos(amplitude/2)): from zeros of the momentum at a quarter and
+        three quarters of the period."""
+        amplitude, gravity = 0.6, 1.0
+        a, b = 1.0, math.cos(amplitude / 2)
+        for _ in range(10):
+            a, b = (a + b) / 2, math.sqrt(a * b)
+        period = 2 * math.pi * math.sqrt(ARM / gravity) / a
+        speed = 2 * math.sin(amplitude / 2) * math.sqrt(gravity / ARM)
+        step = period / 800
+        run = check_history.Run(
+            in_bowl("contact-stabilized-projected", step, 0.8 * period, speed, gravity), "pendulum"
+        )
+        self.expect_laws(run, 2e-3)
+        time, momentum = run.history["time"], run.history["momentum_x"]
+        zeros = [
+            t + (after_t - t) * p / (p - after_p)
+            for t, after_t, p, after_p in zip(time, time[1:], momentum, momentum[1:])
+            if p * after_p < 0
+        ]
+        self.assertEqual(len(zeros), 2)
+        self.assertAlmostEqual(2 * (zeros[1] - zeros[0]) / period, 1, delta=1e-3)
+
+    def test_disc_flies_past_a_circle(self):
+        """With a clearance of 0.1. The tangent planes of the start, which reach as far as one
+        likes, are in its way."""
+        run = check_history.Run(FLIGHT.format(motion="follow"), "flight")
+        self.assertEqual(max(run.history["contact_force"]), 0)
+        self.assertLess(abs(relative_change(run.history)), 1e-10)
+        linearised = check_history.Run(FLIGHT.format(motion="linearised"), "flight_linearised")
+        self.assertGreater(max(linearised.history["contact_force"]), 1)
+
+    def test_block_slides_off_a_table_and_lands_on_the_floor(self):
+        """It leaves the table with its last node after 0.11, when it has hardly begun to tip over
+        its edge, and lands sqrt(2) after its centre has passed the edge, within a few steps. It
+        is not braked."""
+        run = check_history.Run(TABLE, "table")
+        history, step = run.history, 0.005
+        touching = [force > 0 for force in history["contact_force"]]
+        lost = touching.index(False, 2)
+        landed = touching.index(True, lost)
+        self.assertAlmostEqual(history["time"][lost], 0.11, delta=1.01 * step)
+        # Half of the time between the centre and the last node at the edge is no flight.
+        self.assertAlmostEqual(
+            history["time"][landed] - history["time"][lost], math.sqrt(2), delta=2.01 * step
+        )
+        momentum = history["momentum_x"]
+        self.assertAlmostEqual(momentum[-1] / momentum[0], 1, delta=1e-8)
+        self.assertLess(max(history["max_penetration"]), 1e-11)
+
+    def test_work_of_a_punch_is_the_energy_that_it_brings(self):
+        """A round punch is pressed into a block while it moves aside, and withdrawn. Its work from
+        the table, force times motion, is the external work of the ledger, whatever the friction;
+        contact and friction take energy and give none. A velocity is the derivative of a motion."""
+        motions = ("Motion = 0.05*t; -0.1*sin(pi*t/4)", "Velocity = 0.05; -pi/40*cos(pi*t/4)")
+        for scheme, motion, friction in (
+            ("contact-stabilized-projected", motions[0], 0),
+            ("contact-stabilized-projected", motions[1], 0.3),
+            ("contact-implicit", motions[0], 0.3),
+        ):
+            with self.subTest(scheme=scheme, motion=motion, friction=friction):
+                scene = PUNCH.format(scheme=scheme, motion=motion, friction=friction)
+                history = check_history.Run(scene, "punch").history
+                energy = max(history["total_energy"])
+                places = [(0.05 * t, -0.1 * math.sin(math.pi * t / 4)) for t in history["time"]]
+                work = sum(
+                    fx * (there[0] - here[0]) + fy * (there[1] - here[1])
+                    for here, there, fx, fy in zip(
+                        places,
+                        places[1:],
+                        history["contact_force_x"][1:],
+                        history["contact_force_y"][1:],
+                    )
+                )
+                self.assertAlmostEqual(work, sum(history["work_external"]), delta=1e-11 * energy)
+                for column in ("work_contact", "work_predictor", "work_friction"):
+                    self.assertLess(max(history[column]), 1e-10 * energy, column)
+                self.assertEqual(min(history["work_friction"]) < 0, friction > 0)
+                self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+                self.assertLess(max(history["max_penetration"]), 1e-11)
+
+    def test_rollers_drag_a_strip(self):
+        """Two rollers close on a strip and begin to turn. With friction the strip goes at the speed
+        of their surfaces, 0.5, about which it vibrates, and does not slip."""
+        history = check_history.Run(ROLLERS, "rollers").history
+        momentum = history["momentum_x"][-100:]
+        self.assertAlmostEqual(sum(momentum) / len(momentum) / (3 * 0.2), 0.5, delta=0.005)
+        self.assertGreater(min(history["stick_nodes"][-100:]), 0)
+        self.assertEqual(max(history["slip_nodes"][-100:]), 0)
+        energy = max(history["total_energy"])
+        self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+
+    def test_flat_obstacles_cost_nothing(self):
+        """Where nothing turns the first solution of a step is the only one."""
+        products = []
+        for motion in ("follow", "linearised"):
+            run = check_history.Run(
+                check_history.scene_file("disc_2d"), f"disc_{motion}", [f"Contact/Motion={motion}"]
+            )
+            products.append(sum(run.history["linear_iterations"]))
+        self.assertLess(products[0], 1.02 * products[1])
+
+    def test_processes_agree(self):
+        """A box that bounces off a sphere, on one process and on two."""
+        runs = [
+            check_history.Run(
+                check_history.scene_file("box_on_sphere"),
+                f"sphere_{processes}",
+                ["Contact/Motion=follow", "Time/End time=0.2"],
+                processes,
+            )
+            for processes in (1, 2)
+        ]
+        for column in ("contact_force", "kinetic_energy", "elastic_energy"):
+            one, two = (run.history[column] for run in runs)
+            difference = max(abs(a - b) for a, b in zip(one, two))
+            self.assertLess(difference, 1e-8 * max(one))
+        self.assertLess(max(runs[0].history["max_penetration"]), 1e-10)
+
+
+if __name__ == "__main__":
+    check_history.main()
