@@ -40,7 +40,7 @@ namespace signorini
         }
     if (bodies_inside)
       return {-highest, out};
-    if (const double distance = away.norm(); distance > highest) // beside an edge
+    if (const double distance = away.norm(); highest > 0. && distance > highest) // beside an edge
       return {distance, -1. / distance * away};
     return {highest, -out};
   }

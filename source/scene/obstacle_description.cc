@@ -87,9 +87,14 @@ namespace signorini
       check_expression<dim>(
         in, "Angular velocity", motion.angular_velocity, {dealii::Point<dim>()}, "t");
       const bool turns = constant_value(motion.angular_velocity) != 0.;
-      for (const char *key : {"Rotation centre", "Rotation axis"})
-        if (!turns && (dim == 3 || key == std::string("Rotation centre")) && in.given(key))
-          in.fail(key, "has no effect without `Angular velocity`. Give that, or remove this key.");
+      if (!turns)
+        {
+          dealii::ParameterHandler declared;
+          declare_obstacle_motion<dim>(declared);
+          for (const char *key : {"Rotation centre", "Rotation axis"})
+            if (dim == 3 || key != std::string("Rotation axis"))
+              refuse_without_effect(in, key, declared, "obstacles that turn", "Angular velocity");
+        }
       motion.centre = in.point<dim>("Rotation centre");
       if constexpr (dim == 3)
         {
