@@ -5,6 +5,7 @@
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/contact/contact_frame.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -26,7 +27,7 @@ namespace signorini
       identity[dim * c + c] = 1.;
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
-        normals.push_back(dim * node.node);
+        normals.push_back(node.entry());
         frames[node.node] = node.frame;
       }
     for (const auto &[node, components] : dirichlet.nodes())
@@ -41,10 +42,23 @@ namespace signorini
                 {components[c], discretization.node_positions()[node], c, frame[dim * row[c] + c]});
             }
       }
-    const std::set<unsigned int> held(prescribed.begin(), prescribed.end());
+    find_tangential_entries();
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::find_tangential_entries()
+  {
+    std::set<unsigned int> held(prescribed.begin(), prescribed.end());
+    for (const ContactNode<dim> &node : owned_contact_nodes)
+      if (node.row > 0 && node.is_bounded())
+        held.insert(node.entry());
+    tangential.clear();
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         tangential.emplace_back();
+        if (node.row > 0)
+          continue;
         for (unsigned int entry = dim * node.node + 1; entry < dim * (node.node + 1); ++entry)
           if (node.friction.any() && held.count(entry) == 0)
             tangential.back().push_back(entry);
@@ -66,6 +80,7 @@ namespace signorini
                dealii::ExcMessage("A prescribed direction stays in its row of the frame."));
         source.direction = frame[dim * row + source.component];
       }
+    find_tangential_entries();
     ++turns;
   }
 
@@ -75,7 +90,8 @@ namespace signorini
   {
     std::vector<unsigned int> nodes;
     for (const ContactNode<dim> &node : owned_contact_nodes)
-      nodes.push_back(node.node);
+      if (node.row == 0)
+        nodes.push_back(node.node);
     return nodes;
   }
 
@@ -99,7 +115,7 @@ namespace signorini
   template <int dim>
   void ContactCoordinates<dim>::force_to_contact(Vector &vector) const
   {
-    rotate_to_frames(vector);
+    force_to_frames(vector);
     add_to_partners(vector, 1.);
   }
 
@@ -108,7 +124,7 @@ namespace signorini
   void ContactCoordinates<dim>::force_to_cartesian(Vector &vector) const
   {
     add_to_partners(vector, -1.);
-    rotate_from_frames(vector);
+    force_from_frames(vector);
   }
 
 
@@ -135,37 +151,74 @@ namespace signorini
   }
 
 
+  namespace
+  {
+    /** The components of a node along the rows of a frame. */
+    template <int dim>
+    void to_rows(const std::array<double, dim * dim> &frame, double *u)
+    {
+      std::array<double, dim> w{};
+      for (unsigned int row = 0; row < dim; ++row)
+        for (unsigned int c = 0; c < dim; ++c)
+          w[row] += frame[dim * row + c] * u[c];
+      std::copy(w.begin(), w.end(), u);
+    }
+
+
+    /** The sum of the rows of a frame times the components of a node. */
+    template <int dim>
+    void from_rows(const std::array<double, dim * dim> &frame, double *w)
+    {
+      std::array<double, dim> u{};
+      for (unsigned int row = 0; row < dim; ++row)
+        for (unsigned int c = 0; c < dim; ++c)
+          u[c] += frame[dim * row + c] * w[row];
+      std::copy(u.begin(), u.end(), w);
+    }
+  } // namespace
+
+
   template <int dim>
-  void ContactCoordinates<dim>::rotate_to_frames(Vector &vector) const
+  template <typename Turn>
+  void ContactCoordinates<dim>::for_each_node(Vector &vector, const Turn &turn) const
   {
     AssertDimension(vector.locally_owned_size(), n_owned_entries);
     for (const ContactNode<dim> &node : owned_contact_nodes)
-      {
-        std::array<double, dim> w{};
-        double                 *u = vector.begin() + dim * node.node;
-        for (unsigned int row = 0; row < dim; ++row)
-          for (unsigned int c = 0; c < dim; ++c)
-            w[row] += node.frame[dim * row + c] * u[c];
-        for (unsigned int c = 0; c < dim; ++c)
-          u[c] = w[c];
-      }
+      if (node.row == 0)
+        turn(node, vector.begin() + dim * node.node);
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::rotate_to_frames(Vector &vector) const
+  {
+    for_each_node(vector,
+                  [](const ContactNode<dim> &node, double *u) { to_rows<dim>(node.frame, u); });
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::rotate_from_frames(Vector &vector) const
   {
-    AssertDimension(vector.locally_owned_size(), n_owned_entries);
-    for (const ContactNode<dim> &node : owned_contact_nodes)
-      {
-        std::array<double, dim> u{};
-        double                 *w = vector.begin() + dim * node.node;
-        for (unsigned int row = 0; row < dim; ++row)
-          for (unsigned int c = 0; c < dim; ++c)
-            u[c] += node.frame[dim * row + c] * w[row];
-        for (unsigned int c = 0; c < dim; ++c)
-          w[c] = u[c];
-      }
+    for_each_node(vector, [](const ContactNode<dim> &node, double *w) {
+      from_rows<dim>(node.dual_frame(), w);
+    });
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::force_to_frames(Vector &vector) const
+  {
+    for_each_node(
+      vector, [](const ContactNode<dim> &node, double *f) { to_rows<dim>(node.dual_frame(), f); });
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::force_from_frames(Vector &vector) const
+  {
+    for_each_node(vector,
+                  [](const ContactNode<dim> &node, double *f) { from_rows<dim>(node.frame, f); });
   }
 
 

@@ -79,6 +79,72 @@ namespace signorini
 
 
   template <int dim>
+  std::array<double, dim * dim> orthonormal_frame(const std::array<double, dim * dim> &frame,
+                                                  const std::array<bool, dim>         &held)
+  {
+    std::array<double, dim *dim>        result = frame;
+    std::vector<const Tensor<1, dim> *> done;
+    std::array<Tensor<1, dim>, dim>     rows;
+    for (const bool wanted : {true, false})
+      for (unsigned int k = 0; k < dim; ++k)
+        if (held[k] == wanted)
+          {
+            for (unsigned int c = 0; c < dim; ++c)
+              rows[k][c] = frame[dim * k + c];
+            bool is_oblique = false;
+            for (const Tensor<1, dim> *other : done)
+              if (const double part = rows[k] * *other; std::abs(part) > 1e-14)
+                {
+                  rows[k] -= part * *other;
+                  is_oblique = true;
+                }
+            if (is_oblique)
+              rows[k] /= rows[k].norm();
+            done.push_back(&rows[k]);
+            for (unsigned int c = 0; c < dim; ++c)
+              result[dim * k + c] = rows[k][c];
+          }
+    return result;
+  }
+
+
+  template <int dim>
+  std::array<double, dim * dim> oblique_frame(const std::vector<Tensor<1, dim>> &normals)
+  {
+    std::array<double, dim *dim> frame = contact_frame(normals[0]);
+    if (normals.size() > 1)
+      {
+        if constexpr (dim == 3)
+          {
+            const Tensor<1, dim> edge = cross_product_3d(normals[0], normals[1]);
+            for (unsigned int c = 0; c < dim; ++c)
+              frame[2 * dim + c] = edge[c] / edge.norm();
+          }
+        for (unsigned int k = 1; k < normals.size(); ++k)
+          for (unsigned int c = 0; c < dim; ++c)
+            frame[dim * k + c] = normals[k][c];
+      }
+    return frame;
+  }
+
+
+  template <int dim>
+  std::array<double, dim * dim> dual_frame(const std::array<double, dim * dim> &frame)
+  {
+    Tensor<2, dim> rows;
+    for (unsigned int k = 0; k < dim; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        rows[k][c] = frame[dim * k + c];
+    rows = transpose(invert(rows));
+    std::array<double, dim * dim> result;
+    for (unsigned int k = 0; k < dim; ++k)
+      for (unsigned int c = 0; c < dim; ++c)
+        result[dim * k + c] = rows[k][c];
+    return result;
+  }
+
+
+  template <int dim>
   std::array<unsigned int, dim> rows_along_axes(const std::array<double, dim * dim> &frame)
   {
     std::array<unsigned int, dim> rows;
@@ -91,14 +157,17 @@ namespace signorini
   }
 
 
-  template std::array<double, 4>       contact_frame(const Tensor<1, 2> &);
-  template std::array<double, 9>       contact_frame(const Tensor<1, 3> &);
-  template bool                        contact_frame_with_dirichlet<2>(const Tensor<1, 2> &,
-                                                const std::array<bool, 2> &,
-                                                std::array<double, 4> &);
-  template bool                        contact_frame_with_dirichlet<3>(const Tensor<1, 3> &,
-                                                const std::array<bool, 3> &,
-                                                std::array<double, 9> &);
-  template std::array<unsigned int, 2> rows_along_axes<2>(const std::array<double, 4> &);
-  template std::array<unsigned int, 3> rows_along_axes<3>(const std::array<double, 9> &);
+#define INSTANTIATE(dim)                                                                                              \
+  template std::array<double, dim * dim> contact_frame(const Tensor<1, dim> &);                                       \
+  template bool                          contact_frame_with_dirichlet<dim>(                                           \
+    const Tensor<1, dim> &, const std::array<bool, dim> &, std::array<double, dim * dim> &); \
+  template std::array<double, dim * dim> orthonormal_frame<dim>(                                                      \
+    const std::array<double, dim * dim> &, const std::array<bool, dim> &);                                            \
+  template std::array<double, dim * dim> oblique_frame(const std::vector<Tensor<1, dim>> &);                          \
+  template std::array<double, dim * dim> dual_frame<dim>(const std::array<double, dim * dim> &);                      \
+  template std::array<unsigned int, dim> rows_along_axes<dim>(                                                        \
+    const std::array<double, dim * dim> &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace signorini

@@ -54,8 +54,9 @@ namespace signorini
     node_coupling = std::make_unique<NodeCoupling<dim>>(
       contact_nodes, discretization.matrices().pattern.partitioner);
     check_that_pairs_are_disjoint();
-    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()),
-                                   discretization.communicator());
+    for (const ContactNode<dim> &node : contact_nodes)
+      n_global += node.row == 0;
+    n_global = Utilities::MPI::sum(n_global, discretization.communicator());
   }
 
 
@@ -156,7 +157,7 @@ namespace signorini
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
-      if (contact_nodes[k].node == contact_nodes[k - 1].node)
+      if (contact_nodes[k].node == contact_nodes[k - 1].node && contact_nodes[k].row == 0)
         complain(contact_nodes[k], "`" + descriptions[contact_nodes[k - 1].pair].name + "`");
     const std::vector<unsigned int> partners = node_coupling->owned_partners();
     for (const ContactNode<dim> &node : contact_nodes)
@@ -188,10 +189,11 @@ namespace signorini
     result.reserve(contact_nodes.size());
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       {
-        double own = 0.;
+        const Tensor<1, dim> normal = contact_nodes[k].normal();
+        double               own    = 0.;
         for (unsigned int c = 0; c < dim; ++c)
-          own += contact_nodes[k].frame[c] * motion.local_element(dim * contact_nodes[k].node + c);
-        result.push_back(own - contact_nodes[k].normal() * opposite[k]);
+          own += normal[c] * motion.local_element(dim * contact_nodes[k].node + c);
+        result.push_back(own - normal * opposite[k]);
       }
     return result;
   }

@@ -16,9 +16,11 @@ namespace signorini
   {
     /** Of the size of the bodies. Beyond it contact would do work: a gap is one in the energy. */
     constexpr double relative_tolerance = 1e-12;
-    /** Times that a node may change its mind in a step about the obstacle that it meets. */
-    constexpr unsigned int most_changes = 4;
-    constexpr double       infinity     = std::numeric_limits<double>::infinity();
+    /** Times in a step that obstacles may be added to those that bound a node. */
+    constexpr unsigned int most_changes = 6;
+    /** Of a unit normal, across those of the other obstacles at a node. */
+    constexpr double independent = 0.1;
+    constexpr double infinity    = std::numeric_limits<double>::infinity();
   } // namespace
 
 
@@ -30,19 +32,29 @@ namespace signorini
     , dirichlet(dirichlet)
     , surface(surface)
     , at_obstacles(surface.at_obstacles())
-    , nodes(surface.nodes().size())
   {
+    const auto &nodes = surface.nodes();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      if (nodes[k].row > 0)
+        ++sites.back().n_rows;
+      else
+        {
+          sites.push_back({k, 1, {}, {}, {}, {}});
+          for (const auto &[pair, area] : at_obstacles.surface().at(nodes[k].node).areas)
+            sites.back().facings.push_back({pair, area, infinity, {}});
+        }
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
       some_move = some_move || !at_obstacles.obstacle(pair).is_at_rest();
   }
 
 
   template <int dim>
-  Tensor<1, dim> FollowedContact<dim>::motion(const std::size_t k, const Vector &increment) const
+  Tensor<1, dim> FollowedContact<dim>::motion(const Site &site, const Vector &increment) const
   {
-    Tensor<1, dim> result;
+    const unsigned int node = surface.nodes()[site.first].node;
+    Tensor<1, dim>     result;
     for (unsigned int c = 0; c < dim; ++c)
-      result[c] = increment.local_element(dim * surface.nodes()[k].node + c);
+      result[c] = increment.local_element(dim * node + c);
     return result;
   }
 
@@ -55,21 +67,13 @@ namespace signorini
   {
     surface.move_obstacles(start, end);
     double largest_coordinate = 0.;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (Site &site : sites)
       {
-        Node &node        = nodes[k];
-        node.displacement = motion(k, displacement);
-        node.start        = surface.nodes()[k].position + node.displacement;
+        site.displacement = motion(site, displacement);
+        site.start        = surface.nodes()[site.first].position + site.displacement;
         for (unsigned int c = 0; c < dim; ++c)
-          largest_coordinate = std::max(largest_coordinate, std::abs(node.start[c]));
-        const auto  &areas = at_obstacles.surface().at(surface.nodes()[k].node).areas;
-        unsigned int pair  = areas.front().first;
-        if (areas.size() > 1)
-          for (const auto &[other, area] : areas)
-            if (at_obstacles.is_closer(at_obstacles.obstacle(other).project_before(node.start),
-                                       at_obstacles.obstacle(pair).project_before(node.start)))
-              pair = other;
-        face(node, pair);
+          largest_coordinate = std::max(largest_coordinate, std::abs(site.start[c]));
+        look_around(site);
       }
     largest_coordinate = Utilities::MPI::max(largest_coordinate, discretization.communicator());
     accepted           = relative_tolerance * discretization.mesh().body_size()
@@ -80,29 +84,85 @@ namespace signorini
 
 
   template <int dim>
-  void FollowedContact<dim>::face(Node &node, const unsigned int pair) const
+  void FollowedContact<dim>::look_around(Site &site) const
   {
-    const ObstacleProjection<dim> way = at_obstacles.obstacle(pair).project_before(node.start);
-    node.pair                         = pair;
-    node.gap       = way.is_carried(at_obstacles.end_tolerance()) ? way.gap : infinity;
-    node.condition = {way.normal, node.gap};
+    const double                         tolerance = at_obstacles.end_tolerance();
+    std::vector<ObstacleProjection<dim>> ways;
+    unsigned int                         closest = 0;
+    for (unsigned int f = 0; f < site.facings.size(); ++f)
+      {
+        Facing &facing = site.facings[f];
+        ways.push_back(at_obstacles.obstacle(facing.pair).project_before(site.start));
+        facing.gap       = ways[f].is_carried(tolerance) ? ways[f].gap : infinity;
+        facing.condition = {ways[f].normal, facing.gap};
+        if (at_obstacles.is_closer(ways[f], ways[closest]))
+          closest = f;
+      }
+    site.bounding = {closest};
+    for (unsigned int f = 0; f < site.facings.size(); ++f)
+      if (f != closest && site.facings[f].gap <= tolerance)
+        add_row(site, f);
   }
 
 
   template <int dim>
-  void FollowedContact<dim>::face_what_is_entered(const std::size_t k, const Point<dim> &end)
+  bool FollowedContact<dim>::add_row(Site &site, const unsigned int facing) const
   {
-    const auto gap_at_end = [&](const unsigned int pair) {
-      const auto way = at_obstacles.obstacle(pair).project(end);
-      return way.is_carried(at_obstacles.end_tolerance()) ? way.gap : infinity;
+    if (site.bounding.size() == site.n_rows)
+      return false;
+    std::vector<Tensor<1, dim>> normals;
+    for (const unsigned int f : site.bounding)
+      normals.push_back(site.facings[f].condition.normal);
+    const auto     frame  = orthonormal_frame<dim>(oblique_frame<dim>(normals));
+    Tensor<1, dim> across = site.facings[facing].condition.normal;
+    for (unsigned int row = 0; row < normals.size(); ++row)
+      {
+        Tensor<1, dim> other;
+        for (unsigned int c = 0; c < dim; ++c)
+          other[c] = frame[dim * row + c];
+        across -= (across * other) * other;
+      }
+    if (across.norm() < independent)
+      return false;
+    site.bounding.push_back(facing);
+    return true;
+  }
+
+
+  template <int dim>
+  bool FollowedContact<dim>::enters(const Site           &site,
+                                    const Facing         &facing,
+                                    const Tensor<1, dim> &d) const
+  {
+    const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+    if (obstacle.is_at_rest() && facing.gap > 2. * d.norm())
+      return false;
+    const auto way = obstacle.project(site.start + d);
+    return way.is_carried(at_obstacles.end_tolerance()) && way.gap < -accepted;
+  }
+
+
+  template <int dim>
+  void FollowedContact<dim>::bound_by_what_is_entered(Site &site, const Tensor<1, dim> &d) const
+  {
+    const auto gap_at_end = [&](const unsigned int f) {
+      return at_obstacles.obstacle(site.facings[f].pair).project(site.start + d).gap;
     };
-    Node  &node    = nodes[k];
-    double deepest = std::min(-accepted, gap_at_end(node.pair));
-    for (const auto &[other, area] : at_obstacles.surface().at(surface.nodes()[k].node).areas)
-      if (const double gap = gap_at_end(other); gap < deepest)
+    for (unsigned int f = 0; f < site.facings.size(); ++f)
+      if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
+          && enters(site, site.facings[f], d) && !add_row(site, f))
         {
-          deepest = gap;
-          face(node, other);
+          // No room, or nearly the same direction as another one: the deepest ones count.
+          const auto least = std::max_element(
+            site.bounding.begin(), site.bounding.end(), [&](const unsigned a, const unsigned b) {
+              return gap_at_end(a) < gap_at_end(b);
+            });
+          if (gap_at_end(f) < gap_at_end(*least))
+            {
+              site.bounding.erase(least);
+              if (site.bounding.empty() || !add_row(site, f))
+                site.bounding = {f};
+            }
         }
   }
 
@@ -110,50 +170,58 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::follow(const Vector &increment)
   {
-    for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (Site &site : sites)
       {
-        Node                &node = nodes[k];
-        const Tensor<1, dim> d    = motion(k, increment);
-        const Point<dim>     end  = node.start + d;
-        if (n_followed < most_changes
-            && at_obstacles.surface().at(surface.nodes()[k].node).areas.size() > 1)
-          face_what_is_entered(k, end);
-        const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(node.pair);
-        // What cannot get there needs no more than the plane at the start.
-        if (std::isfinite(node.gap)
-            && (!obstacle.is_at_rest() || (node.gap < 2. * d.norm() && !obstacle.is_flat())))
-          node.condition = obstacle.condition_of_motion(node.start, end);
-        enter(k);
+        const Tensor<1, dim> d = motion(site, increment);
+        for (Facing &facing : site.facings)
+          {
+            const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+            // What cannot get there needs no more than the plane at the start.
+            if (std::isfinite(facing.gap)
+                && (!obstacle.is_at_rest() || (facing.gap < 2. * d.norm() && !obstacle.is_flat())))
+              facing.condition = obstacle.condition_of_motion(site.start, site.start + d);
+          }
+        if (site.facings.size() > 1 && n_followed < most_changes)
+          bound_by_what_is_entered(site, d);
+        write(site);
       }
     ++n_followed;
   }
 
 
   template <int dim>
-  void FollowedContact<dim>::enter(const std::size_t k)
+  void FollowedContact<dim>::write(const Site &site)
   {
-    const Node      &node         = nodes[k];
-    ContactNode<dim> contact_node = surface.nodes()[k];
-    if (contact_node.pair != node.pair)
+    // Rows without a bound show what else there is.
+    std::vector<unsigned int> order = site.bounding;
+    for (unsigned int f = 0; f < site.facings.size(); ++f)
+      if (std::find(order.begin(), order.end(), f) == order.end())
+        order.push_back(f);
+    std::vector<Tensor<1, dim>> normals;
+    for (const unsigned int f : site.bounding)
+      normals.push_back(site.facings[f].condition.normal);
+    const auto frame      = oblique_frame<dim>(normals);
+    const auto conditions = dirichlet.nodes().find(surface.nodes()[site.first].node);
+    for (unsigned int row = 0; row < site.n_rows; ++row)
       {
-        const auto &areas = at_obstacles.surface().at(contact_node.node).areas;
-        contact_node.weight =
-          std::find_if(areas.begin(), areas.end(), [&](const auto &pair_and_area) {
-            return pair_and_area.first == node.pair;
-          })->second;
-        contact_node.pair = node.pair;
+        const Facing    &facing = site.facings[order[row]];
+        ContactNode<dim> node   = surface.nodes()[site.first + row];
+        node.pair               = facing.pair;
+        node.weight             = facing.area;
+        node.n_bounds           = site.bounding.size();
+        node.gap                = row < node.n_bounds ? facing.condition.bound : infinity;
+        if (conditions == dirichlet.nodes().end())
+          node.frame = frame;
+        else if (meet_in_free_directions<dim>(conditions->second, normals[0], node))
+          node.gap /= node.free_part; // prescribed displacements rest
+        else
+          node.gap = infinity;
+        if (node.is_shared())
+          node.dual = dual_frame<dim>(frame);
+        // The surface counts displacements from the reference configuration.
+        node.gap += node.normal() * site.displacement;
+        surface.set_geometry(site.first + row, node);
       }
-    contact_node.gap      = node.condition.bound;
-    const auto conditions = dirichlet.nodes().find(contact_node.node);
-    if (conditions == dirichlet.nodes().end())
-      contact_node.frame = contact_frame(node.condition.normal);
-    else if (meet_in_free_directions<dim>(conditions->second, node.condition.normal, contact_node))
-      contact_node.gap /= contact_node.free_part; // prescribed displacements rest
-    else
-      contact_node.gap = infinity;
-    // The surface counts displacements from the reference configuration.
-    contact_node.gap += contact_node.normal() * node.displacement;
-    surface.set_geometry(k, contact_node);
   }
 
 
@@ -161,10 +229,27 @@ namespace signorini
   Vector FollowedContact<dim>::obstacle_motion() const
   {
     Vector result = discretization.make_vector();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      for (unsigned int c = 0; c < dim; ++c)
-        result.local_element(dim * surface.nodes()[k].node + c) =
-          nodes[k].condition.obstacle_motion[c];
+    for (const Site &site : sites)
+      {
+        // Where several obstacles bound a node, that whose own motions are theirs along its
+        // normals.
+        const unsigned int          node = surface.nodes()[site.first].node;
+        const auto                 &dual = surface.nodes()[site.first].dual_frame();
+        const MotionCondition<dim> &only = site.facings[site.bounding[0]].condition;
+        Tensor<1, dim>              s    = only.obstacle_motion;
+        if (site.bounding.size() > 1)
+          {
+            s = Tensor<1, dim>();
+            for (unsigned int row = 0; row < site.bounding.size(); ++row)
+              {
+                const auto &condition = site.facings[site.bounding[row]].condition;
+                for (unsigned int c = 0; c < dim; ++c)
+                  s[c] += condition.normal * condition.obstacle_motion * dual[dim * row + c];
+              }
+          }
+        for (unsigned int c = 0; c < dim; ++c)
+          result.local_element(dim * node + c) = s[c];
+      }
     return result;
   }
 
@@ -173,20 +258,28 @@ namespace signorini
   double FollowedContact<dim>::mismatch(const Vector            &increment,
                                         const std::vector<bool> &matters) const
   {
-    AssertDimension(matters.size(), nodes.size());
+    AssertDimension(matters.size(), surface.nodes().size());
     double largest = 0.;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
+    for (const Site &site : sites)
       {
-        const Node               &node     = nodes[k];
-        const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(node.pair);
-        if (node.gap == infinity || obstacle.is_flat())
-          continue;
-        const Tensor<1, dim> d = motion(k, increment);
-        if (!matters[k] && node.gap > 2. * d.norm() && obstacle.is_at_rest())
-          continue;
-        const double gap = obstacle.project(node.start + d).gap;
-        if (matters[k] || gap < 0.)
-          largest = std::max(largest, std::abs(gap - node.condition.gap_after(d)));
+        const Tensor<1, dim> d = motion(site, increment);
+        for (unsigned int row = 0; row < site.bounding.size(); ++row)
+          {
+            const Facing             &facing   = site.facings[site.bounding[row]];
+            const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+            const bool                is_held  = matters[site.first + row];
+            if (facing.gap == infinity || obstacle.is_flat()
+                || (!is_held && obstacle.is_at_rest() && facing.gap > 2. * d.norm()))
+              continue;
+            const double gap = obstacle.project(site.start + d).gap;
+            if (is_held || gap < 0.)
+              largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
+          }
+        if (site.facings.size() > 1 && n_followed < most_changes)
+          for (unsigned int f = 0; f < site.facings.size(); ++f)
+            if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
+                && enters(site, site.facings[f], d))
+              largest = infinity;
       }
     return Utilities::MPI::max(largest, discretization.communicator()) / accepted;
   }

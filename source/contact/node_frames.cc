@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/node_frames.h>
 
 namespace signorini
@@ -62,7 +63,10 @@ namespace signorini
             any          = any || node.held[c];
           }
         if (any)
-          result.push_back(node);
+          {
+            node.frame = orthonormal_frame<dim>(node.frame, node.held);
+            result.push_back(node);
+          }
       }
     return result;
   }

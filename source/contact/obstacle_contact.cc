@@ -72,12 +72,34 @@ namespace signorini
             if (contact_node.free_part != 1.)
               ++n_oblique;
             check_that_they_rest(dirichlet, conditions->second, contact_node, complaints);
+            contact_nodes.push_back(contact_node);
           }
-        contact_nodes.push_back(contact_node);
+        else
+          add_with_rows(contact_node);
       }
     throw_worst(complaints, discretization.communicator());
     n_left_to_dirichlet = Utilities::MPI::sum(n_left_to_dirichlet, discretization.communicator());
     n_oblique           = Utilities::MPI::sum(n_oblique, discretization.communicator());
+  }
+
+
+  template <int dim>
+  void ObstacleContact<dim>::add_with_rows(ContactNode<dim> contact_node)
+  {
+    contact_nodes.push_back(contact_node);
+    if (motion == ContactMotion::linearised)
+      return;
+    const unsigned int own_pair = contact_node.pair;
+    contact_node.gap            = std::numeric_limits<double>::infinity();
+    for (const auto &[pair, area] : surface_nodes.at(contact_node.node).areas)
+      if (pair != own_pair && contact_node.row + 1 < dim)
+        {
+          ++contact_node.row;
+          ContactNode<dim> further = contact_node;
+          further.pair             = pair;
+          further.weight           = area;
+          contact_nodes.push_back(further);
+        }
   }
 
 

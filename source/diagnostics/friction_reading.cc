@@ -13,8 +13,10 @@ namespace signorini
     FrictionReading<dim> result;
     if (!friction.any())
       return result;
-    const ContactNode<dim> &node  = surface.nodes()[k];
-    const double            scale = 1. / node.transmission;
+    const ContactNode<dim> &node = surface.nodes()[k];
+    if (node.row > 0)
+      return result; // all of it is that of the first row
+    const double scale = 1. / node.transmission;
     for (unsigned int c = 0; c < dim; ++c)
       {
         const unsigned int entry   = dim * node.node + c;

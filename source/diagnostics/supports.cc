@@ -18,10 +18,13 @@ namespace signorini
       for (unsigned int c = 0; c < dim; ++c)
         if (conditions[c] != none)
           entries.push_back({dim * node + c, conditions[c], c});
+    // Where contact follows the motion an obstacle may become oblique to them later.
     for (unsigned int k = 0; k < contact_nodes.size(); ++k)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (contact_nodes[k].prescribed_part[c] != 0.)
-          oblique.push_back({k, dirichlet.nodes().at(contact_nodes[k].node)[c], c});
+      if (const auto node = dirichlet.nodes().find(contact_nodes[k].node);
+          node != dirichlet.nodes().end())
+        for (unsigned int c = 0; c < dim; ++c)
+          if (node->second[c] != none)
+            oblique.push_back({k, node->second[c], c});
   }
 
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/contact_frame.h>
 #include <signorini/multigrid/free_space.h>
 
 #include <Eigen/LU>
@@ -35,8 +36,9 @@ namespace signorini
     std::map<unsigned int, const ContactNode<dim> *> contact_nodes;
     for (const ContactNode<dim> &node : coordinates.surface_nodes())
       contact_nodes[node.node] = &node;
-    for (const auto &[node, frame] : coordinates.node_frames())
+    for (const auto &[node, oblique_frame] : coordinates.node_frames())
       {
+        const auto         frame        = orthonormal_frame<dim>(oblique_frame);
         const auto         contact_node = contact_nodes.find(node);
         const unsigned int begin        = partners.size();
         if (contact_node != contact_nodes.end())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/contact_frame.h>
 #include <signorini/multigrid/held_rows.h>
 
 namespace signorini
@@ -188,8 +189,8 @@ namespace signorini
   dealii::Tensor<1, dim> HeldRows<dim>::direction_of(const unsigned int node,
                                                      const unsigned int component) const
   {
-    const auto &frame = coordinates.node_frames().at(node);
-    Tensor      result;
+    const auto frame = orthonormal_frame<dim>(coordinates.node_frames().at(node));
+    Tensor     result;
     for (unsigned int d = 0; d < dim; ++d)
       result[d] = frame[dim * component + d];
     return result;

@@ -51,9 +51,12 @@ namespace signorini
       for (unsigned int i = 0; i < surface.nodes().size(); ++i)
         {
           const ContactNode<dim> &contact_node = surface.nodes()[i];
-          values.local_element(dim * contact_node.node) =
-            std::max(0., -contact_node.normal_force(state.contact_force) / contact_node.weight);
-          values.local_element(dim * contact_node.node + 1) = gaps[i];
+          double                 &pressure     = values.local_element(dim * contact_node.node);
+          double                 &gap          = values.local_element(dim * contact_node.node + 1);
+          pressure =
+            std::max(pressure, // of a node in a corner that of the harder side
+                     -contact_node.normal_force(state.contact_force) / contact_node.weight);
+          gap = contact_node.row == 0 ? gaps[i] : std::min(gap, gaps[i]);
         }
       return values;
     }
@@ -70,7 +73,9 @@ namespace signorini
       std::vector<Vector> vectors(friction_vectors.size(), status);
       for (unsigned int k = 0; k < surface.nodes().size(); ++k)
         {
-          const ContactNode<dim>             &node     = surface.nodes()[k];
+          const ContactNode<dim> &node = surface.nodes()[k];
+          if (node.row > 0)
+            continue;
           const FrictionReading<dim>          friction = friction_at(surface, state.friction, k);
           const std::array<Tensor<1, dim>, 3> shown    = {
                {friction.force / node.weight, friction.accumulated_slip, friction.slip}};

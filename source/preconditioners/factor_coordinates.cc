@@ -66,7 +66,7 @@ namespace signorini
   {
     hold(force);
     if (is_relative)
-      coordinates.rotate_from_frames(force);
+      coordinates.force_from_frames(force);
     else
       coordinates.force_to_cartesian(force);
   }

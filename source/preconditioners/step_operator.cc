@@ -65,7 +65,7 @@ namespace signorini
     std::vector<std::array<double, dim * dim>> contact_blocks;
     for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
       {
-        const Eigen::Map<const Block> frame(contact_node.frame.data());
+        const Eigen::Map<const Block> frame(contact_node.dual_frame().data());
         const Block block = frame * block_of(contact_node.node) * frame.transpose();
         for (unsigned int c = 0; c < dim; ++c)
           destination.local_element(dim * contact_node.node + c) = block(c, c);

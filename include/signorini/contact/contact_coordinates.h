@@ -21,7 +21,8 @@ namespace signorini
    * so that contact is a bound on a single entry, and the slip of a node a few entries (Krause and
    * Walloth 2012, section 2; there the tangential entries are always relative, which is the same
    * problem without friction). T touches contact nodes and their partners only. At rigid obstacles
-   * P is absent and T orthogonal; with two bodies displacements and forces transform differently:
+   * P is absent and T orthogonal; with two bodies, and where several obstacles bound a node (its
+   * frame is then oblique: their normals are rows), displacements and forces transform differently:
    *
    *   u = T w,    K in contact coordinates is T'K T,    forces f in contact coordinates are T'f.
    *
@@ -48,15 +49,18 @@ namespace signorini
     void force_to_cartesian(Vector &vector) const;
 
     /**
-     * The components of contact nodes in their frames, of displacements or forces, without regard
-     * to the other side.
+     * The components of displacements or forces of contact nodes in their frames, without regard to
+     * the other side. They are the same for both unless several obstacles bound a node.
      */
-    void rotate_to_frames(Vector &vector) const;
-    void rotate_from_frames(Vector &vector) const;
+    void rotate_to_frames(Vector &displacement) const;
+    void rotate_from_frames(Vector &displacement) const;
+    void force_to_frames(Vector &force) const;
+    void force_from_frames(Vector &force) const;
 
     /**
      * The frames of the contact nodes have turned: take them over. Which entries are prescribed or
-     * tangential does not change with them.
+     * tangential does not change with them, but for entries that another obstacle begins or ceases
+     * to bound.
      */
     void follow_frames();
 
@@ -136,6 +140,10 @@ namespace signorini
     };
     std::vector<DirichletSource> dirichlet_sources;
 
+    void find_tangential_entries();
+    /** Call turn(contact node, its dim entries) for each node of the surface. */
+    template <typename Turn>
+    void for_each_node(Vector &vector, const Turn &turn) const;
     /**
      * Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian
      * components.

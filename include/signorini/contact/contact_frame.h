@@ -7,6 +7,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <vector>
 
 namespace signorini
 {
@@ -25,6 +26,25 @@ namespace signorini
   bool contact_frame_with_dirichlet(const dealii::Tensor<1, dim>  &normal,
                                     const std::array<bool, dim>   &held,
                                     std::array<double, dim * dim> &frame);
+
+  /**
+   * Rows that are unit vectors at right angles, by Gram and Schmidt: first those that are held,
+   * then the others. A frame that is orthonormal stays what it is.
+   */
+  template <int dim>
+  std::array<double, dim * dim> orthonormal_frame(const std::array<double, dim * dim> &frame,
+                                                  const std::array<bool, dim>         &held = {});
+
+  /**
+   * The frame whose first rows are given unit vectors, linearly independent ones, one to dim; what
+   * is left are unit vectors at right angles to them.
+   */
+  template <int dim>
+  std::array<double, dim * dim> oblique_frame(const std::vector<dealii::Tensor<1, dim>> &normals);
+
+  /** The inverse of a frame, transposed. */
+  template <int dim>
+  std::array<double, dim * dim> dual_frame(const std::array<double, dim * dim> &frame);
 
   /**
    * For each Cartesian component the row of a frame that is its axis, up to the sign; dim where

@@ -50,8 +50,27 @@ namespace signorini
      * overlap.
      */
     double clearance = 0.;
+    /**
+     * The row of the frame that is the normal of this contact, and the entry of the node that it
+     * bounds. Beyond 0 where a node may meet several obstacles at once, one contact node for each.
+     */
+    unsigned int row = 0;
+    /**
+     * How many obstacles bound the node now. The normals of several ones are the first rows of its
+     * frame, which is oblique then, and forces have the components that its dual frame tells. The
+     * other rows are tangents, without a bound.
+     */
+    unsigned int                 n_bounds = 1;
+    std::array<double, dim *dim> dual     = {}; ///< the inverse transposed, of an oblique frame
 
-    dealii::Tensor<1, dim> normal() const { return direction(0); }
+    unsigned int entry() const { return dim * node + row; }
+    bool         is_bounded() const { return row < n_bounds; }
+    bool         is_shared() const { return n_bounds > 1; }
+
+    dealii::Tensor<1, dim> normal() const { return direction(row); }
+
+    /** Rows by which forces have components: those of the frame where it is orthonormal. */
+    const std::array<double, dim * dim> &dual_frame() const { return is_shared() ? dual : frame; }
 
     /** The unit normal of the surface, out of the body. */
     dealii::Tensor<1, dim> surface_normal() const { return free_part * normal() + prescribed_part; }
@@ -62,10 +81,7 @@ namespace signorini
     /** The nodal force along the unit normal that these forces are the free part of. */
     double normal_force(const Vector &nodal_forces) const
     {
-      double free_force = 0.;
-      for (unsigned int c = 0; c < dim; ++c)
-        free_force += frame[c] * nodal_forces.local_element(dim * node + c);
-      return free_force / free_part;
+      return is_bounded() ? component(row, nodal_forces) / free_part : 0.;
     }
 
     /**
@@ -74,9 +90,22 @@ namespace signorini
      */
     dealii::Tensor<1, dim> force(const Vector &nodal_forces) const
     {
+      if (row > 0)
+        return normal_force(nodal_forces) * normal();
       dealii::Tensor<1, dim> result = normal_force(nodal_forces) * prescribed_part;
       for (unsigned int c = 0; c < dim; ++c)
         result[c] += nodal_forces.local_element(dim * node + c);
+      for (unsigned int other = 1; other < n_bounds; ++other)
+        result -= component(other, nodal_forces) * direction(other);
+      return result;
+    }
+
+    /** Of a force, along a row of the frame. */
+    double component(const unsigned int of_row, const Vector &nodal_forces) const
+    {
+      double result = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        result += dual_frame()[dim * of_row + c] * nodal_forces.local_element(dim * node + c);
       return result;
     }
 

@@ -10,11 +10,11 @@ namespace signorini
 {
   /**
    * Contact with obstacles in the configurations of a step, instead of the reference one. Every
-   * node of a contact surface faces the obstacle that is closest when the step begins, or the one
-   * that it would enter on its way; its bound is the true gap there, and its normal the discrete
-   * gradient of the true gap over the motion of the step (MotionCondition). So a motion keeps all
-   * linear conditions of its own normals exactly if no node penetrates at the end, and the forces
-   * are those of closed gaps.
+   * node of a contact surface is bounded by the obstacle that is closest when the step begins, and
+   * by those that it touches then or would enter on its way; its bound is the true gap there, and
+   * its normal the discrete gradient of the true gap over the motion of the step (MotionCondition).
+   * So a motion keeps all linear conditions of its own normals exactly if no node penetrates at the
+   * end, and the forces are those of closed gaps.
    *
    * The normals depend on the motion, and the motion on the normals: who leads the step calls
    * follow() until mismatch() is small. At flat obstacles, and far from any, there is nothing to
@@ -57,32 +57,46 @@ namespace signorini
     double tolerance() const { return accepted; }
 
   private:
-    struct Node
+    /** An obstacle as a node sees it. */
+    struct Facing
     {
-      unsigned int           pair;
-      dealii::Point<dim>     start;        ///< position at the start of the step
-      dealii::Tensor<1, dim> displacement; ///< there
-      double                 gap;          ///< there; infinite past the end of the obstacle
-      MotionCondition<dim>   condition;
+      unsigned int         pair;
+      double               area; ///< of the node in this pair
+      double               gap;  ///< at the start of the step; infinite past the end
+      MotionCondition<dim> condition;
+    };
+    /** A node of the surface. */
+    struct Site
+    {
+      std::size_t               first;        ///< of its contact nodes
+      unsigned int              n_rows;       ///< their number
+      dealii::Point<dim>        start;        ///< position at the start of the step
+      dealii::Tensor<1, dim>    displacement; ///< there
+      std::vector<Facing>       facings;      ///< one for each of its pairs
+      std::vector<unsigned int> bounding;     ///< the facings that bound it, one per row
     };
 
     const Discretization<dim>      &discretization;
     const DirichletConditions<dim> &dirichlet;
     ContactSurface<dim>            &surface;
     const ObstacleContact<dim>     &at_obstacles;
-    std::vector<Node>               nodes; ///< in the order of the surface
+    std::vector<Site>               sites;
     bool                            some_move  = false;
     double                          accepted   = 0.;
     unsigned int                    n_followed = 0; ///< motions of this step
 
-    /** The motion of a contact node. */
-    dealii::Tensor<1, dim> motion(std::size_t node, const Vector &increment) const;
-    /** Let a node face the obstacle of a pair. */
-    void face(Node &node, unsigned int pair) const;
-    /** Face an obstacle that the node enters instead of the one that it faces. */
-    void face_what_is_entered(std::size_t k, const dealii::Point<dim> &end);
-    /** Write the condition of a node to the surface. */
-    void enter(std::size_t k);
+    /** The motion of a node. */
+    dealii::Tensor<1, dim> motion(const Site &site, const Vector &increment) const;
+    /** Look where the obstacles of a node are when the step begins. */
+    void look_around(Site &site) const;
+    /** Let the node be bounded by what it would enter, as far as it has rows. */
+    void bound_by_what_is_entered(Site &site, const dealii::Tensor<1, dim> &motion) const;
+    /** Whether a motion would end in an obstacle that does not bound the node. */
+    bool enters(const Site &site, const Facing &facing, const dealii::Tensor<1, dim> &motion) const;
+    /** Add a row. @return false: its normal is too close to those that are there */
+    bool add_row(Site &site, unsigned int facing) const;
+    /** Write the conditions of a node to the surface. */
+    void write(const Site &site);
   };
 } // namespace signorini
 

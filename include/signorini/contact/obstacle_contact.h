@@ -37,7 +37,10 @@ namespace signorini
                     const std::vector<PairDescription>    &pairs,
                     ContactMotion                          motion = ContactMotion::linearised);
 
-    /** The owned nodes that may touch an obstacle, ascending. */
+    /**
+     * The owned nodes that may touch an obstacle, ascending; where contact follows the motion, one
+     * more in turn for each further obstacle that a node may meet at the same time.
+     */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
 
     /** Number of nodes (all processes) whose normal displacement is prescribed: no contact. */
@@ -110,6 +113,9 @@ namespace signorini
                               const typename DirichletConditions<dim>::Components &conditions,
                               const ContactNode<dim>                              &contact_node,
                               std::vector<Complaint> &complaints) const;
+
+    /** Enter a node, and the rows of further obstacles. */
+    void add_with_rows(ContactNode<dim> contact_node);
 
     /**
      * Of a node that cannot move towards its obstacle: whether contact that follows the motion may
