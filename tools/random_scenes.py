@@ -13,23 +13,14 @@ the same scene anywhere.
     ./dev stress random [--count 1000] [--seed 1] [--only NUMBER]
 """
 
-import argparse
-import math
-import pathlib
 import random
 import sys
 
-from stress import laws, running, scenes
+from stress import random_runs, scenes
+from stress.random_runs import decades
 from stress.scene import Scene, point, vector
-from stress.verdict import Judged
 
 N_STEPS = 25
-TIMEOUT = 600
-
-
-def decades(source, lowest, highest):
-    """A number whose logarithm is uniform."""
-    return 10 ** source.uniform(math.log10(lowest), math.log10(highest))
 
 
 class RandomScene:
@@ -134,42 +125,11 @@ class RandomScene:
         )
 
 
-def main():
-    """Run and report. @return 0 if no law was broken"""
-    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("executable")
-    parser.add_argument("folder", type=pathlib.Path)
-    parser.add_argument("--count", type=int, default=1000)
-    parser.add_argument("--seed", default="1")
-    parser.add_argument(
-        "--accuracy", type=float, default=laws.ACCURACY, help="of the energy of a step"
-    )
-    parser.add_argument("--only", type=int, help="one scene by its number")
-    arguments = parser.parse_args()
-    # A scheme with a tolerance of its own keeps its energy up to that; without inertia, nothing can
-    # be thrown.
-    known = running.schemes(arguments.executable)
-    schemes = [entry for entry in known if entry["variable_step"] and entry["inertia"]]
-    numbers = range(arguments.count) if arguments.only is None else [arguments.only]
-    n_broken = n_contact = 0
-    for number in numbers:
-        scene = RandomScene(number, arguments.seed, schemes)
-        folder = arguments.folder / str(number)
-        ending = running.run(
-            arguments.executable, scene.scene.text(), folder, TIMEOUT, scene.processes
-        )
-        if ending.status != 0:
-            broken = [f"exit status {ending.status}: {ending.messages}"]
-        else:
-            run = Judged(folder / "output", scene.scene, scene.scheme, arguments.accuracy)
-            broken = [text for texts in laws.broken(run).values() for text in texts]
-            n_contact += max(run["contact_force"]) > 0
-        if broken:
-            n_broken += 1
-            print(f"{scene.title()}\n  {folder}\n  " + "\n  ".join(broken), flush=True)
-    print(f"{len(numbers)} scenes, {n_contact} with contact, {n_broken} that break a law")
-    return 1 if n_broken or 2 * n_contact < len(numbers) else 0
+def takes_steps(scheme):
+    """A scheme with a tolerance of its own keeps its energy up to that; without inertia, nothing
+    can be thrown."""
+    return scheme["variable_step"] and scheme["inertia"]
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(random_runs.main(__doc__, RandomScene, takes_steps))

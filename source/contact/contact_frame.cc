@@ -157,17 +157,22 @@ namespace signorini
   }
 
 
-#define INSTANTIATE(dim)                                                                                              \
-  template std::array<double, dim * dim> contact_frame(const Tensor<1, dim> &);                                       \
-  template bool                          contact_frame_with_dirichlet<dim>(                                           \
-    const Tensor<1, dim> &, const std::array<bool, dim> &, std::array<double, dim * dim> &); \
-  template std::array<double, dim * dim> orthonormal_frame<dim>(                                                      \
-    const std::array<double, dim * dim> &, const std::array<bool, dim> &);                                            \
-  template std::array<double, dim * dim> oblique_frame(const std::vector<Tensor<1, dim>> &);                          \
-  template std::array<double, dim * dim> dual_frame<dim>(const std::array<double, dim * dim> &);                      \
-  template std::array<unsigned int, dim> rows_along_axes<dim>(                                                        \
-    const std::array<double, dim * dim> &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template std::array<double, 4>       contact_frame(const Tensor<1, 2> &);
+  template bool                        contact_frame_with_dirichlet<2>(const Tensor<1, 2> &,
+                                                const std::array<bool, 2> &,
+                                                std::array<double, 4> &);
+  template std::array<double, 4>       orthonormal_frame<2>(const std::array<double, 4> &,
+                                                      const std::array<bool, 2> &);
+  template std::array<double, 4>       oblique_frame(const std::vector<Tensor<1, 2>> &);
+  template std::array<double, 4>       dual_frame<2>(const std::array<double, 4> &);
+  template std::array<unsigned int, 2> rows_along_axes<2>(const std::array<double, 4> &);
+  template std::array<double, 9>       contact_frame(const Tensor<1, 3> &);
+  template bool                        contact_frame_with_dirichlet<3>(const Tensor<1, 3> &,
+                                                const std::array<bool, 3> &,
+                                                std::array<double, 9> &);
+  template std::array<double, 9>       orthonormal_frame<3>(const std::array<double, 9> &,
+                                                      const std::array<bool, 3> &);
+  template std::array<double, 9>       oblique_frame(const std::vector<Tensor<1, 3>> &);
+  template std::array<double, 9>       dual_frame<3>(const std::array<double, 9> &);
+  template std::array<unsigned int, 3> rows_along_axes<3>(const std::array<double, 9> &);
 } // namespace signorini

@@ -6,6 +6,7 @@
 #include <signorini/contact/free_directions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace signorini
@@ -16,8 +17,13 @@ namespace signorini
   {
     /** Of the size of the bodies. Beyond it contact would do work: a gap is one in the energy. */
     constexpr double relative_tolerance = 1e-12;
-    /** Times in a step that obstacles may be added to those that bound a node. */
+    /** Times in a step that an obstacle may take the place of another one that bounds a node. */
     constexpr unsigned int most_changes = 6;
+    /** What is passed through by a smaller part of a cell is an edge, or nothing the mesh can see.
+     */
+    constexpr double part_of_cell = 0.25;
+    /** A chord that is deeper, in its length, turns by more than 0.8 radian on a circle. */
+    constexpr double deep_on_way = 0.1;
     /** Of a unit normal, across those of the other obstacles at a node. */
     constexpr double independent = 0.1;
     constexpr double infinity    = std::numeric_limits<double>::infinity();
@@ -150,7 +156,7 @@ namespace signorini
     };
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
-          && enters(site, site.facings[f], d) && !add_row(site, f))
+          && enters(site, site.facings[f], d) && !add_row(site, f) && n_followed < most_changes)
         {
           // No room, or nearly the same direction as another one: the deepest ones count.
           const auto least = std::max_element(
@@ -181,7 +187,7 @@ namespace signorini
                 && (!obstacle.is_at_rest() || (facing.gap < 2. * d.norm() && !obstacle.is_flat())))
               facing.condition = obstacle.condition_of_motion(site.start, site.start + d);
           }
-        if (site.facings.size() > 1 && n_followed < most_changes)
+        if (site.facings.size() > 1)
           bound_by_what_is_entered(site, d);
         write(site);
       }
@@ -255,6 +261,29 @@ namespace signorini
 
 
   template <int dim>
+  bool FollowedContact<dim>::passes_through(const Vector &increment) const
+  {
+    bool any = false;
+    for (const Site &site : sites)
+      {
+        const Tensor<1, dim> d = motion(site, increment);
+        for (const Facing &facing : site.facings)
+          {
+            const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+            const double              length   = (d - facing.condition.obstacle_motion).norm();
+            const double              least = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
+            if (any || obstacle.is_flat() || facing.gap > length || length < least
+                || facing.gap < -accepted || enters(site, facing, d))
+              continue;
+            any = obstacle.depth_on_way(site.start, site.start + d)
+                  > std::max(least, deep_on_way * length);
+          }
+      }
+    return Utilities::MPI::max(static_cast<unsigned int>(any), discretization.communicator()) > 0;
+  }
+
+
+  template <int dim>
   double FollowedContact<dim>::mismatch(const Vector            &increment,
                                         const std::vector<bool> &matters) const
   {
@@ -275,7 +304,7 @@ namespace signorini
             if (is_held || gap < 0.)
               largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
           }
-        if (site.facings.size() > 1 && n_followed < most_changes)
+        if (site.facings.size() > 1)
           for (unsigned int f = 0; f < site.facings.size(); ++f)
             if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
                 && enters(site, site.facings[f], d))

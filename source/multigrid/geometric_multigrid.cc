@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/contact_frame.h>
 #include <signorini/linear_algebra/flush_denormals.h>
 #include <signorini/multigrid/geometric_multigrid.h>
 
@@ -12,6 +13,9 @@ namespace signorini
 {
   namespace
   {
+    /** Radians: directions that differ by less are good enough for a preconditioner. */
+    constexpr double old_direction = 0.05;
+
     /** A power of two that makes the largest diagonal entry one or a little less. */
     template <int dim>
     double scale_of(const ElasticMatrices<dim> &matrices, const MatrixSum &sum)
@@ -37,9 +41,11 @@ namespace signorini
     , hierarchy(*shared_hierarchy)
     , coordinates(coordinates)
     , scale(scale_of(hierarchy.matrices(hierarchy.n_levels() - 1), sum))
-    , correction(hierarchy, coordinates, sum, scale)
+    , sum(sum)
+    , correction(std::make_unique<HeldCorrection<dim, Number>>(hierarchy, coordinates, sum, scale))
     , free_space(coordinates, hierarchy.matrices(hierarchy.n_levels() - 1).pattern)
     , coarsest(hierarchy.matrices(0), sum, scale)
+    , known_frames(coordinates.node_frames())
     , cartesian(hierarchy.matrices(hierarchy.n_levels() - 1).pattern.partitioner)
   {
     levels.reserve(hierarchy.n_levels());
@@ -79,17 +85,51 @@ namespace signorini
   template <int dim, typename Number>
   void GeometricMultigrid<dim, Number>::set_mask(const Mask &new_mask)
   {
-    if (dealii::Utilities::MPI::max(static_cast<unsigned int>(mask != new_mask),
-                                    cartesian.get_mpi_communicator())
-        == 0)
+    const bool is_old = have_turned(new_mask);
+    if (!is_old
+        && dealii::Utilities::MPI::max(static_cast<unsigned int>(mask != new_mask),
+                                       cartesian.get_mpi_communicator())
+             == 0)
       return;
+    if (is_old)
+      {
+        correction =
+          std::make_unique<HeldCorrection<dim, Number>>(hierarchy, coordinates, sum, scale);
+        free_space =
+          FreeSpace<dim, Number>(coordinates, hierarchy.matrices(hierarchy.n_levels() - 1).pattern);
+        known_frames = coordinates.node_frames();
+      }
     mask = new_mask;
     free_space.set_mask(mask);
-    correction.set_mask(mask);
+    correction->set_mask(mask);
     levels.back().smoother->update_free_space();
     for (unsigned int level = 1; level + 1 < levels.size(); ++level)
-      levels[level].smoother->set_correction(correction, level);
-    coarsest.set_correction(correction);
+      levels[level].smoother->set_correction(*correction, level);
+    coarsest.set_correction(*correction);
+  }
+
+
+  template <int dim, typename Number>
+  bool GeometricMultigrid<dim, Number>::have_turned(const Mask &new_mask) const
+  {
+    if (coordinates.n_turns() == 0)
+      return false;
+    bool any = false;
+    for (const auto &[node, frame] : coordinates.node_frames())
+      for (unsigned int row = 0; row < dim; ++row)
+        if (new_mask[dim * node + row])
+          {
+            // Of an oblique frame all rows count: with a wrong tangent no direction may be left in
+            // which a free entry could move.
+            const auto        &known  = known_frames.at(node);
+            const bool         single = orthonormal_frame<dim>(frame) == frame;
+            const unsigned int end    = single ? dim * (row + 1) : dim * dim;
+            for (unsigned int i = single ? dim * row : 0; i < end; ++i)
+              any = any || std::abs(frame[i] - known[i]) > old_direction;
+          }
+    return dealii::Utilities::MPI::max(static_cast<unsigned int>(any),
+                                       cartesian.get_mpi_communicator())
+           > 0;
   }
 
 

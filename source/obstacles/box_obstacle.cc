@@ -10,12 +10,9 @@ namespace signorini
   using namespace dealii;
 
   template <int dim>
-  BoxObstacle<dim>::BoxObstacle(const Point<dim> &lower,
-                                const Point<dim> &upper,
-                                const bool        bodies_inside)
+  BoxObstacle<dim>::BoxObstacle(const Point<dim> &lower, const Point<dim> &upper)
     : lower(lower)
     , upper(upper)
-    , bodies_inside(bodies_inside)
   {
   }
 
@@ -38,8 +35,6 @@ namespace signorini
               out[c]  = side;
             }
         }
-    if (bodies_inside)
-      return {-highest, out};
     if (const double distance = away.norm(); highest > 0. && distance > highest) // beside an edge
       return {distance, -1. / distance * away};
     return {highest, -out};
@@ -69,7 +64,7 @@ namespace signorini
                 std::string("its ") + "xyz"[c]
                   + " coordinate must be larger than that of `Lower corner` = "
                   + in.text("Lower corner") + ". Exchange or correct the corners.");
-    return std::make_shared<BoxObstacle<dim>>(lower, upper, in.flag("Bodies inside"));
+    return std::make_shared<BoxObstacle<dim>>(lower, upper);
   }
 
 

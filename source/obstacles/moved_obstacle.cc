@@ -58,6 +58,23 @@ namespace signorini
   }
 
 
+  template <int dim>
+  double MovedObstacle<dim>::depth_on_way(const Point<dim> &start, const Point<dim> &end) const
+  {
+    const Point<dim>     first  = motion ? before.back(start) : start;
+    const Tensor<1, dim> way    = (motion ? after.back(end) : end) - first;
+    const double         length = way.norm(), least = length / 16.;
+    double               deepest = 0.;
+    for (double gone = least; gone < length;)
+      {
+        const auto projection = shape->try_project(first + gone / length * way);
+        deepest               = std::max(deepest, projection ? projection->depth() : 0.);
+        gone += projection ? std::max(std::abs(projection->gap), least) : least;
+      }
+    return deepest;
+  }
+
+
   template class MovedObstacle<2>;
   template class MovedObstacle<3>;
 } // namespace signorini

@@ -34,7 +34,7 @@ namespace signorini
       {"box",
        "box (2d: rectangle) along the axes",
        declare_box<dim>,
-       {"Lower corner", "Upper corner", "Bodies inside"},
+       {"Lower corner", "Upper corner"},
        parse_box<dim>},
       {"function",
        "function (the zero set of an expression)",

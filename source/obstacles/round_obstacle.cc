@@ -78,7 +78,7 @@ namespace signorini
         "Bodies inside",
         "false",
         Patterns::Bool(),
-        "Sphere, cylinder, box: the obstacle is hollow and the bodies are inside of it.");
+        "Sphere, cylinder: the obstacle is hollow and the bodies are inside of it.");
     }
 
     double parse_radius(const SectionReader &in)

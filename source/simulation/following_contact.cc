@@ -15,6 +15,14 @@ namespace signorini
     constexpr unsigned int most_repetitions = 24, few_differences = 3;
 
 
+    std::string which_step(const State &state, const double step_size)
+    {
+      std::ostringstream text;
+      text << "the step from time " << state.time << " by " << step_size;
+      return text.str();
+    }
+
+
     /** A step, made with one set of normals after the other. */
     class RepeatedStep
     {
@@ -69,6 +77,8 @@ namespace signorini
         return FixedPoint::make_unknowns(entries.size(), increment.get_mpi_communicator());
       }
 
+      bool passes_through() const { return contact.passes_through(increment); }
+
       StepReport finish(State &state)
       {
         swap(state, end);
@@ -110,13 +120,17 @@ namespace signorini
         if (!fixed_point.converged())
           {
             std::ostringstream message;
-            message << "the step from time " << state.time << " by " << step_size
+            message << which_step(state, step_size)
                     << " finds no motion that belongs to its own normals of contact. Take smaller "
                        "steps, let `Time/Step size control` choose them, or set `Contact/Motion = "
                        "linearised` if nothing slides along curved obstacles.";
             throw StepError(message.str());
           }
       }
+    if (step.passes_through())
+      throw StepError(which_step(state, step_size)
+                      + " takes a body through an obstacle. Take smaller steps, or let `Time/Step "
+                        "size control` choose them.");
     return step.finish(state);
   }
 } // namespace signorini

@@ -193,8 +193,8 @@ namespace signorini
   void ElasticContactSystem<dim>::solve(const IncrementProblem &problem,
                                         IncrementSolution      &solution)
   {
-    StepMatrix<dim> &matrix = step_matrices.get(
-      problem.stiffness_factor, problem.damping_factor, problem.step_size, active);
+    StepMatrix<dim> &matrix =
+      step_matrices.get(problem.stiffness_factor, problem.damping_factor, problem.step_size);
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
 
     Vector right_hand_side = problem.right_hand_side;

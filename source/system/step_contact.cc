@@ -120,6 +120,13 @@ namespace signorini
   }
 
 
+  template <int dim>
+  bool StepContact<dim>::passes_through(const Vector &increment) const
+  {
+    return geometry.passes_through(increment);
+  }
+
+
   template class StepContact<2>;
   template class StepContact<3>;
 } // namespace signorini

@@ -16,11 +16,6 @@ namespace signorini
     constexpr unsigned int forget_age = 4;
     /** Courant number: mass is next to nothing beyond, and rotations are nearly free. */
     constexpr double needs_double_precision = 3000.;
-    /**
-     * Radians between the normals of now and those that multigrid keeps free on coarse levels; the
-     * other preconditioners ask for the frames of now.
-     */
-    constexpr double old_normal = 0.05;
   } // namespace
 
 
@@ -38,10 +33,9 @@ namespace signorini
 
 
   template <int dim>
-  StepMatrix<dim> &StepMatrices<dim>::get(const double     stiffness_factor,
-                                          const double     damping_factor,
-                                          const double     step_size,
-                                          const ActiveSet &held)
+  StepMatrix<dim> &StepMatrices<dim>::get(const double stiffness_factor,
+                                          const double damping_factor,
+                                          const double step_size)
   {
     Assert(stiffness_factor >= 0., dealii::ExcMessage("M + s A is definite with s >= 0."));
     Assert(step_size > 0., dealii::ExcMessage("A step goes forward in time."));
@@ -65,7 +59,6 @@ namespace signorini
            PreconditionerKind::automatic,
            uses,
            0,
-           {},
            {}});
       }
     StepMatrix<dim> &matrix = recent.front();
@@ -73,27 +66,8 @@ namespace signorini
       matrix.forecast.clear();
     matrix.last_use = uses;
     choose(matrix, step_size);
-    if (matrix.kind == PreconditionerKind::multigrid && has_turned(matrix, held))
-      build(matrix, matrix.kind, step_size);
     ++matrix.n_uses;
     return matrix;
-  }
-
-
-  template <int dim>
-  bool StepMatrices<dim>::has_turned(const StepMatrix<dim> &matrix, const ActiveSet &held) const
-  {
-    if (coordinates.n_turns() == 0)
-      return false;
-    bool        any   = false;
-    const auto &nodes = coordinates.surface_nodes();
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      any = any
-            || (contact_status::is_closed(held[k])
-                && (nodes[k].normal() - matrix.normals[k]).norm() > old_normal);
-    return dealii::Utilities::MPI::max(static_cast<unsigned int>(any),
-                                       discretization.communicator())
-           > 0;
   }
 
 
@@ -119,16 +93,8 @@ namespace signorini
                             / matrix.effort.active_set_iterations;
         kind = choose_preconditioner(cost);
       }
-    if (kind != matrix.kind)
-      build(matrix, kind, step_size);
-  }
-
-
-  template <int dim>
-  void StepMatrices<dim>::build(StepMatrix<dim>         &matrix,
-                                const PreconditionerKind kind,
-                                const double             step_size)
-  {
+    if (kind == matrix.kind)
+      return;
     dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
     if (kind == PreconditionerKind::multigrid)
       {
@@ -145,9 +111,6 @@ namespace signorini
         make_preconditioner(kind, discretization.matrices(), coordinates, matrix.sum);
     matrix.kind   = kind;
     matrix.effort = SolveReport();
-    matrix.normals.clear();
-    for (const ContactNode<dim> &node : coordinates.surface_nodes())
-      matrix.normals.push_back(node.normal());
     ++built;
   }
 

@@ -113,3 +113,40 @@ TEST(ContactFrame, StaysWithoutDirichletConditions)
   ASSERT_TRUE(contact_frame_with_dirichlet<3>(oblique, {{false, false, false}}, frame));
   EXPECT_EQ(frame, free);
 }
+
+// In a corner the normals of two or three obstacles are the first rows of a frame, and the rest is
+// at right angles to them. Forces have components by the dual frame: products of forces and
+// displacements stay what they are.
+TEST(ContactFrame, OfACornerHasTheNormalsAsRows)
+{
+  const std::vector<Tensor<1, 3>> all = {
+    Tensor<1, 3>({0., 0., -1.}), Tensor<1, 3>({0.6, 0., -0.8}), Tensor<1, 3>({0., 0.8, 0.6})};
+  for (unsigned int n = 1; n <= 3; ++n)
+    {
+      const std::vector<Tensor<1, 3>> some(all.begin(), all.begin() + n);
+      const auto                      frame = oblique_frame<3>(some), dual = dual_frame<3>(frame);
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          {
+            double product = 0.;
+            for (unsigned int c = 0; c < 3; ++c)
+              product += frame[3 * i + c] * dual[3 * j + c];
+            EXPECT_NEAR(product, i == j, 1e-15);
+            EXPECT_EQ(i < n ? frame[3 * i + j] : 0., i < n ? all[i][j] : 0.);
+            if (i >= n || j >= n)
+              {
+                EXPECT_NEAR(product_of_rows<3>(frame, i, j), i == j, 1e-15);
+              }
+          }
+      if (n == 1)
+        expect_orthonormal<3>(frame, all[0]);
+      // What is held spans the same directions in the orthonormal frame.
+      const std::array<bool, 3> held        = {{false, true, n == 3}};
+      const auto                orthonormal = orthonormal_frame<3>(frame, held);
+      for (unsigned int c = 0; c < 3; ++c)
+        EXPECT_EQ(orthonormal[3 + c], frame[3 + c]) << "held ones come first";
+      for (unsigned int i = 0; i < 3; ++i)
+        for (unsigned int j = 0; j < 3; ++j)
+          EXPECT_NEAR(product_of_rows<3>(orthonormal, i, j), i == j, 1e-15);
+    }
+}

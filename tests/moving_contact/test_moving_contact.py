@@ -4,8 +4,8 @@
 
 """Contact that follows the motion (`Contact/Motion = follow`) does what rigid bodies do where they
 are stiff and small: they slide along a bowl with the speed, the force and the period of a mass
-point, fly past what they do not touch, and fall off a table. Nodes end steps outside of the true
-obstacle, and the ledger holds as it does with fixed normals.
+point, fly past what they do not touch, fall off a table, and come to rest in grooves and corners.
+Nodes end steps outside of all true obstacles, and the ledger holds as it does with fixed normals.
 """
 
 import math
@@ -160,53 +160,112 @@ subsection Contact
 end
 """
 
-ROLLERS = """
+GROOVE = """
 set Dimension = 2
 subsection Time
+  set Start     = equilibrium
   set Step size = 0.01
-  set End time  = 3
+  set End time  = 0.1
 end
 subsection Bodies
-  set Names = strip
-  subsection strip
-    set Shape           = box
-    set Lower corner    = -2.5, -0.1
-    set Upper corner    = 0.5, 0.1
-    set Repetitions     = 60, 4
+  set Names = disc
+  subsection disc
+    set Shape           = ball
+    set Centre          = 0, {height!r}
+    set Radius          = 1
+    set Refinements     = 3
     set Young's modulus = 1000
     set Poisson's ratio = 0.3
     set Density         = 1
-    set Damping         = 0, 0.002
+    set Body force      = 0; -1
   end
 end
 subsection Obstacles
-  set Names = above, below
-  subsection above
-    set Shape            = sphere
-    set Centre           = 0, 0.61
-    set Radius           = 0.5
-    set Motion           = 0; -0.013*sin(pi/2*min(t,1))
-    set Rotation centre  = 0, 0.61
-    set Angular velocity = min(t,1)
+  set Names = left, right
+  subsection left
+    set Normal = {cosine!r}, {sine!r}
   end
-  subsection below
-    set Shape            = sphere
-    set Centre           = 0, -0.61
-    set Radius           = 0.5
-    set Motion           = 0; 0.013*sin(pi/2*min(t,1))
-    set Rotation centre  = 0, -0.61
-    set Angular velocity = -min(t,1)
+  subsection right
+    set Normal = -{cosine!r}, {sine!r}
   end
 end
 subsection Contact
-  set Pairs  = strip : above, strip : below
+  set Pairs  = disc : left, disc : right
   set Motion = follow
-  subsection strip : above
-    set Friction coefficient = 0.5
+end
+"""
+
+ROOM = """
+set Dimension = 3
+subsection Time
+  set Scheme    = {scheme}
+  set Step size = 0.005
+  set End time  = 0.5
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = 0, 0, 0
+    set Upper corner     = 1, 1, 0.5
+    set Repetitions      = 4, 4, 2
+    set Young's modulus  = 1000
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 1; 0.7; 0
+    set Body force       = 0; 0; -1
   end
-  subsection strip : below
-    set Friction coefficient = 0.5
+end
+subsection Obstacles
+  set Names = floor, wall, side
+  subsection floor
+    set Normal = 0.1, 0, 1
   end
+  subsection wall
+    set Point  = 1.1, 0, 0
+    set Normal = -1, 0.2, 0.1
+  end
+  subsection side
+    set Point  = 0, 1.15, 0
+    set Normal = 0, -1, 0.3
+  end
+end
+subsection Contact
+  set Pairs  = block : floor, block : wall, block : side
+  set Motion = follow
+end
+"""
+
+BULLET = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.02
+  set End time  = 0.4
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = -2, -0.5
+    set Upper corner     = -1, 0.5
+    set Repetitions      = 16, 16
+    set Young's modulus  = 1e6
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 20; 0
+  end
+end
+subsection Obstacles
+  set Names = wall
+  subsection wall
+    set Shape        = box
+    set Lower corner = 0, -1
+    set Upper corner = 0.06, 1
+  end
+end
+subsection Contact
+  set Pairs  = block : wall
+  set Motion = follow
 end
 """
 
@@ -358,13 +417,51 @@ class MovingContact(check_history.unittest.TestCase):
     def test_rollers_drag_a_strip(self):
         """Two rollers close on a strip and begin to turn. With friction the strip goes at the speed
         of their surfaces, 0.5, about which it vibrates, and does not slip."""
-        history = check_history.Run(ROLLERS, "rollers").history
+        history = check_history.Run(check_history.scene_file("rolling_mill"), "mill").history
         momentum = history["momentum_x"][-100:]
         self.assertAlmostEqual(sum(momentum) / len(momentum) / (3 * 0.2), 0.5, delta=0.005)
         self.assertGreater(min(history["stick_nodes"][-100:]), 0)
         self.assertEqual(max(history["slip_nodes"][-100:]), 0)
         energy = max(history["total_energy"])
         self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+
+    def test_disc_rests_in_a_groove(self):
+        """Two planes at angles alpha to the vertical carry the weight W by N = W/(2 sin alpha)."""
+        for alpha in (0.5, 1.0):
+            sine, cosine = math.sin(alpha), math.cos(alpha)
+            scene = GROOVE.format(sine=sine, cosine=cosine, height=1 / sine)
+            run = check_history.Run(scene, f"groove_{alpha}")
+            pairs = check_history.read_table(run.folder / "output" / "pairs.csv")
+            weight = run.history["contact_force_y"][-1]
+            for k in range(2):
+                force = pairs[f"pair_{k}_normal_force"][-1]
+                self.assertAlmostEqual(force, weight / (2 * sine), delta=1e-8 * weight)
+
+    def test_block_hits_the_corner_of_a_room(self):
+        """Floor and walls are oblique to each other. Nodes at two and three of them stay outside of
+        all, and no preconditioner changes the result."""
+        for scheme in ("contact-stabilized-projected", "contact-implicit"):
+            energies = []
+            for kind in ("automatic", "multigrid", "incomplete-cholesky", "jacobi"):
+                with self.subTest(scheme=scheme, preconditioner=kind):
+                    history = check_history.Run(
+                        ROOM.format(scheme=scheme), "room", [f"Solver/Preconditioner={kind}"]
+                    ).history
+                    energy = max(history["kinetic_energy"])
+                    self.assertLess(max(history["geometric_penetration"]), 1e-12)
+                    self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+                    energies.append(history["elastic_energy"])
+                    largest = max(energies[0])
+                    for here, first in zip(energies[-1], energies[0]):
+                        self.assertAlmostEqual(here, first, delta=1e-8 * largest)
+
+    def test_block_does_not_pass_through_a_thin_wall(self):
+        """It moves by more than the thickness of the wall in each step. Steps that would end beyond
+        it are cut."""
+        history = check_history.Run(BULLET, "bullet").history
+        self.assertGreater(max(history["contact_force"]), 0)
+        self.assertGreater(sum(history["rejected_steps"]), 0)
+        self.assertLess(history["momentum_x"][-1], 0.1 * history["momentum_x"][0])
 
     def test_flat_obstacles_cost_nothing(self):
         """Where nothing turns the first solution of a step is the only one."""

@@ -280,17 +280,15 @@ TEST(Obstacles, ConditionOfAMotionThroughABallHoldsAtTheStart)
 }
 
 // Above a face the distance is the height, beside an edge that to the edge, inside that to the
-// nearest face, and in a room that to the nearest wall.
+// nearest face.
 TEST(Obstacles, BoxHasFacesEdgesAndAnInside)
 {
-  const BoxObstacle<2> block({0., 0.}, {4., 2.}, false), room({0., 0.}, {4., 2.}, true);
+  const BoxObstacle<2> block({0., 0.}, {4., 2.});
   expect_projection<2>(block, {1., 2.5}, 0.5, Tensor<1, 2>({0., -1.}));
   expect_projection<2>(block, {1., 2.}, 0., Tensor<1, 2>({0., -1.}));
   expect_projection<2>(block, {-3., 1.}, 3., Tensor<1, 2>({1., 0.}));
   expect_projection<2>(block, {7., 6.}, 5., Tensor<1, 2>({-0.6, -0.8}));
   expect_projection<2>(block, {3.5, 1.}, -0.5, Tensor<1, 2>({-1., 0.}));
-  expect_projection<2>(room, {3.5, 1.}, 0.5, Tensor<1, 2>({1., 0.}));
-  expect_projection<2>(room, {2., 2.5}, -0.5, Tensor<1, 2>({0., 1.}));
 }
 
 // The place of an obstacle that moves with given rates is their integral; what is seen from a point
@@ -318,9 +316,7 @@ TEST(Obstacles, MovedObstacleIsWhereItsMotionTakesIt)
               1e-14);
 
   MovedObstacle<3> box(
-    {"box",
-     std::make_shared<BoxObstacle<3>>(Point<3>(0., 0., 0.), Point<3>(1., 1., 1.), false),
-     motion});
+    {"box", std::make_shared<BoxObstacle<3>>(Point<3>(0., 0., 0.), Point<3>(1., 1., 1.)), motion});
   const Point<3> point(2., 0.5, 0.3);
   const auto     before = box.project(point);
   box.move(0., time);

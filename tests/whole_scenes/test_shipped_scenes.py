@@ -37,6 +37,8 @@ DRIVEN = {
 }
 #: Without inertia; tests/statics looks at them.
 LOAD_STEPS = ("static_hertz",)
+#: With obstacles that move; tests/moving_contact looks at them.
+MOVING = ("rolling_mill",)
 
 
 class ShippedScenes(check_history.SceneTest):
@@ -79,6 +81,7 @@ class ShippedScenes(check_history.SceneTest):
                     *test_adaptivity.SCENES,
                     *test_damping.SCENES,
                     *LOAD_STEPS,
+                    *MOVING,
                 ]
             ),
         )

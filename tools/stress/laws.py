@@ -86,6 +86,10 @@ def no_penetration(run):
     depth = max(run.columns["max_penetration"]) / run.scene.size
     if not run.scheme["penetrates"] and not depth <= DEPTH:
         yield f"penetration of {depth:.2g} of the size"
+    if run.scene.settings.get("Contact/Motion") == "follow":
+        true_depth = max(run.columns["geometric_penetration"]) / run.scene.size
+        if not true_depth <= DEPTH:
+            yield f"true penetration of {true_depth:.2g} of the size"
 
 
 def friction_takes(run):

@@ -47,6 +47,13 @@ namespace signorini
      */
     double mismatch(const Vector &increment, const std::vector<bool> &matters) const;
 
+    /**
+     * Whether a node passes through an obstacle: it begins and ends outside, and is deep inside
+     * between, as no sliding along the surface is. Only motions by more than a part of a
+     * cell are looked at. Collective.
+     */
+    bool passes_through(const Vector &increment) const;
+
     /** The motion of the obstacles at the contact nodes in the step, zero elsewhere. */
     Vector obstacle_motion() const;
 

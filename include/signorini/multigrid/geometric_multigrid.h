@@ -13,7 +13,8 @@ namespace signorini
    * A V-cycle over the levels of the mesh for a M + b A in contact coordinates, in single or double
    * precision. It works in Cartesian components, in the space of what leaves held entries alone:
    * the finest level smooths in it, the transfer to the next one leaves out what is held, and the
-   * matrices of the coarser levels are those of this transfer.
+   * matrices of the coarser levels are those of this transfer. Where held directions have turned by
+   * more than a little since they were asked for, they are asked for anew.
    */
   template <int dim, typename Number>
   class GeometricMultigrid : public MaskedPreconditioner
@@ -32,11 +33,14 @@ namespace signorini
     const LevelHierarchy<dim>                       &hierarchy;
     const ContactCoordinates<dim>                   &coordinates;
     const double                                     scale;
-    HeldCorrection<dim, Number>                      correction;
+    const MatrixSum                                  sum;
+    std::unique_ptr<HeldCorrection<dim, Number>>     correction;
     FreeSpace<dim, Number>                           free_space;
     CoarseFactor<dim>                                coarsest;
     Mask                                             mask;
-    mutable Vector                                   cartesian;
+    std::map<unsigned int, typename NodeFrames<dim>::Frame>
+                   known_frames; ///< of correction and space
+    mutable Vector cartesian;
 
     struct Level
     {
@@ -46,6 +50,8 @@ namespace signorini
     };
     mutable std::vector<Level> levels;
 
+    /** Whether what a mask holds has other directions than those that are known. Collective. */
+    bool have_turned(const Mask &mask) const;
     /** Where a level smooths: 1 for each such owned node. */
     std::vector<char> smoothed(unsigned int level) const;
     /** solution of the level = what the cycle makes of its residual. */

@@ -10,24 +10,19 @@
 namespace signorini
 {
   /**
-   * A box along the axes (2d: a rectangle), or the room inside of one. Beside edges and corners of
-   * a box the distance is that to them, and the normal points there; inside, and in a room, the
-   * nearest face counts.
+   * A box along the axes (2d: a rectangle). Beside its edges and corners the distance is that to
+   * them, and the normal points there; inside, the nearest face counts.
    */
   template <int dim>
   class BoxObstacle : public RigidObstacle<dim>
   {
   public:
-    /** @param bodies_inside a room */
-    BoxObstacle(const dealii::Point<dim> &lower,
-                const dealii::Point<dim> &upper,
-                bool                      bodies_inside);
+    BoxObstacle(const dealii::Point<dim> &lower, const dealii::Point<dim> &upper);
 
     ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override;
 
   private:
     const dealii::Point<dim> lower, upper;
-    const bool               bodies_inside;
   };
 
   template <int dim>

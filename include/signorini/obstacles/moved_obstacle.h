@@ -46,6 +46,13 @@ namespace signorini
     MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
                                              const dealii::Point<dim> &end) const override;
 
+    /**
+     * How deep a point gets on its way through the step, by conservative advancement: it goes as
+     * far as it is away from the surface, but at least a sixteenth of the way. Length, 0: never
+     * inside.
+     */
+    double depth_on_way(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const;
+
   private:
     std::shared_ptr<const RigidObstacle<dim>>  shape;
     std::shared_ptr<const ObstacleMotion<dim>> motion; ///< null: at rest

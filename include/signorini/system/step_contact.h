@@ -34,6 +34,7 @@ namespace signorini
     void                      begin_step(const State &start, double step_size) override;
     void                      follow(const Vector &increment) override;
     double                    mismatch(const Vector &increment) const override;
+    bool                      passes_through(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
     const Vector             *obstacle_motion() const override;
 

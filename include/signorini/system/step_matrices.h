@@ -4,7 +4,6 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
-#include <signorini/base/contact_status.h>
 #include <signorini/multigrid/level_hierarchy.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/increment_forecast.h>
@@ -31,8 +30,6 @@ namespace signorini
     unsigned int       last_use = 0; ///< counted in solutions
     unsigned int       n_uses   = 0;
     SolveReport        effort; ///< so far, with this preconditioner
-    /** Of the contact nodes of this process when the preconditioner was built. */
-    std::vector<dealii::Tensor<1, dim>> normals;
   };
 
   /** What decides about the preconditioners of all steps. */
@@ -60,11 +57,10 @@ namespace signorini
                  dealii::TimerOutput           &timer);
 
     /**
-     * The matrix of the factors s and c; valid until the next call. Collective. @param step_size
-     * decides about the preconditioner @param held contact nodes that will probably be held
+     * The matrix of the factors s and c; valid until the next call. @param step_size decides about
+     * the preconditioner
      */
-    StepMatrix<dim> &
-    get(double stiffness_factor, double damping_factor, double step_size, const ActiveSet &held);
+    StepMatrix<dim> &get(double stiffness_factor, double damping_factor, double step_size);
 
     /** Of the last matrix; empty if there was none. */
     std::string preconditioner_name() const
@@ -86,9 +82,6 @@ namespace signorini
 
     /** Give the matrix the preconditioner that pays, unless it has it. */
     void choose(StepMatrix<dim> &matrix, double step_size);
-    void build(StepMatrix<dim> &matrix, PreconditionerKind kind, double step_size);
-    /** Whether the preconditioner knows other normals of what is held. Collective. */
-    bool has_turned(const StepMatrix<dim> &matrix, const ActiveSet &held) const;
   };
 } // namespace signorini
 

@@ -213,6 +213,9 @@ namespace signorini
      */
     virtual double mismatch(const Vector &increment) const = 0;
 
+    /** Whether a motion passes through something, between a start and an end without contact. */
+    virtual bool passes_through(const Vector &increment) const = 0;
+
     /** Entries (owned, local) of increments on which normals depend. */
     virtual std::vector<unsigned int> entries() const = 0;
 
