@@ -6,8 +6,8 @@
 A box, a disc or a ball is thrown, with or without gravity, at a floor, slanted walls, balls, boxes
 and waves, some of which move or turn; it goes as far as its own size, slides along them, past them
 and into the corners between them. Contact follows the motion. Each scene must end with status 0 and
-keep the laws of tools/stress/laws.py; nodes must stay outside of all that is true. The same seed and
-number give the same scene anywhere.
+keep the laws of tools/stress/laws.py, and nodes must stay outside of the true obstacles. The same
+seed and number give the same scene anywhere.
 
     ./dev stress motions [--count 500] [--seed 1] [--only NUMBER]
 """

@@ -301,7 +301,7 @@ namespace signorini
                 || (!is_held && obstacle.is_at_rest() && facing.gap > 2. * d.norm()))
               continue;
             const double gap = obstacle.project(site.start + d).gap;
-            if (is_held || gap < 0.)
+            if ((is_held && facing.condition.is_exact) || gap < 0.)
               largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
           }
         if (site.facings.size() > 1)

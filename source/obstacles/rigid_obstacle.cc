@@ -11,8 +11,9 @@ namespace signorini
   MotionCondition<dim> RigidObstacle<dim>::condition_of_motion(const Point<dim> &start,
                                                                const Point<dim> &end) const
   {
-    const Tensor<1, dim> motion = end - start;
-    const double         before = project(start).gap, after = project(end).gap;
+    const Tensor<1, dim> motion   = end - start;
+    const auto           at_start = project(start);
+    const double         before = at_start.gap, after = project(end).gap;
     Tensor<1, dim>       normal = project(start + 0.5 * motion).normal;
     const double         length = motion.norm();
     const double         missed = before - after - normal * motion;
@@ -21,7 +22,7 @@ namespace signorini
     if (std::abs(missed) <= round_off)
       return {normal, before};
     if (std::abs(missed) > largest_tilt * length)
-      return {normal, std::max(0., after + normal * motion)};
+      return {at_start.normal, before, 1., false};
     normal += missed / (length * length) * motion;
     const double size = normal.norm();
     return {normal / size, before / size, size};

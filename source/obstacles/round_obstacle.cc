@@ -63,7 +63,7 @@ namespace signorini
     const double         size   = normal.norm();
     // Past the centre there is no such thing as a way round: the tangent plane at the start holds.
     if (!(size > 0.1))
-      return {before.normal, before.gap};
+      return {before.normal, before.gap, 1., false};
     return {normal / size, before.gap / size, size};
   }
 

@@ -42,7 +42,8 @@ namespace signorini
 
   /**
    * A linear condition on the motion d of a point that says what its gap g at the end of the motion
-   * says: g = gap_per_slack (bound - normal.d).
+   * says: g = gap_per_slack (bound - normal.d). At an edge there may be none; then it is the plane
+   * of the start of the motion, which keeps the point out of what is convex.
    */
   template <int dim>
   struct MotionCondition
@@ -50,6 +51,7 @@ namespace signorini
     dealii::Tensor<1, dim> normal; ///< unit vector towards the obstacle
     double                 bound;  ///< length
     double                 gap_per_slack   = 1.;
+    bool                   is_exact        = true; ///< says it, and is not only safe
     dealii::Tensor<1, dim> obstacle_motion = {}; ///< of its surface at the point, in the same time
 
     /** Of the point at the start of the motion, in the units of the bound. */
@@ -99,8 +101,7 @@ namespace signorini
      * scaled to a unit vector; its bound is then g(start), scaled alike, whatever the motion turns
      * out to be (Gonzalez, Comput. Methods Appl. Mech. Engrg. 190 (2000) 1763-1783, equation (24)).
      * It is the normal in the middle, tilted along the motion. Where that takes more than
-     * `largest_tilt`, at edges, the rest goes into the bound, which is then right for this motion
-     * only, and never negative.
+     * `largest_tilt`, at edges, it is not exact.
      */
     virtual MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
                                                      const dealii::Point<dim> &end) const;

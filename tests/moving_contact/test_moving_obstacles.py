@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Obstacles that move bring energy from outside, exactly as much as force times motion, and take
+bodies along by friction.
+"""
+
+import math
+
+import check_history
+
+PUNCH = """
+set Dimension = 2
+subsection Time
+  set Scheme    = {scheme}
+  set Step size = 0.01
+  set End time  = 4
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape           = box
+    set Lower corner    = -1, -1
+    set Upper corner    = 1, 0
+    set Repetitions     = 16, 8
+    set Young's modulus = 100
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Dirichlet       = 2: 0; 0
+  end
+end
+subsection Obstacles
+  set Names = punch
+  subsection punch
+    set Shape  = sphere
+    set Centre = 0.1, 0.51
+    set Radius = 0.5
+    set {motion}
+  end
+end
+subsection Contact
+  set Pairs  = block : punch
+  set Motion = follow
+  subsection block : punch
+    set Friction coefficient = {friction}
+  end
+end
+"""
+
+
+class MovingObstacles(check_history.unittest.TestCase):
+    """See the beginning of the file."""
+
+    def test_work_of_a_punch_is_the_energy_that_it_brings(self):
+        """A round punch is pressed into a block while it moves aside, and withdrawn. Its work from
+        the table, force times motion, is the external work of the ledger, whatever the friction;
+        contact and friction take energy and give none. A velocity is the derivative of a motion."""
+        motions = ("Motion = 0.05*t; -0.1*sin(pi*t/4)", "Velocity = 0.05; -pi/40*cos(pi*t/4)")
+        for scheme, motion, friction in (
+            ("contact-stabilized-projected", motions[0], 0),
+            ("contact-stabilized-projected", motions[1], 0.3),
+            ("contact-implicit", motions[0], 0.3),
+        ):
+            with self.subTest(scheme=scheme, motion=motion, friction=friction):
+                scene = PUNCH.format(scheme=scheme, motion=motion, friction=friction)
+                history = check_history.Run(scene, "punch").history
+                energy = max(history["total_energy"])
+                places = [(0.05 * t, -0.1 * math.sin(math.pi * t / 4)) for t in history["time"]]
+                work = sum(
+                    fx * (there[0] - here[0]) + fy * (there[1] - here[1])
+                    for here, there, fx, fy in zip(
+                        places,
+                        places[1:],
+                        history["contact_force_x"][1:],
+                        history["contact_force_y"][1:],
+                    )
+                )
+                self.assertAlmostEqual(work, sum(history["work_external"]), delta=1e-11 * energy)
+                for column in ("work_contact", "work_predictor", "work_friction"):
+                    self.assertLess(max(history[column]), 1e-10 * energy, column)
+                self.assertEqual(min(history["work_friction"]) < 0, friction > 0)
+                self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+                self.assertLess(max(history["max_penetration"]), 1e-11)
+
+    def test_rollers_drag_a_strip(self):
+        """Two rollers close on a strip and begin to turn. With friction the strip goes at the speed
+        of their surfaces, 0.5, about which it vibrates, and does not slip."""
+        history = check_history.Run(check_history.scene_file("rolling_mill"), "mill").history
+        momentum = history["momentum_x"][-100:]
+        self.assertAlmostEqual(sum(momentum) / len(momentum) / (3 * 0.2), 0.5, delta=0.005)
+        self.assertGreater(min(history["stick_nodes"][-100:]), 0)
+        self.assertEqual(max(history["slip_nodes"][-100:]), 0)
+        energy = max(history["total_energy"])
+        self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+
+
+if __name__ == "__main__":
+    check_history.main()
