@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/complaints.h>
+#include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/followed_contact.h>
 #include <signorini/contact/free_directions.h>
@@ -27,6 +29,27 @@ namespace signorini
     /** Of a unit normal, across those of the other obstacles at a node. */
     constexpr double independent = 0.1;
     constexpr double infinity    = std::numeric_limits<double>::infinity();
+
+
+    /**
+     * Call an action for each site. Where an obstacle has no distance, all processes throw
+     * together. Collective.
+     */
+    template <typename Sites, typename Action>
+    void for_each_site(Sites &sites, const MPI_Comm communicator, const Action &action)
+    {
+      std::vector<Complaint> complaints;
+      try
+        {
+          for (auto &site : sites)
+            action(site);
+        }
+      catch (const UserError &error)
+        {
+          complaints.emplace_back(1., error.what());
+        }
+      throw_worst(complaints, communicator);
+    }
   } // namespace
 
 
@@ -73,14 +96,13 @@ namespace signorini
   {
     surface.move_obstacles(start, end);
     double largest_coordinate = 0.;
-    for (Site &site : sites)
-      {
-        site.displacement = motion(site, displacement);
-        site.start        = surface.nodes()[site.first].position + site.displacement;
-        for (unsigned int c = 0; c < dim; ++c)
-          largest_coordinate = std::max(largest_coordinate, std::abs(site.start[c]));
-        look_around(site);
-      }
+    for_each_site(sites, discretization.communicator(), [&](Site &site) {
+      site.displacement = motion(site, displacement);
+      site.start        = surface.nodes()[site.first].position + site.displacement;
+      for (unsigned int c = 0; c < dim; ++c)
+        largest_coordinate = std::max(largest_coordinate, std::abs(site.start[c]));
+      look_around(site);
+    });
     largest_coordinate = Utilities::MPI::max(largest_coordinate, discretization.communicator());
     accepted           = relative_tolerance * discretization.mesh().body_size()
                + 16. * std::numeric_limits<double>::epsilon() * largest_coordinate;
@@ -176,21 +198,20 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::follow(const Vector &increment)
   {
-    for (Site &site : sites)
-      {
-        const Tensor<1, dim> d = motion(site, increment);
-        for (Facing &facing : site.facings)
-          {
-            const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-            // What cannot get there needs no more than the plane at the start.
-            if (std::isfinite(facing.gap)
-                && (!obstacle.is_at_rest() || (facing.gap < 2. * d.norm() && !obstacle.is_flat())))
-              facing.condition = obstacle.condition_of_motion(site.start, site.start + d);
-          }
-        if (site.facings.size() > 1)
-          bound_by_what_is_entered(site, d);
-        write(site);
-      }
+    for_each_site(sites, discretization.communicator(), [&](Site &site) {
+      const Tensor<1, dim> d = motion(site, increment);
+      for (Facing &facing : site.facings)
+        {
+          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+          // What cannot get there needs no more than the plane at the start.
+          if (std::isfinite(facing.gap)
+              && (!obstacle.is_at_rest() || (facing.gap < 2. * d.norm() && !obstacle.is_flat())))
+            facing.condition = obstacle.condition_of_motion(site.start, site.start + d);
+        }
+      if (site.facings.size() > 1)
+        bound_by_what_is_entered(site, d);
+      write(site);
+    });
     ++n_followed;
   }
 
@@ -264,21 +285,20 @@ namespace signorini
   bool FollowedContact<dim>::passes_through(const Vector &increment) const
   {
     bool any = false;
-    for (const Site &site : sites)
-      {
-        const Tensor<1, dim> d = motion(site, increment);
-        for (const Facing &facing : site.facings)
-          {
-            const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-            const double              length   = (d - facing.condition.obstacle_motion).norm();
-            const double              least = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
-            if (any || obstacle.is_flat() || facing.gap > length || length < least
-                || facing.gap < -accepted || enters(site, facing, d))
-              continue;
-            any = obstacle.depth_on_way(site.start, site.start + d)
-                  > std::max(least, deep_on_way * length);
-          }
-      }
+    for_each_site(sites, discretization.communicator(), [&](const Site &site) {
+      const Tensor<1, dim> d = motion(site, increment);
+      for (const Facing &facing : site.facings)
+        {
+          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+          const double              length   = (d - facing.condition.obstacle_motion).norm();
+          const double              least    = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
+          if (any || obstacle.is_flat() || facing.gap > length || length < least
+              || facing.gap < -accepted || enters(site, facing, d))
+            continue;
+          any = obstacle.depth_on_way(site.start, site.start + d)
+                > std::max(least, deep_on_way * length);
+        }
+    });
     return Utilities::MPI::max(static_cast<unsigned int>(any), discretization.communicator()) > 0;
   }
 
@@ -289,27 +309,26 @@ namespace signorini
   {
     AssertDimension(matters.size(), surface.nodes().size());
     double largest = 0.;
-    for (const Site &site : sites)
-      {
-        const Tensor<1, dim> d = motion(site, increment);
-        for (unsigned int row = 0; row < site.bounding.size(); ++row)
-          {
-            const Facing             &facing   = site.facings[site.bounding[row]];
-            const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-            const bool                is_held  = matters[site.first + row];
-            if (facing.gap == infinity || obstacle.is_flat()
-                || (!is_held && obstacle.is_at_rest() && facing.gap > 2. * d.norm()))
-              continue;
-            const double gap = obstacle.project(site.start + d).gap;
-            if ((is_held && facing.condition.is_exact) || gap < 0.)
-              largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
-          }
-        if (site.facings.size() > 1)
-          for (unsigned int f = 0; f < site.facings.size(); ++f)
-            if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
-                && enters(site, site.facings[f], d))
-              largest = infinity;
-      }
+    for_each_site(sites, discretization.communicator(), [&](const Site &site) {
+      const Tensor<1, dim> d = motion(site, increment);
+      for (unsigned int row = 0; row < site.bounding.size(); ++row)
+        {
+          const Facing             &facing   = site.facings[site.bounding[row]];
+          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+          const bool                is_held  = matters[site.first + row];
+          if (facing.gap == infinity || obstacle.is_flat()
+              || (!is_held && obstacle.is_at_rest() && facing.gap > 2. * d.norm()))
+            continue;
+          const double gap = obstacle.project(site.start + d).gap;
+          if ((is_held && facing.condition.is_exact) || gap < 0.)
+            largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
+        }
+      if (site.facings.size() > 1)
+        for (unsigned int f = 0; f < site.facings.size(); ++f)
+          if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
+              && enters(site, site.facings[f], d))
+            largest = infinity;
+    });
     return Utilities::MPI::max(largest, discretization.communicator()) / accepted;
   }
 

@@ -19,6 +19,9 @@ namespace signorini
    * The normals depend on the motion, and the motion on the normals: who leads the step calls
    * follow() until mismatch() is small. At flat obstacles, and far from any, there is nothing to
    * repeat.
+   *
+   * All functions that look at obstacles are collective, and throw a UserError on all processes
+   * where one has no distance or no normal.
    */
   template <int dim>
   class FollowedContact
