@@ -6,6 +6,7 @@
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/followed_contact.h>
 #include <signorini/contact/free_directions.h>
+#include <signorini/contact/nodal_friction.h>
 
 #include <algorithm>
 #include <cmath>
@@ -70,10 +71,31 @@ namespace signorini
         {
           sites.push_back({k, 1, {}, {}, {}, {}});
           for (const auto &[pair, area] : at_obstacles.surface().at(nodes[k].node).areas)
-            sites.back().facings.push_back({pair, area, infinity, {}});
+            sites.back().facings.push_back({pair, area, {}, infinity, {}});
         }
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
       some_move = some_move || !at_obstacles.obstacle(pair).is_at_rest();
+    find_friction();
+  }
+
+
+  template <int dim>
+  void FollowedContact<dim>::find_friction()
+  {
+    std::vector<ContactNode<dim>> nodes;
+    for (const Site &site : sites)
+      for (const Facing &facing : site.facings)
+        {
+          nodes.push_back(surface.nodes()[site.first]);
+          nodes.back().pair     = facing.pair;
+          nodes.back().weight   = facing.area;
+          nodes.back().friction = {};
+        }
+    assign_friction(discretization, dirichlet, surface.pairs(), nodes);
+    auto node = nodes.begin();
+    for (Site &site : sites)
+      for (Facing &facing : site.facings)
+        facing.friction = (node++)->friction;
   }
 
 
@@ -235,6 +257,7 @@ namespace signorini
         ContactNode<dim> node   = surface.nodes()[site.first + row];
         node.pair               = facing.pair;
         node.weight             = facing.area;
+        node.friction           = facing.friction;
         node.n_bounds           = site.bounding.size();
         node.gap                = row < node.n_bounds ? facing.condition.bound : infinity;
         if (conditions == dirichlet.nodes().end())

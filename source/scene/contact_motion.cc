@@ -13,26 +13,6 @@ namespace signorini
   namespace
   {
     const std::string or_linearised = ", or set `Motion = linearised`.";
-
-
-    /** The pairs of a body with obstacles have one law of friction: nodes go from one to another.
-     */
-    template <int dim>
-    void check_friction(const SectionReader &in, const Scene<dim> &scene)
-    {
-      for (const PairDescription &first : scene.pairs)
-        for (const PairDescription &second : scene.pairs)
-          if (first.slave == second.slave && (first.friction.any || second.friction.any)
-              && (first.friction.law != second.friction.law
-                  || first.friction.coefficient != second.friction.coefficient
-                  || first.friction.bound != second.friction.bound))
-            in.fail("Motion",
-                    "follow: a node may slide from one obstacle of its body to another, and `"
-                      + first.name + "` and `" + second.name
-                      + "` have different laws of friction, which is not implemented. Give both "
-                        "the same law"
-                      + or_linearised);
-    }
   } // namespace
 
 
@@ -91,7 +71,6 @@ namespace signorini
           in.fail("Motion",
                   head + "finds no equilibrium to start from at curved or moving obstacles, as in `"
                     + pair.name + "`. Set `Time/Start = given`" + or_linearised);
-    check_friction(in, scene);
     return motion;
   }
 

@@ -42,7 +42,7 @@ namespace signorini
     , loads(loads)
     , parameters(parameters)
     , timer(timer)
-    , friction(coordinates, discretization.communicator())
+    , friction(coordinates, surface.friction_may_come(), discretization.communicator())
     , step_matrices(discretization,
                     coordinates,
                     {parameters.solver.preconditioner,

@@ -67,8 +67,9 @@ namespace signorini
                                    const Vector                  *load,
                                    State                         &state)
   {
-    const ProductCount        before = discretization.matrices().products();
-    const StepFriction<dim>   friction(coordinates, discretization.communicator());
+    const ProductCount      before = discretization.matrices().products();
+    const StepFriction<dim> friction(
+      coordinates, surface.friction_may_come(), discretization.communicator());
     const Vector              nothing    = discretization.make_vector();
     const NormalGap           gap        = surface.normal_gap(nothing);
     const std::vector<double> prescribed = coordinates.dirichlet_values(0.);

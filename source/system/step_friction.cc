@@ -24,13 +24,14 @@ namespace signorini
 
   template <int dim>
   StepFriction<dim>::StepFriction(const ContactCoordinates<dim> &coordinates,
+                                  const bool                     may_come,
                                   const MPI_Comm                 communicator)
     : coordinates(coordinates)
   {
     unsigned int n = 0;
     for (const auto &entries : coordinates.tangential_entries())
       n += entries.size();
-    has_friction = dealii::Utilities::MPI::max(n, communicator) > 0;
+    has_friction = dealii::Utilities::MPI::max(n, communicator) > 0 || may_come;
   }
 
 

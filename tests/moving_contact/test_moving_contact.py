@@ -122,6 +122,49 @@ subsection Contact
 end
 """
 
+FLOORS = """
+set Dimension = 2
+subsection Time
+  set Start     = equilibrium
+  set Step size = 0.01
+  set End time  = 1.5
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = -1.5, 0
+    set Upper corner     = -0.5, 0.1
+    set Repetitions      = 10, 2
+    set Young's modulus  = 1e4
+    set Poisson's ratio  = 0
+    set Density          = 1
+    set Initial velocity = 2; 0
+    set Body force       = 0; -1
+  end
+end
+subsection Obstacles
+  set Names = rough, smooth
+  subsection rough
+    set Point  = -5, 0
+    set Normal = 0, 1
+    set Extent = 10
+  end
+  subsection smooth
+    set Point  = 5, 0
+    set Normal = 0, 1
+    set Extent = 10
+  end
+end
+subsection Contact
+  set Pairs  = block : rough, block : smooth
+  set Motion = follow
+  subsection block : rough
+    set Friction coefficient = 0.3
+  end
+end
+"""
+
 
 def in_bowl(scheme, step, end, speed, gravity=0.0):
     """A block whose lower corners are on the bowl, turning about its centre."""
@@ -235,6 +278,17 @@ class MovingContact(check_history.unittest.TestCase):
         momentum = history["momentum_x"]
         self.assertAlmostEqual(momentum[-1] / momentum[0], 1, delta=1e-8)
         self.assertLess(max(history["max_penetration"]), 1e-11)
+
+    def test_block_slides_from_a_rough_floor_onto_a_smooth_one(self):
+        """Each floor has its own law. The friction mu W acts on the part of the block that is on the
+        rough one, so that of the square of its speed 2 mu g times the way there is lost: 0.5 until
+        it reaches the smooth one, and half of its length 1 while it passes over."""
+        history = check_history.Run(FLOORS, "floors").history
+        mass, friction, speed = 0.1, 0.3, 2.0
+        self.assertAlmostEqual(history["contact_force_x"][10], -friction * mass, delta=1e-6)
+        self.assertEqual(history["contact_force_x"][-1], 0)
+        expected = math.sqrt(speed**2 - 2 * friction * (0.5 + 0.5))
+        self.assertAlmostEqual(history["momentum_x"][-1] / mass, expected, delta=1e-4)
 
     def test_flat_obstacles_cost_nothing(self):
         """Where nothing turns the first solution of a step is the only one."""

@@ -29,6 +29,12 @@ namespace signorini
                    const std::vector<PairDescription>    &pairs,
                    ContactMotion                          motion = ContactMotion::linearised);
 
+    /** Whether nodes may get friction that they do not have, by going from one pair to another. */
+    bool friction_may_come() const
+    {
+      return motion == ContactMotion::follow && has_friction(descriptions);
+    }
+
     /** What was asked to be in contact; ContactNode::pair is an index into this. */
     const std::vector<PairDescription> &pairs() const { return descriptions; }
 

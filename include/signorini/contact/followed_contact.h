@@ -71,8 +71,9 @@ namespace signorini
     struct Facing
     {
       unsigned int         pair;
-      double               area; ///< of the node in this pair
-      double               gap;  ///< at the start of the step; infinite past the end
+      double               area;     ///< of the node in this pair
+      FrictionLaw          friction; ///< of the node in this pair
+      double               gap;      ///< at the start of the step; infinite past the end
       MotionCondition<dim> condition;
     };
     /** A node of the surface. */
@@ -95,6 +96,8 @@ namespace signorini
     double                          accepted   = 0.;
     unsigned int                    n_followed = 0; ///< motions of this step
 
+    /** The laws of friction of all facings. Collective. */
+    void find_friction();
     /** The motion of a node. */
     dealii::Tensor<1, dim> motion(const Site &site, const Vector &increment) const;
     /** Look where the obstacles of a node are when the step begins. */

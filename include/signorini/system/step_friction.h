@@ -18,8 +18,8 @@ namespace signorini
   class StepFriction
   {
   public:
-    /** Collective. */
-    StepFriction(const ContactCoordinates<dim> &coordinates, MPI_Comm communicator);
+    /** Collective. @param may_come whether nodes without friction may get some */
+    StepFriction(const ContactCoordinates<dim> &coordinates, bool may_come, MPI_Comm communicator);
 
     /** Whether any contact node of any process has friction. */
     bool any() const { return has_friction; }
