@@ -280,9 +280,9 @@ class MovingContact(check_history.unittest.TestCase):
         self.assertLess(max(history["max_penetration"]), 1e-11)
 
     def test_block_slides_from_a_rough_floor_onto_a_smooth_one(self):
-        """Each floor has its own law. The friction mu W acts on the part of the block that is on the
-        rough one, so that of the square of its speed 2 mu g times the way there is lost: 0.5 until
-        it reaches the smooth one, and half of its length 1 while it passes over."""
+        """Each floor has its own law. The friction mu W acts on the part of the block that is on
+        the rough one, so that of the square of its speed 2 mu g times the way there is lost: 0.5
+        until it reaches the smooth one, and half of its length 1 while it passes over."""
         history = check_history.Run(FLOORS, "floors").history
         mass, friction, speed = 0.1, 0.3, 2.0
         self.assertAlmostEqual(history["contact_force_x"][10], -friction * mass, delta=1e-6)
