@@ -17,7 +17,7 @@ import random
 import sys
 
 from stress import random_runs
-from stress.random_runs import decades
+from stress.random_runs import decades, material
 from stress.scene import Scene, point, vector
 
 N_STEPS = 60
@@ -53,17 +53,8 @@ class RandomMotion:
     def body(self):
         """Its middle is the origin, and it is thrown in some direction."""
         half = self.size / 2
-        modulus = (
-            self.density
-            * self.wave_speed**2
-            * (1 + self.poisson)
-            * (1 - 2 * self.poisson)
-            / (1 - self.poisson)
-        )
         keys = {
-            "Young's modulus": modulus,
-            "Poisson's ratio": self.poisson,
-            "Density": self.density,
+            **material(self.density, self.wave_speed, self.poisson),
             "Initial velocity": vector(*[self.speed * c for c in self.direction()]),
         }
         if self.round:

@@ -17,7 +17,7 @@ import random
 import sys
 
 from stress import random_runs, scenes
-from stress.random_runs import decades
+from stress.random_runs import decades, material
 from stress.scene import Scene, point, vector
 
 N_STEPS = 25
@@ -56,13 +56,6 @@ class RandomScene:
     def body(self, name, offset, speed):
         """The keys of a body that rests on the height offset."""
         size = self.size
-        modulus = (
-            self.density
-            * self.wave_speed**2
-            * (1 + self.poisson)
-            * (1 - 2 * self.poisson)
-            / (1 - self.poisson)
-        )
         if self.round:
             keys = {
                 "Shape": "ball",
@@ -80,9 +73,7 @@ class RandomScene:
             }
         sideways = self.source.uniform(-0.5, 0.5) * speed if self.friction > 0 else 0.0
         keys |= {
-            "Young's modulus": modulus,
-            "Poisson's ratio": self.poisson,
-            "Density": self.density,
+            **material(self.density, self.wave_speed, self.poisson),
             "Initial velocity": vector(*self.direction(speed, sideways)),
         }
         return {f"Bodies/{name}/{key}": value for key, value in keys.items()}

@@ -20,14 +20,15 @@ namespace signorini
 
   void throw_worst(const std::vector<Complaint> &complaints, const MPI_Comm communicator)
   {
+    if (dealii::Utilities::MPI::max(complaints.empty() ? 0 : 1, communicator) == 0)
+      return;
     std::vector<Complaint> own;
     if (!complaints.empty())
       own.push_back(*std::min_element(complaints.begin(), complaints.end(), is_worse));
     std::vector<Complaint> worst;
     for (const auto &of_process : dealii::Utilities::MPI::all_gather(communicator, own))
       worst.insert(worst.end(), of_process.begin(), of_process.end());
-    if (!worst.empty())
-      throw UserError(std::min_element(worst.begin(), worst.end(), is_worse)->second);
+    throw UserError(std::min_element(worst.begin(), worst.end(), is_worse)->second);
   }
 
 

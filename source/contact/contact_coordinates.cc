@@ -69,8 +69,17 @@ namespace signorini
   template <int dim>
   void ContactCoordinates<dim>::follow_frames()
   {
+    bool any = false;
     for (const ContactNode<dim> &node : owned_contact_nodes)
-      frames[node.node] = node.frame;
+      {
+        Frame &frame = frames[node.node];
+        any          = any || frame != node.frame;
+        frame        = node.frame;
+      }
+    find_tangential_entries();
+    // All processes ask for the frames of ghosts together, or none does.
+    if (dealii::Utilities::MPI::max(static_cast<unsigned int>(any), dirichlet.communicator()) == 0)
+      return;
     for (std::size_t j = 0; j < prescribed.size(); ++j)
       {
         const Frame       &frame  = frames.at(prescribed[j] / dim);
@@ -80,7 +89,6 @@ namespace signorini
                dealii::ExcMessage("A prescribed direction stays in its row of the frame."));
         source.direction = frame[dim * row + source.component];
       }
-    find_tangential_entries();
     ++turns;
   }
 

@@ -245,8 +245,7 @@ namespace signorini
     std::vector<double> result = normal_gap(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       if (const ContactNode<dim> &node = contact_nodes[k];
-          !descriptions[node.pair].of_two_bodies()
-          && (motion == ContactMotion::follow || std::isinf(result[k])))
+          !descriptions[node.pair].of_two_bodies() && (follows() || std::isinf(result[k])))
         {
           const auto way = obstacle_contact.obstacle(node.pair).project(
             obstacle_contact.displaced(node.node, displacement));

@@ -27,6 +27,8 @@ namespace signorini
     constexpr double part_of_cell = 0.25;
     /** A chord that is deeper, in its length, turns by more than 0.8 radian on a circle. */
     constexpr double deep_on_way = 0.1;
+    /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
+    constexpr double largest_turn = 1.;
     /** Of a unit normal, across those of the other obstacles at a node. */
     constexpr double independent = 0.1;
     constexpr double infinity    = std::numeric_limits<double>::infinity();
@@ -117,6 +119,12 @@ namespace signorini
                                         const double  end)
   {
     surface.move_obstacles(start, end);
+    for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
+      if (at_obstacles.obstacle(pair).turn() > largest_turn)
+        throw StepError(
+          "Contact/Pairs = " + surface.pairs()[pair].name
+          + ": the obstacle turns by more than 1 radian in a step. Take smaller steps, "
+            "or let `Time/Step size control` choose them.");
     double largest_coordinate = 0.;
     for_each_site(sites, discretization.communicator(), [&](Site &site) {
       site.displacement = motion(site, displacement);
@@ -156,6 +164,14 @@ namespace signorini
 
 
   template <int dim>
+  bool FollowedContact<dim>::is_in_reach(const Facing &facing, const Tensor<1, dim> &d) const
+  {
+    // The motion that is expected may turn out to be larger.
+    return !at_obstacles.obstacle(facing.pair).is_at_rest() || facing.gap <= 2. * d.norm();
+  }
+
+
+  template <int dim>
   bool FollowedContact<dim>::add_row(Site &site, const unsigned int facing) const
   {
     if (site.bounding.size() == site.n_rows)
@@ -184,10 +200,9 @@ namespace signorini
                                     const Facing         &facing,
                                     const Tensor<1, dim> &d) const
   {
-    const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-    if (obstacle.is_at_rest() && facing.gap > 2. * d.norm())
+    if (was_inside(facing) || !is_in_reach(facing, d))
       return false;
-    const auto way = obstacle.project(site.start + d);
+    const auto way = at_obstacles.obstacle(facing.pair).project(site.start + d);
     return way.is_carried(at_obstacles.end_tolerance()) && way.gap < -accepted;
   }
 
@@ -224,11 +239,13 @@ namespace signorini
       const Tensor<1, dim> d = motion(site, increment);
       for (Facing &facing : site.facings)
         {
-          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
           // What cannot get there needs no more than the plane at the start.
-          if (std::isfinite(facing.gap)
-              && (!obstacle.is_at_rest() || (facing.gap < 2. * d.norm() && !obstacle.is_flat())))
-            facing.condition = obstacle.condition_of_motion(site.start, site.start + d);
+          if (std::isfinite(facing.gap) && is_in_reach(facing, d))
+            facing.condition =
+              at_obstacles.obstacle(facing.pair).condition_of_motion(site.start, site.start + d);
+          // What has come in past an end, or where no row was left, is not pushed out at once.
+          if (was_inside(facing))
+            facing.condition.bound = facing.condition.normal * facing.condition.obstacle_motion;
         }
       if (site.facings.size() > 1)
         bound_by_what_is_entered(site, d);
@@ -282,12 +299,16 @@ namespace signorini
     for (const Site &site : sites)
       {
         // Where several obstacles bound a node, that whose own motions are theirs along its
-        // normals.
-        const unsigned int          node = surface.nodes()[site.first].node;
-        const auto                 &dual = surface.nodes()[site.first].dual_frame();
-        const MotionCondition<dim> &only = site.facings[site.bounding[0]].condition;
-        Tensor<1, dim>              s    = only.obstacle_motion;
-        if (site.bounding.size() > 1)
+        // normals; where a part of the normal is prescribed, that which moves the bound.
+        const ContactNode<dim>     &contact_node = surface.nodes()[site.first];
+        const unsigned int          node         = contact_node.node;
+        const auto                 &dual         = contact_node.dual_frame();
+        const MotionCondition<dim> &only         = site.facings[site.bounding[0]].condition;
+        Tensor<1, dim>              s            = only.obstacle_motion;
+        if (contact_node.prescribed_part.norm() > 0.)
+          s += (only.normal * s / contact_node.free_part - contact_node.normal() * s)
+               * contact_node.normal();
+        else if (site.bounding.size() > 1)
           {
             s = Tensor<1, dim>();
             for (unsigned int row = 0; row < site.bounding.size(); ++row)
@@ -316,10 +337,12 @@ namespace signorini
           const double              length   = (d - facing.condition.obstacle_motion).norm();
           const double              least    = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
           if (any || obstacle.is_flat() || facing.gap > length || length < least
-              || facing.gap < -accepted || enters(site, facing, d))
+              || was_inside(facing) || enters(site, facing, d))
             continue;
-          any = obstacle.depth_on_way(site.start, site.start + d)
-                > std::max(least, deep_on_way * length);
+          // A chord of what slides along the surface is deep only if it turns far.
+          const double depth = obstacle.depth_on_way(site.start, site.start + d);
+          const bool   flies = std::max(facing.gap, obstacle.project(site.start + d).gap) > depth;
+          any                = depth > least && (flies || depth > deep_on_way * length);
         }
     });
     return Utilities::MPI::max(static_cast<unsigned int>(any), discretization.communicator()) > 0;
@@ -339,8 +362,8 @@ namespace signorini
           const Facing             &facing   = site.facings[site.bounding[row]];
           const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
           const bool                is_held  = matters[site.first + row];
-          if (facing.gap == infinity || obstacle.is_flat()
-              || (!is_held && obstacle.is_at_rest() && facing.gap > 2. * d.norm()))
+          if (facing.gap == infinity || obstacle.is_flat() || was_inside(facing)
+              || (!is_held && !is_in_reach(facing, d)))
             continue;
           const double gap = obstacle.project(site.start + d).gap;
           if ((is_held && facing.condition.is_exact) || gap < 0.)

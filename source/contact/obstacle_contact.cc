@@ -108,11 +108,8 @@ namespace signorini
     const typename DirichletConditions<dim>::Components &conditions,
     ContactNode<dim>                                    &contact_node) const
   {
-    const auto &areas = surface_nodes.at(contact_node.node).areas;
-    if (motion == ContactMotion::linearised
-        || std::all_of(areas.begin(), areas.end(), [&](const auto &pair_and_area) {
-             return obstacle(pair_and_area.first).is_flat();
-           }))
+    const bool is_only = surface_nodes.at(contact_node.node).areas.size() == 1;
+    if (motion == ContactMotion::linearised || (is_only && obstacle(contact_node.pair).is_flat()))
       return false;
     for (unsigned int c = 0; c < dim; ++c)
       if (conditions[c] == DirichletConditions<dim>::none)
@@ -144,7 +141,7 @@ namespace signorini
                   << "/Dirichlet: at (" << contact_node.position << ") the displacement in "
                   << "xyz"[c] << " is prescribed and changes in time, and the obstacle '"
                   << obstacles[pair.obstacle].name << "' is "
-                  << (turns ? "curved" : "oblique to it")
+                  << (turns ? "curved or turns" : "oblique to it")
                   << ". Such a motion opens and closes the gap by itself, which "
                      "is not implemented. Prescribe a displacement that rests, move another part "
                      "of the boundary, or turn the scene until the obstacle and the prescribed "
@@ -271,7 +268,8 @@ namespace signorini
   std::optional<ObstacleProjection<dim>>
   ObstacleContact<dim>::at_an_end(const ContactNode<dim> &node, const Vector &displacement) const
   {
-    if (pairs[node.pair].of_two_bodies() || !obstacle(node.pair).has_end())
+    if (motion == ContactMotion::follow || pairs[node.pair].of_two_bodies()
+        || !obstacle(node.pair).has_end())
       return {};
     return obstacle(node.pair).project(displaced(node.node, displacement));
   }

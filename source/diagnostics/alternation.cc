@@ -31,6 +31,8 @@ namespace signorini
     ++n_added;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
+        if (nodes[k].row > 0)
+          continue; // a second obstacle at the same node, or none yet
         double now = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           now += nodes[k].normal()[c] * velocity.local_element(dim * nodes[k].node + c);

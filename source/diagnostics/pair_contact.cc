@@ -105,7 +105,10 @@ namespace signorini
         const double               normal_force = node.normal_force(state.contact_force);
         const FrictionReading<dim> friction     = friction_at(surface, state.friction, k);
         const Tensor<1, dim>       force        = node.force(state.contact_force);
-        const auto                 moment       = cross<dim>(levers[k], force);
+        Tensor<1, dim>             lever        = levers[k];
+        for (unsigned int c = 0; c < dim && surface.follows(); ++c)
+          lever[c] += state.displacement.local_element(dim * node.node + c);
+        const auto moment = cross<dim>(lever, force);
         for (unsigned int c = 0; c < 3; ++c)
           {
             pair.force[c] += c < dim ? node.transmission * force[c] : 0.;

@@ -30,6 +30,7 @@ namespace signorini
     double                                largest; ///< that is still small
     double                                unit;    ///< in which it is told
     std::string                           has_happened, consequence;
+    std::string consequence_if_followed = ""; ///< where contact follows the motion; empty: the same
   };
 
 
@@ -42,7 +43,11 @@ namespace signorini
        0.01,
        " % of its size deep in an obstacle, by the true geometry",
        "Contact is linearised about the initial configuration, with one obstacle per node: do not "
-       "trust motion along a curved obstacle, in a corner or past an edge."},
+       "trust motion along a curved obstacle, in a corner or past an edge; set `Contact/Motion = "
+       "follow`.",
+       "A node has come in past the end of a plane, or more obstacles meet it than can hold it, as "
+       "where a component is prescribed: do not trust the forces there. Give what ends as a box, "
+       "prescribe less, or move the obstacles apart."},
       {&ValidityReading::rotation,
        false,
        rotation_limit(),
@@ -83,10 +88,20 @@ namespace signorini
   }
 
 
-  Validity::Validity(const std::vector<std::string> &bodies, const std::vector<std::string> &pairs)
+  Validity::Validity(const std::vector<std::string> &bodies,
+                     const std::vector<std::string> &pairs,
+                     const bool                      contact_follows)
     : bodies(bodies)
     , pairs(pairs)
+    , contact_follows(contact_follows)
   {
+  }
+
+
+  const std::string &Validity::consequence(const Limit &limit) const
+  {
+    return contact_follows && !limit.consequence_if_followed.empty() ? limit.consequence_if_followed
+                                                                     : limit.consequence;
   }
 
 
@@ -116,7 +131,7 @@ namespace signorini
             if (is_new)
               news.push_back("at time " + number(reading.time) + " "
                              + sentence(limit, subject, values[subject]) + ". "
-                             + limit.consequence);
+                             + consequence(limit));
           }
       }
     return news;
@@ -131,7 +146,7 @@ namespace signorini
         const Limit &limit = limits()[what.first];
         result.push_back("since time " + number(doubt.since) + " "
                          + sentence(limit, what.second, doubt.largest) + " (the most of the run). "
-                         + limit.consequence);
+                         + consequence(limit));
       }
     return result;
   }

@@ -57,13 +57,7 @@ namespace signorini
   template <int dim>
   std::shared_ptr<const RigidObstacle<dim>> parse_box(const SectionReader &in, const std::string &)
   {
-    const Point<dim> lower = in.point<dim>("Lower corner"), upper = in.point<dim>("Upper corner");
-    for (unsigned int c = 0; c < dim; ++c)
-      if (!(lower[c] < upper[c]))
-        in.fail("Upper corner",
-                std::string("its ") + "xyz"[c]
-                  + " coordinate must be larger than that of `Lower corner` = "
-                  + in.text("Lower corner") + ". Exchange or correct the corners.");
+    const auto [lower, upper] = in.corners<dim>();
     return std::make_shared<BoxObstacle<dim>>(lower, upper);
   }
 

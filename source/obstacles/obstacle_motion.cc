@@ -31,12 +31,15 @@ namespace signorini
   template <int dim>
   ObstaclePlace<dim> ObstacleMotion<dim>::place(const double time) const
   {
-    ObstaclePlace<dim> result{centre, {}, rotation(0.)};
+    ObstaclePlace<dim> result{centre, {}, rotation(0.), 0.};
     for (unsigned int c = 0; c < dim; ++c)
       result.displacement[c] =
         moves_by_rate ? integral(*translation, time, c) : value(*translation, time, c);
     if (rotates)
-      result.rotation = rotation(integral(*angular_velocity, time, 0));
+      {
+        result.angle    = integral(*angular_velocity, time, 0);
+        result.rotation = rotation(result.angle);
+      }
     return result;
   }
 

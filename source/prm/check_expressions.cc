@@ -84,6 +84,22 @@ namespace signorini
     return result;
   }
 
+  namespace
+  {
+    /** Whether a comma stands outside of all parentheses, where it separates nothing. */
+    bool has_stray_comma(const std::string &expression)
+    {
+      int depth = 0;
+      for (const char c : expression)
+        {
+          depth += (c == '(') - (c == ')');
+          if (c == ',' && depth == 0)
+            return true;
+        }
+      return false;
+    }
+  } // namespace
+
   template <int dim>
   void check_expression(const SectionReader                   &in,
                         const std::string                     &key,
@@ -91,6 +107,11 @@ namespace signorini
                         const std::vector<dealii::Point<dim>> &points,
                         const std::string                     &further_variable)
   {
+    if (has_stray_comma(expression))
+      in.fail(key,
+              "the expression `" + expression
+                + "` has a comma outside of parentheses. Numbers have a point, as in 0.5, and "
+                  "components are separated by semicolons.");
     dealii::FunctionParser<dim> function;
     try
       {

@@ -115,6 +115,19 @@ namespace signorini
   }
 
   template <int dim>
+  std::pair<dealii::Point<dim>, dealii::Point<dim>> SectionReader::corners() const
+  {
+    const dealii::Point<dim> lower = point<dim>("Lower corner"), upper = point<dim>("Upper corner");
+    for (unsigned int c = 0; c < dim; ++c)
+      if (!(lower[c] < upper[c]))
+        fail("Upper corner",
+             std::string("its ") + "xyz"[c]
+               + " coordinate must be larger than that of `Lower corner` = " + text("Lower corner")
+               + ". Exchange or correct the corners.");
+    return {lower, upper};
+  }
+
+  template <int dim>
   dealii::Tensor<1, dim> SectionReader::direction(const std::string &key) const
   {
     const dealii::Tensor<1, dim> vector = point<dim>(key);
@@ -138,8 +151,10 @@ namespace signorini
     throw UserError(where + ": " + what + ": " + message);
   }
 
-  template dealii::Point<2>     SectionReader::point<2>(const std::string &) const;
-  template dealii::Point<3>     SectionReader::point<3>(const std::string &) const;
+  template dealii::Point<2> SectionReader::point<2>(const std::string &) const;
+  template dealii::Point<3> SectionReader::point<3>(const std::string &) const;
+  template std::pair<dealii::Point<2>, dealii::Point<2>> SectionReader::corners<2>() const;
+  template std::pair<dealii::Point<3>, dealii::Point<3>> SectionReader::corners<3>() const;
   template dealii::Tensor<1, 2> SectionReader::direction<2>(const std::string &) const;
   template dealii::Tensor<1, 3> SectionReader::direction<3>(const std::string &) const;
 } // namespace signorini

@@ -12,6 +12,7 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace signorini
 {
@@ -74,16 +75,9 @@ namespace signorini
     template <int dim>
     void parse_box(const SectionReader &in, BodyDescription<dim> &body)
     {
-      const std::string directions = "xyz";
-      body.lower_corner            = in.point<dim>("Lower corner");
-      body.upper_corner            = in.point<dim>("Upper corner");
-      for (unsigned int d = 0; d < dim; ++d)
-        if (!(body.lower_corner[d] < body.upper_corner[d]))
-          in.fail("Upper corner",
-                  std::string("its ") + directions[d]
-                    + " coordinate must be larger than that of `Lower corner` = "
-                    + in.text("Lower corner") + ". Exchange or correct the corners.");
-      const dealii::Point<dim> repetitions = in.point<dim>("Repetitions");
+      const std::string directions                   = "xyz";
+      std::tie(body.lower_corner, body.upper_corner) = in.corners<dim>();
+      const dealii::Point<dim> repetitions           = in.point<dim>("Repetitions");
       for (unsigned int d = 0; d < dim; ++d)
         {
           if (repetitions[d] < 1 || repetitions[d] > max_repetitions)

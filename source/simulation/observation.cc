@@ -44,7 +44,7 @@ namespace signorini
                    scheme_info(scene.time.scheme).energy == EnergyLaw::none})
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())
-    , validity(names_of(scene.bodies), names_of(scene.pairs))
+    , validity(names_of(scene.bodies), names_of(scene.pairs), scene.motion == ContactMotion::follow)
     , missing_pairs(scene.bodies.size(), scene.obstacles, scene.pairs)
     , velocity_zigzags(probes.size())
     , clock(meshed.discretization.communicator(), false)
@@ -107,6 +107,7 @@ namespace signorini
   std::vector<std::string>
   Observation<dim>::observe(const State &state, const StepReport &report, const bool is_last)
   {
+    meshed->surface.move_obstacles(state.time, state.time); // half steps come after each other
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)

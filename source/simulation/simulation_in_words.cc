@@ -4,6 +4,7 @@
 // What a simulation says about itself before its first step.
 
 #include <signorini/base/spelling.h>
+#include <signorini/obstacles/obstacle_motion.h>
 #include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/simulation.h>
 
@@ -24,7 +25,7 @@ namespace signorini
       const SchemeInfo &info = scheme_info(scene.time.scheme);
       return info.predictor && !info.projects_velocity
              && std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const auto &named) {
-                  return !named.shape->is_flat();
+                  return !named.shape->is_flat() || (named.motion && named.motion->turns());
                 });
     }
   } // namespace

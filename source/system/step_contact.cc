@@ -24,7 +24,7 @@ namespace signorini
   {
     std::vector<unsigned int> result;
     for (const ContactNode<dim> &node : surface.nodes())
-      for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int c = 0; c < dim && node.row == 0; ++c)
         result.push_back(dim * node.node + c);
     return result;
   }

@@ -119,6 +119,42 @@ subsection Contact
 end
 """
 
+HELD = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.01
+  set End time  = 1
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = 0, 0
+    set Upper corner     = 1, 1
+    set Repetitions      = 4, 4
+    set Young's modulus  = 1000
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 1; 0
+    set Dirichlet        = 2: -; 0
+  end
+end
+subsection Obstacles
+  set Names = floor, wall
+  subsection floor
+    set Normal = 0, 1
+  end
+  subsection wall
+    set Point  = 1.2, 0
+    set Normal = -1, 0
+  end
+end
+subsection Contact
+  set Pairs  = block : floor, block : wall
+  set Motion = follow
+end
+"""
+
 
 class Corners(check_history.unittest.TestCase):
     """See the beginning of the file."""
@@ -152,6 +188,13 @@ class Corners(check_history.unittest.TestCase):
                     largest = max(energies[0])
                     for here, first in zip(energies[-1], energies[0]):
                         self.assertAlmostEqual(here, first, delta=1e-8 * largest)
+
+    def test_nodes_on_rails_meet_the_wall(self):
+        """The bottom moves along the floor only, which it cannot leave nor enter; the wall stops
+        it, as it does the rest of the block."""
+        history = check_history.Run(HELD, "rails").history
+        self.assertLess(max(history["geometric_penetration"]), 1e-12)
+        self.assertLess(history["momentum_x"][-1], -0.5 * history["momentum_x"][0])
 
     def test_block_does_not_pass_through_a_pole(self):
         """It moves by more than the diameter of the pole in each step. Steps that would end beyond

@@ -283,12 +283,19 @@ class MovingContact(check_history.unittest.TestCase):
         """Each floor has its own law. The friction mu W acts on the part of the block that is on
         the rough one, so that of the square of its speed 2 mu g times the way there is lost: 0.5
         until it reaches the smooth one, and half of its length 1 while it passes over."""
-        history = check_history.Run(FLOORS, "floors").history
+        run = check_history.Run(FLOORS, "floors")
+        history = run.history
         mass, friction, speed = 0.1, 0.3, 2.0
         self.assertAlmostEqual(history["contact_force_x"][10], -friction * mass, delta=1e-6)
         self.assertEqual(history["contact_force_x"][-1], 0)
         expected = math.sqrt(speed**2 - 2 * friction * (0.5 + 0.5))
         self.assertAlmostEqual(history["momentum_x"][-1] / mass, expected, delta=1e-4)
+        # What carries the block is below its middle: force and moment know where it is now.
+        pairs = check_history.read_table(run.folder / "output" / "pairs.csv")
+        velocity = [momentum / mass for momentum in history["momentum_x"]]
+        way = sum(0.01 * (a + b) / 2 for a, b in zip(velocity, velocity[1:]))
+        lever = pairs["pair_1_moment_z"][-1] / pairs["pair_1_force_y"][-1]
+        self.assertAlmostEqual(lever, -1 + way, delta=1e-3)
 
     def test_flat_obstacles_cost_nothing(self):
         """Where nothing turns the first solution of a step is the only one."""

@@ -48,6 +48,74 @@ subsection Contact
 end
 """
 
+WEDGE = """
+set Dimension = 2
+subsection Time
+  set Scheme    = {scheme}
+  set Step size = 0.01
+  set End time  = 0.5
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape           = box
+    set Lower corner    = 0, 0
+    set Upper corner    = 1, 1
+    set Repetitions     = 4, 4
+    set Young's modulus = 1000
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Dirichlet       = 2: -; 0
+  end
+end
+subsection Obstacles
+  set Names = wedge
+  subsection wedge
+    set Point    = 1.01, 0
+    set Normal   = -1, 0.5
+    set Velocity = -1; {rise}
+  end
+end
+subsection Contact
+  set Pairs  = block : wedge
+  set Motion = follow
+end
+"""
+
+SPIN = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.01
+  set End time  = 0.05
+end
+subsection Bodies
+  set Names = disc
+  subsection disc
+    set Shape           = ball
+    set Centre          = 0, 1.1
+    set Radius          = 0.5
+    set Refinements     = 2
+    set Young's modulus = 1e6
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Body force      = 0; -10
+  end
+end
+subsection Obstacles
+  set Names = rotor
+  subsection rotor
+    set Shape            = box
+    set Lower corner     = -0.5, -0.5
+    set Upper corner     = 0.5, 0.5
+    set Angular velocity = 200
+  end
+end
+subsection Contact
+  set Pairs  = disc : rotor
+  set Motion = follow
+end
+"""
+
 
 class MovingObstacles(check_history.unittest.TestCase):
     """See the beginning of the file."""
@@ -82,6 +150,37 @@ class MovingObstacles(check_history.unittest.TestCase):
                 self.assertEqual(min(history["work_friction"]) < 0, friction > 0)
                 self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
                 self.assertLess(max(history["max_penetration"]), 1e-11)
+
+    def test_wedge_works_on_a_block_on_rails(self):
+        """An oblique plane comes while the bottom of a block is held in one direction. What the
+        plane hands on to the support is a part of its work: contact itself brings none."""
+        for scheme in ("contact-stabilized-projected", "contact-implicit"):
+            for rise in (0, 0.5, -1):
+                with self.subTest(scheme=scheme, rise=rise):
+                    scene = WEDGE.format(scheme=scheme, rise=rise)
+                    history = check_history.Run(scene, "wedge").history
+                    energy = max(history["total_energy"])
+                    self.assertGreater(max(history["contact_force"]), 0)
+                    for column in ("work_contact", "work_predictor"):
+                        self.assertLess(max(history[column]), 1e-10 * energy, column)
+                    self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+
+    def test_turn_of_a_step_is_limited(self):
+        """Two radians in a step, of which the mean is no rotation: the steps are cut."""
+        history = check_history.Run(SPIN, "spin").history
+        self.assertGreater(sum(history["rejected_steps"]), 0)
+        self.assertLessEqual(max(history["step_size"][1:]), 0.0051)
+
+    def test_half_steps_see_the_obstacle_where_it_is(self):
+        """Steps that are doubled end a half step while the obstacle is known at the end of the
+        second half; tables are those of the half."""
+        scene = PUNCH.format(
+            scheme="contact-implicit", motion="Motion = 0; -0.1*sin(pi*t/4)", friction=0
+        )
+        overrides = ["Time/Step size control=doubling", "Time/End time=1"]
+        history = check_history.Run(scene, "doubled", overrides).history
+        self.assertGreater(max(history["contact_force"]), 0)
+        self.assertLess(max(history["geometric_penetration"]), 1e-11)
 
     def test_rollers_drag_a_strip(self):
         """Two rollers close on a strip and begin to turn. With friction the strip goes at the speed

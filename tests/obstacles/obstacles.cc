@@ -348,7 +348,7 @@ TEST(Obstacles, ConditionOfAMovedObstacleIsItsGapAtTheEnd)
         const auto condition = moved.condition_of_motion(start, start + d);
         EXPECT_NEAR(condition.gap_after(d), moved.project(start + d).gap, 1e-15);
         EXPECT_NEAR(
-          condition.gap_per_slack * condition.gap_before(), moved.project_before(start).gap, 1e-15);
+          condition.gap_after(condition.obstacle_motion), moved.project_before(start).gap, 1e-15);
         const Point<2> along   = motion->place(1.1).forth(motion->place(1.).back(start));
         const auto     carried = moved.condition_of_motion(start, along);
         EXPECT_LT((carried.obstacle_motion - (along - start)).norm(), 1e-15);

@@ -19,6 +19,12 @@ def decades(source, lowest, highest):
     return 10 ** source.uniform(math.log10(lowest), math.log10(highest))
 
 
+def material(density, wave_speed, poisson):
+    """The keys of a body in which waves of compression have this speed."""
+    modulus = density * wave_speed**2 * (1 + poisson) * (1 - 2 * poisson) / (1 - poisson)
+    return {"Young's modulus": modulus, "Poisson's ratio": poisson, "Density": density}
+
+
 def main(description, make_scene, suits):
     """Run and report. @return 0 if no law was broken, and half of the scenes had contact
     make_scene: of number, seed and schemes; suits: which schemes of the table may be among them"""

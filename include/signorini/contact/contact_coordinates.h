@@ -58,9 +58,9 @@ namespace signorini
     void force_from_frames(Vector &force) const;
 
     /**
-     * The frames of the contact nodes have turned: take them over. Which entries are prescribed or
-     * tangential does not change with them, but for entries that another obstacle begins or ceases
-     * to bound.
+     * The frames of the contact nodes may have turned: take them over. Collective. Which entries
+     * are prescribed or tangential does not change with them, but for entries that another obstacle
+     * begins or ceases to bound.
      */
     void follow_frames();
 

@@ -29,11 +29,11 @@ namespace signorini
                    const std::vector<PairDescription>    &pairs,
                    ContactMotion                          motion = ContactMotion::linearised);
 
+    /** Whether contact is that of the configurations of each step: see FollowedContact. */
+    bool follows() const { return motion == ContactMotion::follow; }
+
     /** Whether nodes may get friction that they do not have, by going from one pair to another. */
-    bool friction_may_come() const
-    {
-      return motion == ContactMotion::follow && has_friction(descriptions);
-    }
+    bool friction_may_come() const { return follows() && has_friction(descriptions); }
 
     /** What was asked to be in contact; ContactNode::pair is an index into this. */
     const std::vector<PairDescription> &pairs() const { return descriptions; }

@@ -36,6 +36,7 @@ namespace signorini
      * Look what every node faces at the start of a step.
      * @param expected   increment of the step
      * @param start, end times of the step
+     * @throws StepError if an obstacle turns too far
      */
     void begin_step(const Vector &displacement, const Vector &expected, double start, double end);
 
@@ -44,8 +45,8 @@ namespace signorini
 
     /**
      * By how much the gaps at the end of a motion differ from what their conditions say, at the
-     * nodes that matter, and at those that penetrate: the largest, in units of tolerance().
-     * Collective.
+     * nodes that matter, and at those that penetrate: the largest, in units of what is accepted,
+     * 1e-12 of the size of the bodies and the round-off of coordinates. Collective.
      * @param matters per contact node
      */
     double mismatch(const Vector &increment, const std::vector<bool> &matters) const;
@@ -62,9 +63,6 @@ namespace signorini
 
     /** Whether any obstacle moves. */
     bool obstacles_move() const { return some_move; }
-
-    /** Length: 1e-12 of the bodies, and the round-off of coordinates. */
-    double tolerance() const { return accepted; }
 
   private:
     /** An obstacle as a node sees it. */
@@ -93,13 +91,17 @@ namespace signorini
     const ObstacleContact<dim>     &at_obstacles;
     std::vector<Site>               sites;
     bool                            some_move  = false;
-    double                          accepted   = 0.;
-    unsigned int                    n_followed = 0; ///< motions of this step
+    double                          accepted   = 0.; ///< length
+    unsigned int                    n_followed = 0;  ///< motions of this step
 
     /** The laws of friction of all facings. Collective. */
     void find_friction();
     /** The motion of a node. */
     dealii::Tensor<1, dim> motion(const Site &site, const Vector &increment) const;
+    /** Whether the node was in the obstacle when the step began. */
+    bool was_inside(const Facing &facing) const { return facing.gap < -accepted; }
+    /** Whether a motion is so large that what faces the node may be in its way. */
+    bool is_in_reach(const Facing &facing, const dealii::Tensor<1, dim> &motion) const;
     /** Look where the obstacles of a node are when the step begins. */
     void look_around(Site &site) const;
     /** Let the node be bounded by what it would enter, as far as it has rows. */

@@ -51,7 +51,7 @@ namespace signorini
 
     /**
      * The displaced node and its obstacle, if that has an end: past it the node is not carried.
-     * Nothing for other nodes.
+     * Nothing for other nodes, and where contact follows the motion: then the bound says it.
      */
     std::optional<ObstacleProjection<dim>> at_an_end(const ContactNode<dim> &node,
                                                      const Vector           &displacement) const;

@@ -13,8 +13,12 @@ namespace signorini
    * ones. */
   struct PairContact
   {
-    std::array<double, 3> force{};  ///< resultant, with friction
-    std::array<double, 3> moment{}; ///< about the origin, positions of the reference configuration
+    std::array<double, 3> force{}; ///< resultant, with friction
+    /**
+     * About the origin, at the positions of the reference configuration; where contact follows the
+     * motion, at those of now.
+     */
+    std::array<double, 3> moment{};
     double                normal_force    = 0.; ///< sum of |normal nodal forces|
     double                friction_force  = 0.; ///< sum of |tangential nodal forces|
     unsigned int          n_active        = 0;  ///< nodes that carry a force

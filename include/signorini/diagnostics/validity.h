@@ -30,7 +30,10 @@ namespace signorini
   class Validity
   {
   public:
-    Validity(const std::vector<std::string> &bodies, const std::vector<std::string> &pairs);
+    /** @param contact_follows the motion, and is not linearised */
+    Validity(const std::vector<std::string> &bodies,
+             const std::vector<std::string> &pairs,
+             bool                            contact_follows = false);
 
     /** @return what begins to be doubtful, a sentence each with the time */
     std::vector<std::string> judge(const ValidityReading &reading);
@@ -49,9 +52,11 @@ namespace signorini
     };
 
     const std::vector<std::string>                       bodies, pairs;
+    const bool                                           contact_follows;
     std::map<std::pair<std::size_t, std::size_t>, Doubt> doubts; ///< by limit, then body or pair
 
     static const std::vector<Limit> &limits();
+    const std::string               &consequence(const Limit &limit) const;
     std::string sentence(const Limit &limit, std::size_t subject, double value) const;
   };
 } // namespace signorini

@@ -36,7 +36,12 @@ namespace signorini
 
     bool has_end() const override { return shape->has_end(); }
     bool is_flat() const override { return shape->is_flat() && !(motion && motion->turns()); }
-    bool is_at_rest() const override { return motion == nullptr; }
+
+    /** Whether it does not move. */
+    bool is_at_rest() const { return motion == nullptr; }
+
+    /** By which it turns in the step: radians. */
+    double turn() const { return std::abs(after.angle - before.angle); }
 
     /**
      * That of the motion relative to the obstacle, in which it is at rest. With mean places of both

@@ -23,7 +23,8 @@ namespace signorini
   {
     dealii::Point<dim>     centre;
     dealii::Tensor<1, dim> displacement;
-    dealii::Tensor<2, dim> rotation; ///< R, orthogonal
+    dealii::Tensor<2, dim> rotation;   ///< R, orthogonal
+    double                 angle = 0.; ///< of R, with all full turns: radians
 
     dealii::Point<dim> back(const dealii::Point<dim> &x) const
     {

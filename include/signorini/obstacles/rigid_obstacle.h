@@ -54,9 +54,6 @@ namespace signorini
     bool                   is_exact        = true; ///< says it, and is not only safe
     dealii::Tensor<1, dim> obstacle_motion = {}; ///< of its surface at the point, in the same time
 
-    /** Of the point at the start of the motion, in the units of the bound. */
-    double gap_before() const { return bound - normal * obstacle_motion; }
-
     /** What the condition takes for the gap at the end of a motion. */
     double gap_after(const dealii::Tensor<1, dim> &motion) const
     {
@@ -89,9 +86,6 @@ namespace signorini
 
     /** Whether all normals are the same, at all times. */
     virtual bool is_flat() const { return false; }
-
-    /** Whether it does not move. */
-    virtual bool is_at_rest() const { return true; }
 
     /**
      * The condition whose normal is the discrete gradient of the gap over a motion,

@@ -13,6 +13,7 @@
 
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dealii
@@ -64,6 +65,9 @@ namespace signorini
     /** Coordinates, separated by commas. */
     template <int dim>
     dealii::Point<dim> point(const std::string &key) const;
+    /** `Lower corner` and `Upper corner` of a box that is no plate in any direction. */
+    template <int dim>
+    std::pair<dealii::Point<dim>, dealii::Point<dim>> corners() const;
     /** Components of a vector of any length but zero. */
     template <int dim>
     dealii::Tensor<1, dim> direction(const std::string &key) const;
