@@ -13,6 +13,33 @@ namespace signorini
 {
   using namespace dealii;
 
+  namespace
+  {
+    /** The components of a node along the rows of a frame. */
+    template <int dim>
+    void to_rows(const std::array<double, dim * dim> &frame, double *u)
+    {
+      std::array<double, dim> w{};
+      for (unsigned int row = 0; row < dim; ++row)
+        for (unsigned int c = 0; c < dim; ++c)
+          w[row] += frame[dim * row + c] * u[c];
+      std::copy(w.begin(), w.end(), u);
+    }
+
+
+    /** The sum of the rows of a frame times the components of a node. */
+    template <int dim>
+    void from_rows(const std::array<double, dim * dim> &frame, double *w)
+    {
+      std::array<double, dim> u{};
+      for (unsigned int row = 0; row < dim; ++row)
+        for (unsigned int c = 0; c < dim; ++c)
+          u[c] += frame[dim * row + c] * w[row];
+      std::copy(u.begin(), u.end(), w);
+    }
+  } // namespace
+
+
   template <int dim>
   ContactCoordinates<dim>::ContactCoordinates(const Discretization<dim>      &discretization,
                                               const ContactSurface<dim>      &surface,
@@ -107,83 +134,82 @@ namespace signorini
   template <int dim>
   void ContactCoordinates<dim>::displacement_to_cartesian(Vector &vector) const
   {
-    add_partner_motion(vector, 1.);
-    rotate_from_frames(vector);
+    const auto rotate = [&](const unsigned int level) {
+      for (std::size_t k = 0; k < owned_contact_nodes.size(); ++k)
+        if (const ContactNode<dim> &node = owned_contact_nodes[k];
+            node.row == 0 && node_coupling.level(k) == level)
+          from_rows<dim>(node.dual_frame(), vector.begin() + dim * node.node);
+    };
+    rotate(0);
+    // Partners may be contact nodes themselves: they are Cartesian before others need them.
+    for (unsigned int level = 1; level <= node_coupling.n_levels(); ++level)
+      {
+        const std::vector<double> motion = node_coupling.partner_motion(vector);
+        for (std::size_t r = 0; r < motion.size(); ++r)
+          if (node_coupling.level(node_coupling.nodes_of_relative_entries()[r]) == level)
+            vector.local_element(relative_entries()[r]) += motion[r];
+        rotate(level);
+      }
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::displacement_to_contact(Vector &vector) const
   {
+    std::vector<double> motion;
+    if (node_coupling.any())
+      motion = node_coupling.partner_motion(vector);
     rotate_to_frames(vector);
-    add_partner_motion(vector, -1.);
+    for (std::size_t r = 0; r < motion.size(); ++r)
+      vector.local_element(relative_entries()[r]) -= motion[r];
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::force_to_contact(Vector &vector) const
   {
-    force_to_frames(vector);
-    add_to_partners(vector, 1.);
+    const auto rotate = [&](const unsigned int level) {
+      for (std::size_t k = 0; k < owned_contact_nodes.size(); ++k)
+        if (const ContactNode<dim> &node = owned_contact_nodes[k];
+            node.row == 0 && node_coupling.level(k) == level)
+          to_rows<dim>(node.dual_frame(), vector.begin() + dim * node.node);
+    };
+    for (unsigned int level = node_coupling.n_levels(); level > 0; --level)
+      {
+        rotate(level);
+        node_coupling.add_to_partners(relative_forces(vector, 1., level), vector);
+      }
+    rotate(0);
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::force_to_cartesian(Vector &vector) const
   {
-    add_to_partners(vector, -1.);
+    const std::vector<double> forces = relative_forces(vector, -1.);
     force_from_frames(vector);
+    if (node_coupling.any())
+      node_coupling.add_to_partners(forces, vector);
   }
 
 
   template <int dim>
-  void ContactCoordinates<dim>::add_partner_motion(Vector &vector, const double factor) const
+  std::vector<double>
+  ContactCoordinates<dim>::relative_forces(const Vector                     &vector,
+                                           const double                      factor,
+                                           const std::optional<unsigned int> level) const
   {
-    if (!node_coupling.any())
-      return;
-    const std::vector<double> motion = node_coupling.partner_motion(vector);
-    for (std::size_t r = 0; r < motion.size(); ++r)
-      vector.local_element(relative_entries()[r]) += factor * motion[r];
-  }
-
-
-  template <int dim>
-  void ContactCoordinates<dim>::add_to_partners(Vector &vector, const double factor) const
-  {
-    if (!node_coupling.any())
-      return;
     std::vector<double> forces;
-    for (const unsigned int entry : relative_entries())
-      forces.push_back(factor * vector.local_element(entry));
-    node_coupling.add_to_partners(forces, vector);
+    forces.reserve(relative_entries().size());
+    for (std::size_t r = 0; r < relative_entries().size(); ++r)
+      {
+        const std::size_t node = node_coupling.nodes_of_relative_entries()[r];
+        forces.push_back(!level || node_coupling.level(node) == *level
+                           ? factor * vector.local_element(relative_entries()[r])
+                           : 0.);
+      }
+    return forces;
   }
-
-
-  namespace
-  {
-    /** The components of a node along the rows of a frame. */
-    template <int dim>
-    void to_rows(const std::array<double, dim * dim> &frame, double *u)
-    {
-      std::array<double, dim> w{};
-      for (unsigned int row = 0; row < dim; ++row)
-        for (unsigned int c = 0; c < dim; ++c)
-          w[row] += frame[dim * row + c] * u[c];
-      std::copy(w.begin(), w.end(), u);
-    }
-
-
-    /** The sum of the rows of a frame times the components of a node. */
-    template <int dim>
-    void from_rows(const std::array<double, dim * dim> &frame, double *w)
-    {
-      std::array<double, dim> u{};
-      for (unsigned int row = 0; row < dim; ++row)
-        for (unsigned int c = 0; c < dim; ++c)
-          u[c] += frame[dim * row + c] * w[row];
-      std::copy(u.begin(), u.end(), w);
-    }
-  } // namespace
 
 
   template <int dim>

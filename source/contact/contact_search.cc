@@ -82,22 +82,33 @@ namespace signorini
   FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
                                            const PairDescription     &pair)
   {
-    FacingSurfaces<dim> result;
-    result.slaves = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
-
+    const auto slaves = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
     std::vector<Sweep<dim>> sweeps;
-    Boxes<dim>              search_boxes;
-    for (const SurfaceFace<dim> &face : result.slaves)
-      {
-        sweeps.emplace_back(face,
-                            discretization.mesh().bounding_box(pair.slave),
-                            discretization.mesh().bounding_box(pair.master));
-        search_boxes.push_back(sweeps.back().box());
-      }
-    result.masters =
-      exchange(owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
-               search_boxes,
-               discretization.communicator());
+    for (const SurfaceFace<dim> &face : slaves)
+      sweeps.emplace_back(face,
+                          discretization.mesh().bounding_box(pair.slave),
+                          discretization.mesh().bounding_box(pair.master));
+    return find_facing_surfaces(
+      slaves,
+      owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
+      sweeps,
+      discretization.communicator());
+  }
+
+
+  template <int dim>
+  FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
+                                           const std::vector<SurfaceFace<dim>> &masters,
+                                           const std::vector<Sweep<dim>>       &sweeps,
+                                           const MPI_Comm                       communicator)
+  {
+    AssertDimension(sweeps.size(), slaves.size());
+    FacingSurfaces<dim> result;
+    result.slaves = std::move(slaves);
+    Boxes<dim> search_boxes;
+    for (const Sweep<dim> &sweep : sweeps)
+      search_boxes.push_back(sweep.box());
+    result.masters = exchange(masters, search_boxes, communicator);
 
     const Boxes<dim> master_boxes = bounding_boxes(result.masters); // the tree refers to them
     const auto       tree         = pack_rtree_of_indices(master_boxes);
@@ -109,7 +120,8 @@ namespace signorini
         for (const std::size_t m : sweeps[f].meets(tree))
           {
             Segment<dim> segment = intersect(slave, result.masters[m]);
-            if (segment.points.empty() || segment.gap < -sweeps[f].depth())
+            if (segment.points.empty() || segment.gap < -sweeps[f].depth()
+                || segment.gap > sweeps[f].height())
               continue;
             segment.master = m;
             size           = std::max(size, result.masters[m].diameter());
@@ -125,4 +137,12 @@ namespace signorini
                                                   const PairDescription &);
   template FacingSurfaces<3> find_facing_surfaces(const Discretization<3> &,
                                                   const PairDescription &);
+  template FacingSurfaces<2> find_facing_surfaces(std::vector<SurfaceFace<2>>,
+                                                  const std::vector<SurfaceFace<2>> &,
+                                                  const std::vector<Sweep<2>> &,
+                                                  MPI_Comm);
+  template FacingSurfaces<3> find_facing_surfaces(std::vector<SurfaceFace<3>>,
+                                                  const std::vector<SurfaceFace<3>> &,
+                                                  const std::vector<Sweep<3>> &,
+                                                  MPI_Comm);
 } // namespace signorini

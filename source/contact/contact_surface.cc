@@ -4,7 +4,9 @@
 #include <signorini/base/complaints.h>
 #include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
+#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/contact_surface.h>
+#include <signorini/contact/free_directions.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/nodal_friction.h>
 
@@ -23,6 +25,26 @@ namespace signorini
   {
     // What facets of curved surfaces that fit together may overlap, relative to the size of a face.
     constexpr double facet_overlap = 0.05;
+
+
+    template <int dim>
+    Tensor<1, dim> unit_vector(const unsigned int direction)
+    {
+      Tensor<1, dim> result;
+      result[direction] = 1.;
+      return result;
+    }
+
+
+    template <int dim>
+    std::optional<unsigned int>
+    first_free_direction(const typename DirichletConditions<dim>::Components &conditions)
+    {
+      for (unsigned int c = 0; c < dim; ++c)
+        if (conditions[c] == DirichletConditions<dim>::none)
+          return c;
+      return {};
+    }
   } // namespace
 
 
@@ -43,20 +65,103 @@ namespace signorini
       assumptions.push_back("at " + std::to_string(obstacle_contact.n_oblique_nodes())
                             + " nodes an obstacle is oblique to prescribed directions; they meet "
                               "it in the free ones, and what holds them takes the rest");
-    for (unsigned int p = 0; p < pairs.size(); ++p)
-      if (pairs[p].of_two_bodies())
-        add_pair_of_bodies(p, dirichlet);
+    if (follows())
+      {
+        bodies = std::make_unique<FollowedPairs<dim>>(discretization, dirichlet, descriptions);
+        add_slave_nodes(dirichlet);
+      }
+    else
+      for (unsigned int p = 0; p < pairs.size(); ++p)
+        if (pairs[p].of_two_bodies())
+          add_pair_of_bodies(p, dirichlet);
     std::stable_sort(
       contact_nodes.begin(),
       contact_nodes.end(),
       [](const ContactNode<dim> &a, const ContactNode<dim> &b) { return a.node < b.node; });
     assign_friction(discretization, dirichlet, pairs, contact_nodes);
     node_coupling = std::make_unique<NodeCoupling<dim>>(
-      contact_nodes, discretization.matrices().pattern.partitioner);
-    check_that_pairs_are_disjoint();
+      contact_nodes, discretization.matrices().pattern.partitioner, bodies && bodies->any());
+    if (!follows())
+      check_that_pairs_are_disjoint();
     for (const ContactNode<dim> &node : contact_nodes)
       n_global += node.row == 0;
     n_global = Utilities::MPI::sum(n_global, discretization.communicator());
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::add_slave_nodes(const DirichletConditions<dim> &dirichlet)
+  {
+    std::map<unsigned int, ContactNode<dim>> last; // of the rows of each node
+    for (const ContactNode<dim> &node : contact_nodes)
+      last[node.node] = node;
+    for (const auto &[pair, geometry] : bodies->pairs())
+      for (const auto &[node, area] : geometry->slave_nodes())
+        {
+          const auto known      = last.find(node);
+          const auto conditions = dirichlet.nodes().find(node);
+          if (known != last.end()
+              && (known->second.row + 1 == dim || conditions != dirichlet.nodes().end()))
+            continue; // it meets one of them at a time, or three
+          ContactNode<dim> further{node,
+                                   pair,
+                                   discretization.node_positions()[node],
+                                   std::numeric_limits<double>::infinity(),
+                                   area,
+                                   {},
+                                   {}};
+          further.row    = known == last.end() ? 0 : known->second.row + 1;
+          further.frame  = contact_frame(unit_vector<dim>(0));
+          if (known != last.end())
+            further.frame = known->second.frame;
+          else if (conditions != dirichlet.nodes().end())
+            {
+              const auto free = first_free_direction<dim>(conditions->second);
+              if (!free)
+                {
+                  ++n_left_to_dirichlet;
+                  continue;
+                }
+              meet_in_free_directions<dim>(conditions->second, unit_vector<dim>(*free), further);
+            }
+          last[node] = further;
+          contact_nodes.push_back(further);
+        }
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::complete_geometry()
+  {
+    if (bodies->any())
+      *node_coupling =
+        NodeCoupling<dim>(contact_nodes, discretization.matrices().pattern.partitioner, true);
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::check_that_bodies_are_apart(const Vector &displacement) const
+  {
+    std::vector<Complaint> complaints;
+    for (const auto &[pair, geometry] : bodies->pairs())
+      {
+        const Mesh<dim> &mesh  = discretization.mesh();
+        const double     depth = 0.25
+                             * std::min(mesh.body_size(descriptions[pair].slave),
+                                        mesh.body_size(descriptions[pair].master));
+        for (const ContactNode<dim> &node : geometry->at(displacement, depth))
+          if (-node.clearance > facet_overlap * std::pow(node.weight, 1. / (dim - 1)))
+            {
+              std::ostringstream message;
+              message << "Contact/Pairs = " << descriptions[pair].name
+                      << ": the bodies overlap at the start, by " << -node.clearance << " at ("
+                      << node.position
+                      << "). Move one of them, or change the initial displacement.";
+              if (complaints.empty() || -node.clearance > complaints[0].first)
+                complaints = {{-node.clearance, message.str()}};
+            }
+      }
+    throw_worst(complaints, discretization.communicator());
   }
 
 
@@ -263,7 +368,7 @@ namespace signorini
   {
     AssertDimension(contact_force.locally_owned_size(), displacement.locally_owned_size());
     std::vector<double> largest(descriptions.size(), 0.);
-    if (!node_coupling->any())
+    if (!node_coupling->any() || follows())
       return largest;
     const auto sliding = relative_tangential(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
@@ -282,6 +387,11 @@ namespace signorini
   void ContactSurface<dim>::check_initial_gap(const Vector &initial_displacement) const
   {
     obstacle_contact.check_initial_gap(initial_displacement);
+    if (follows())
+      {
+        check_that_bodies_are_apart(initial_displacement);
+        return;
+      }
     const std::vector<double> gap      = distance(initial_displacement);
     const double              touching = touching_distance(discretization.mesh().body_size());
     std::vector<Complaint>    complaints;

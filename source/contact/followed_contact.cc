@@ -5,7 +5,6 @@
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/followed_contact.h>
-#include <signorini/contact/free_directions.h>
 #include <signorini/contact/nodal_friction.h>
 
 #include <algorithm>
@@ -29,9 +28,15 @@ namespace signorini
     constexpr double deep_on_way = 0.1;
     /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
     constexpr double largest_turn = 1.;
-    /** Of a unit normal, across those of the other obstacles at a node. */
-    constexpr double independent = 0.1;
-    constexpr double infinity    = std::numeric_limits<double>::infinity();
+    /**
+     * Motions of a step that bodies are followed by, at most: where they meet with edges there may
+     * be none that belongs to its own geometry. And from which on the geometry is that between two
+     * of them.
+     */
+    constexpr unsigned int most_motions = 24, most_full_steps = 12;
+    /** What is accepted of a gap between bodies, in units of what is accepted at obstacles. */
+    constexpr double bodies_by_obstacles = 10.;
+    constexpr double infinity            = std::numeric_limits<double>::infinity();
 
 
     /**
@@ -64,6 +69,7 @@ namespace signorini
     , dirichlet(dirichlet)
     , surface(surface)
     , at_obstacles(surface.at_obstacles())
+    , pairs(surface.followed_pairs())
   {
     const auto &nodes = surface.nodes();
     for (std::size_t k = 0; k < nodes.size(); ++k)
@@ -71,12 +77,20 @@ namespace signorini
         ++sites.back().n_rows;
       else
         {
-          sites.push_back({k, 1, {}, {}, {}, {}});
-          for (const auto &[pair, area] : at_obstacles.surface().at(nodes[k].node).areas)
-            sites.back().facings.push_back({pair, area, {}, infinity, {}});
+          sites.push_back({k});
+          const auto &of_obstacles = at_obstacles.surface();
+          if (const auto node = of_obstacles.find(nodes[k].node); node != of_obstacles.end())
+            for (const auto &[pair, area] : node->second.areas)
+              sites.back().facings.push_back({pair, false, area, {}});
+          for (const auto &[pair, bodies] : pairs.pairs())
+            if (const auto node = bodies->slave_nodes().find(nodes[k].node);
+                node != bodies->slave_nodes().end())
+              sites.back().facings.push_back({pair, true, node->second, {}});
         }
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
-      some_move = some_move || !at_obstacles.obstacle(pair).is_at_rest();
+      some_move = some_move
+                  || (!surface.pairs()[pair].of_two_bodies()
+                      && !at_obstacles.obstacle(pair).is_at_rest());
     find_friction();
   }
 
@@ -86,7 +100,7 @@ namespace signorini
   {
     std::vector<ContactNode<dim>> nodes;
     for (const Site &site : sites)
-      for (const Facing &facing : site.facings)
+      for (const Facing<dim> &facing : site.facings)
         {
           nodes.push_back(surface.nodes()[site.first]);
           nodes.back().pair     = facing.pair;
@@ -96,7 +110,7 @@ namespace signorini
     assign_friction(discretization, dirichlet, surface.pairs(), nodes);
     auto node = nodes.begin();
     for (Site &site : sites)
-      for (Facing &facing : site.facings)
+      for (Facing<dim> &facing : site.facings)
         facing.friction = (node++)->friction;
   }
 
@@ -120,11 +134,14 @@ namespace signorini
   {
     surface.move_obstacles(start, end);
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
-      if (at_obstacles.obstacle(pair).turn() > largest_turn)
+      if (!surface.pairs()[pair].of_two_bodies()
+          && at_obstacles.obstacle(pair).turn() > largest_turn)
         throw StepError(
           "Contact/Pairs = " + surface.pairs()[pair].name
           + ": the obstacle turns by more than 1 radian in a step. Take smaller steps, "
             "or let `Time/Step size control` choose them.");
+    if (pairs.any())
+      pairs.begin_step(displacement, expected);
     double largest_coordinate = 0.;
     for_each_site(sites, discretization.communicator(), [&](Site &site) {
       site.displacement = motion(site, displacement);
@@ -144,62 +161,68 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::look_around(Site &site) const
   {
-    const double                         tolerance = at_obstacles.end_tolerance();
-    std::vector<ObstacleProjection<dim>> ways;
-    unsigned int                         closest = 0;
+    const double             tolerance = at_obstacles.end_tolerance();
+    std::pair<bool, double>  closest(true, infinity); // whether it does not carry; gap
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       {
-        Facing &facing = site.facings[f];
-        ways.push_back(at_obstacles.obstacle(facing.pair).project_before(site.start));
-        facing.gap       = ways[f].is_carried(tolerance) ? ways[f].gap : infinity;
-        facing.condition = {ways[f].normal, facing.gap};
-        if (at_obstacles.is_closer(ways[f], ways[closest]))
-          closest = f;
+        Facing<dim>            &facing = site.facings[f];
+        std::pair<bool, double> rank;
+        facing.gap = infinity;
+        if (facing.of_body)
+          {
+            update_opposite(site);
+            rank = {facing.opposite == nullptr, facing.gap};
+          }
+        else
+          {
+            const auto way   = at_obstacles.obstacle(facing.pair).project_before(site.start);
+            rank             = {!way.is_carried(tolerance), way.gap};
+            facing.gap       = rank.first ? infinity : way.gap;
+            facing.condition = {way.normal, facing.gap};
+          }
+        if (f == 0 || rank < closest)
+          {
+            closest       = rank;
+            site.bounding = {f};
+          }
       }
-    site.bounding = {closest};
+    const unsigned int first = site.bounding[0];
     for (unsigned int f = 0; f < site.facings.size(); ++f)
-      if (f != closest && site.facings[f].gap <= tolerance)
-        add_row(site, f);
+      if (f != first && site.facings[f].gap <= tolerance && site.facings[first].is_there())
+        site.add_row(f);
   }
 
 
   template <int dim>
-  bool FollowedContact<dim>::is_in_reach(const Facing &facing, const Tensor<1, dim> &d) const
+  void FollowedContact<dim>::update_opposite(Site &site) const
   {
+    for (Facing<dim> &facing : site.facings)
+      if (facing.of_body)
+        {
+          facing.set_opposite(pairs.find(facing.pair, surface.nodes()[site.first].node));
+          if (facing.is_there() && facing.gap == infinity)
+            facing.gap = facing.opposite->gap_at_start;
+        }
+  }
+
+
+  template <int dim>
+  bool FollowedContact<dim>::is_in_reach(const Facing<dim> &facing, const Tensor<1, dim> &d) const
+  {
+    if (facing.of_body)
+      return facing.is_there();
     // The motion that is expected may turn out to be larger.
     return !at_obstacles.obstacle(facing.pair).is_at_rest() || facing.gap <= 2. * d.norm();
   }
 
 
   template <int dim>
-  bool FollowedContact<dim>::add_row(Site &site, const unsigned int facing) const
-  {
-    if (site.bounding.size() == site.n_rows)
-      return false;
-    std::vector<Tensor<1, dim>> normals;
-    for (const unsigned int f : site.bounding)
-      normals.push_back(site.facings[f].condition.normal);
-    const auto     frame  = orthonormal_frame<dim>(oblique_frame<dim>(normals));
-    Tensor<1, dim> across = site.facings[facing].condition.normal;
-    for (unsigned int row = 0; row < normals.size(); ++row)
-      {
-        Tensor<1, dim> other;
-        for (unsigned int c = 0; c < dim; ++c)
-          other[c] = frame[dim * row + c];
-        across -= (across * other) * other;
-      }
-    if (across.norm() < independent)
-      return false;
-    site.bounding.push_back(facing);
-    return true;
-  }
-
-
-  template <int dim>
   bool FollowedContact<dim>::enters(const Site           &site,
-                                    const Facing         &facing,
+                                    const Facing<dim>    &facing,
                                     const Tensor<1, dim> &d) const
   {
+    if (facing.of_body)
+      return facing.is_there() && facing.opposite->linear_gap() < -accepted;
     if (was_inside(facing) || !is_in_reach(facing, d))
       return false;
     const auto way = at_obstacles.obstacle(facing.pair).project(site.start + d);
@@ -211,11 +234,11 @@ namespace signorini
   void FollowedContact<dim>::bound_by_what_is_entered(Site &site, const Tensor<1, dim> &d) const
   {
     const auto gap_at_end = [&](const unsigned int f) {
-      return at_obstacles.obstacle(site.facings[f].pair).project(site.start + d).gap;
+      return gap_after(site, site.facings[f], d);
     };
     for (unsigned int f = 0; f < site.facings.size(); ++f)
-      if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
-          && enters(site, site.facings[f], d) && !add_row(site, f) && n_followed < most_changes)
+      if (!site.is_bounded_by(f) && enters(site, site.facings[f], d) && !site.add_row(f)
+          && n_followed < most_changes)
         {
           // No room, or nearly the same direction as another one: the deepest ones count.
           const auto least = std::max_element(
@@ -225,7 +248,7 @@ namespace signorini
           if (gap_at_end(f) < gap_at_end(*least))
             {
               site.bounding.erase(least);
-              if (site.bounding.empty() || !add_row(site, f))
+              if (site.bounding.empty() || !site.add_row(f))
                 site.bounding = {f};
             }
         }
@@ -233,12 +256,35 @@ namespace signorini
 
 
   template <int dim>
+  double FollowedContact<dim>::gap_after(const Site           &site,
+                                         const Facing<dim>    &facing,
+                                         const Tensor<1, dim> &d) const
+  {
+    if (facing.of_body)
+      return facing.is_there() ? facing.opposite->linear_gap() : infinity;
+    return at_obstacles.obstacle(facing.pair).project(site.start + d).gap;
+  }
+
+
+  template <int dim>
   void FollowedContact<dim>::follow(const Vector &increment)
   {
+    if (pairs.any() && n_followed > 0)
+      {
+        // Where geometries take turns, that between them is tried.
+        Vector of_geometry = increment;
+        if (n_followed > most_full_steps)
+          of_geometry.sadd(0.5, 0.5, latest);
+        pairs.follow(of_geometry);
+      }
+    latest = increment;
     for_each_site(sites, discretization.communicator(), [&](Site &site) {
       const Tensor<1, dim> d = motion(site, increment);
-      for (Facing &facing : site.facings)
+      update_opposite(site);
+      for (Facing<dim> &facing : site.facings)
         {
+          if (facing.of_body)
+            continue;
           // What cannot get there needs no more than the plane at the start.
           if (std::isfinite(facing.gap) && is_in_reach(facing, d))
             facing.condition =
@@ -247,10 +293,12 @@ namespace signorini
           if (was_inside(facing))
             facing.condition.bound = facing.condition.normal * facing.condition.obstacle_motion;
         }
+      site.drop_what_is_gone();
       if (site.facings.size() > 1)
         bound_by_what_is_entered(site, d);
       write(site);
     });
+    surface.complete_geometry();
     ++n_followed;
   }
 
@@ -258,37 +306,13 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::write(const Site &site)
   {
-    // Rows without a bound show what else there is.
-    std::vector<unsigned int> order = site.bounding;
-    for (unsigned int f = 0; f < site.facings.size(); ++f)
-      if (std::find(order.begin(), order.end(), f) == order.end())
-        order.push_back(f);
-    std::vector<Tensor<1, dim>> normals;
-    for (const unsigned int f : site.bounding)
-      normals.push_back(site.facings[f].condition.normal);
-    const auto frame      = oblique_frame<dim>(normals);
     const auto conditions = dirichlet.nodes().find(surface.nodes()[site.first].node);
     for (unsigned int row = 0; row < site.n_rows; ++row)
-      {
-        const Facing    &facing = site.facings[order[row]];
-        ContactNode<dim> node   = surface.nodes()[site.first + row];
-        node.pair               = facing.pair;
-        node.weight             = facing.area;
-        node.friction           = facing.friction;
-        node.n_bounds           = site.bounding.size();
-        node.gap                = row < node.n_bounds ? facing.condition.bound : infinity;
-        if (conditions == dirichlet.nodes().end())
-          node.frame = frame;
-        else if (meet_in_free_directions<dim>(conditions->second, normals[0], node))
-          node.gap /= node.free_part; // prescribed displacements rest
-        else
-          node.gap = infinity;
-        if (node.is_shared())
-          node.dual = dual_frame<dim>(frame);
-        // The surface counts displacements from the reference configuration.
-        node.gap += node.normal() * site.displacement;
-        surface.set_geometry(site.first + row, node);
-      }
+      surface.set_geometry(
+        site.first + row,
+        site.contact_node(row,
+                          surface.nodes()[site.first + row],
+                          conditions == dirichlet.nodes().end() ? nullptr : &conditions->second));
   }
 
 
@@ -331,8 +355,10 @@ namespace signorini
     bool any = false;
     for_each_site(sites, discretization.communicator(), [&](const Site &site) {
       const Tensor<1, dim> d = motion(site, increment);
-      for (const Facing &facing : site.facings)
+      for (const Facing<dim> &facing : site.facings)
         {
+          if (facing.of_body)
+            continue;
           const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
           const double              length   = (d - facing.condition.obstacle_motion).norm();
           const double              least    = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
@@ -350,32 +376,76 @@ namespace signorini
 
 
   template <int dim>
-  double FollowedContact<dim>::mismatch(const Vector            &increment,
-                                        const std::vector<bool> &matters) const
+  double FollowedContact<dim>::mismatch_of(const Site           &site,
+                                           const Facing<dim>    &facing,
+                                           const Tensor<1, dim> &d,
+                                           const bool            is_held) const
+  {
+    if (facing.of_body)
+      {
+        const PairCondition<dim> *opposite = facing.opposite;
+        if (opposite == nullptr || opposite->is_clipped || n_followed > most_motions
+            || !(is_held || opposite->gap_at_end < 0.))
+          return 0.;
+        return std::abs(opposite->missed()) / (bodies_by_obstacles * accepted);
+      }
+    const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
+    if (facing.gap == infinity || obstacle.is_flat() || was_inside(facing)
+        || (!is_held && !is_in_reach(facing, d)))
+      return 0.;
+    const double gap = obstacle.project(site.start + d).gap;
+    if ((is_held && facing.condition.is_exact) || gap < 0.)
+      return std::abs(gap - facing.condition.gap_after(d)) / accepted;
+    return 0.;
+  }
+
+
+  template <int dim>
+  double FollowedContact<dim>::mismatch(const Vector &increment, const std::vector<bool> &matters)
   {
     AssertDimension(matters.size(), surface.nodes().size());
+    if (pairs.any())
+      pairs.look_at_end(increment);
     double largest = 0.;
     for_each_site(sites, discretization.communicator(), [&](const Site &site) {
       const Tensor<1, dim> d = motion(site, increment);
       for (unsigned int row = 0; row < site.bounding.size(); ++row)
-        {
-          const Facing             &facing   = site.facings[site.bounding[row]];
-          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-          const bool                is_held  = matters[site.first + row];
-          if (facing.gap == infinity || obstacle.is_flat() || was_inside(facing)
-              || (!is_held && !is_in_reach(facing, d)))
-            continue;
-          const double gap = obstacle.project(site.start + d).gap;
-          if ((is_held && facing.condition.is_exact) || gap < 0.)
-            largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
-        }
+        largest = std::max(largest,
+                           mismatch_of(site,
+                                       site.facings[site.bounding[row]],
+                                       d,
+                                       matters[site.first + row]));
       if (site.facings.size() > 1)
         for (unsigned int f = 0; f < site.facings.size(); ++f)
-          if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
-              && enters(site, site.facings[f], d))
+          if (!site.is_bounded_by(f) && enters(site, site.facings[f], d)
+              && !(site.facings[f].of_body && n_followed > most_motions))
             largest = infinity;
     });
-    return Utilities::MPI::max(largest, discretization.communicator()) / accepted;
+    return Utilities::MPI::max(largest, discretization.communicator());
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int> FollowedContact<dim>::nodes() const
+  {
+    std::vector<unsigned int> result = pairs.nodes();
+    for (const Site &site : sites)
+      result.push_back(surface.nodes()[site.first].node);
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<double> FollowedContact<dim>::missed_gaps() const
+  {
+    std::vector<double> result(surface.nodes().size(), 0.);
+    for (const Site &site : sites)
+      for (unsigned int row = 0; row < site.bounding.size(); ++row)
+        if (const auto *opposite = site.facings[site.bounding[row]].opposite)
+          result[site.first + row] = opposite->missed();
+    return result;
   }
 
 

@@ -4,10 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/dual_basis.h>
-#include <signorini/contact/mean_curvature.h>
 #include <signorini/contact/mortar_coupling.h>
-
-#include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,22 +23,15 @@ namespace signorini
     // Part of a normal in the free directions: below the first, about 18 degrees, the normal is
     // prescribed; above the second the prescribed directions are tangential.
     constexpr double held_normal = 0.3, free_normal = 0.95;
+    // Of the sum of normals: below it they are no direction.
+    constexpr double smallest_normal = 1e-3;
+    // What is added to the bluntness of both sides: two flat surfaces have the mean of both normals.
+    constexpr double equally_flat = 0.01;
 
     template <int dim>
     Tensor<1, dim> unit(const Tensor<1, dim> &vector)
     {
       return vector / vector.norm();
-    }
-
-
-    /** Add factor times the shape functions of a face at a point to the nodes that move it. */
-    template <int dim, typename Target>
-    void for_each_node(const SurfaceFace<dim> &face, const Point<dim - 1> &xi, const Target &target)
-    {
-      const auto values = face.shape_values(xi);
-      for (unsigned int v = 0; v < face.n_vertices; ++v)
-        for (const auto &[node, weight] : face.nodes[v])
-          target(node, weight * values[v]);
     }
 
 
@@ -74,82 +64,44 @@ namespace signorini
                                       const DirichletConditions<dim>     &dirichlet,
                                       const std::vector<PairDescription> &pairs,
                                       const unsigned int                  pair)
+    : MortarCoupling(discretization,
+                     dirichlet,
+                     pairs,
+                     pair,
+                     find_facing_surfaces(discretization, pairs[pair]),
+                     MortarRules())
+  {
+  }
+
+
+  template <int dim>
+  MortarCoupling<dim>::MortarCoupling(const Discretization<dim>          &discretization,
+                                      const DirichletConditions<dim>     &dirichlet,
+                                      const std::vector<PairDescription> &pairs,
+                                      const unsigned int                  pair,
+                                      const FacingSurfaces<dim>          &surfaces,
+                                      const MortarRules                  &rules)
     : discretization(discretization)
     , pair(pair)
     , pair_name(pairs[pair].name)
+    , rules(rules)
   {
-    const auto surfaces = find_facing_surfaces(discretization, pairs[pair]);
-    const auto faces    = integrate(surfaces);
-    const auto carries  = choose_multipliers(faces, dirichlet);
+    const auto faces   = integrate(surfaces);
+    const auto carries = choose_multipliers(faces, dirichlet);
     assemble_rows(faces, carries);
   }
 
 
   template <int dim>
-  MortarCoupling<dim>::CoveredFace::CoveredFace(const SurfaceFace<dim> &slave)
-    : slave(&slave)
-  {
-    for (const NodeWeights &weights : slave.nodes)
-      for (const auto &[node, weight] : weights)
-        if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
-          nodes.push_back(node);
-    const Eigen::Index    n = nodes.size();
-    const QGauss<dim - 1> quadrature(3);
-    full = Eigen::VectorXd::Zero(n);
-    for (unsigned int q = 0; q < quadrature.size(); ++q)
-      full += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm()
-              * values_at(quadrature.point(q));
-    mass     = Eigen::MatrixXd::Zero(n, n);
-    normals  = Eigen::MatrixXd::Zero(n, dim);
-    opposite = normals;
-    distance = normals;
-  }
-
-
-  template <int dim>
-  Eigen::VectorXd MortarCoupling<dim>::CoveredFace::values_at(const Point<dim - 1> &xi) const
-  {
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(nodes.size());
-    for_each_node<dim>(*slave, xi, [&](const types::global_dof_index node, const double value) {
-      values[std::find(nodes.begin(), nodes.end(), node) - nodes.begin()] += value;
-    });
-    return values;
-  }
-
-
-  template <int dim>
-  void MortarCoupling<dim>::CoveredFace::add(const SegmentPoint<dim> &point,
-                                             const SurfaceFace<dim>  &master,
-                                             const Tensor<1, dim>    &normal,
-                                             const Tensor<1, dim>    &opposite_normal)
-  {
-    const Eigen::VectorXd values = values_at(point.slave);
-    const Tensor<1, dim>  apart  = master.position(point.master) - slave->position(point.slave);
-    mass += point.weight * values * values.transpose();
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        normals.col(c) += point.weight * normal[c] * values;
-        opposite.col(c) += point.weight * opposite_normal[c] * values;
-        distance.col(c) += point.weight * apart[c] * values;
-      }
-    for_each_node<dim>(
-      master, point.master, [&](const types::global_dof_index node, const double value) {
-        const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
-        entry->second += point.weight * value * values;
-      });
-  }
-
-
-  template <int dim>
-  std::vector<typename MortarCoupling<dim>::CoveredFace>
+  std::vector<CoveredFace<dim>>
   MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
   {
-    MeanCurvature<dim>       slave_curvature, master_curvature;
-    std::vector<CoveredFace> result;
+    MeanCurvature<dim>            slave_curvature, master_curvature;
+    std::vector<CoveredFace<dim>> result;
     for (std::size_t f = 0; f < surfaces.slaves.size(); ++f)
       {
         const SurfaceFace<dim> &slave = surfaces.slaves[f];
-        CoveredFace             face(slave);
+        CoveredFace<dim>        face(slave);
         total_area += face.full.sum();
 
         double covered = 0.;
@@ -168,18 +120,21 @@ namespace signorini
               const SurfaceFace<dim> &master   = surfaces.masters[segment.master];
               const Tensor<1, dim>    normal   = unit(slave.area_vector(point.slave));
               const Tensor<1, dim>    opposite = unit(master.area_vector(point.master));
-              slave_curvature.add(point.weight, slave.position(point.slave), normal);
-              master_curvature.add(point.weight, master.position(point.master), opposite);
-              face.add(point, master, normal, opposite);
+              const double weight =
+                rules.facing ? rules.facing(-(normal * opposite)) * point.weight : point.weight;
+              slave_curvature.add(weight, slave.position(point.slave), normal);
+              master_curvature.add(weight, master.position(point.master), opposite);
+              face.add(point, weight, master, normal, opposite);
             }
+        if (rules.facing && face.mass.sum() < smallest_covered_face * face.full.sum())
+          continue;
         total_covered_area += face.mass.sum();
         result.push_back(std::move(face));
       }
-    const MPI_Comm      communicator = discretization.communicator();
-    const NormalWeights weights =
-      weights_of_normals(slave_curvature.value(communicator), master_curvature.value(communicator));
-    for (CoveredFace &face : result)
-      face.normals = weights.slave * face.normals - weights.master * face.opposite;
+    const MPI_Comm communicator = discretization.communicator();
+    if (rules.bluntness == nullptr)
+      weights = weights_of_normals(slave_curvature.value(communicator),
+                                   master_curvature.value(communicator));
     any_segment = Utilities::MPI::max(static_cast<unsigned int>(any_segment), communicator) > 0;
     total_area  = Utilities::MPI::sum(total_area, communicator);
     total_covered_area = Utilities::MPI::sum(total_covered_area, communicator);
@@ -189,14 +144,15 @@ namespace signorini
 
   template <int dim>
   typename MortarCoupling<dim>::NodeIntegrals
-  MortarCoupling<dim>::collect(const std::vector<CoveredFace> &faces) const
+  MortarCoupling<dim>::collect(const std::vector<CoveredFace<dim>> &faces) const
   {
     NodeIntegrals sums;
-    for (Vector *vector : {&sums.covered, &sums.full, &sums.normals, &sums.clearance})
+    for (Vector *vector :
+         {&sums.covered, &sums.full, &sums.normals, &sums.opposite, &sums.clearance})
       *vector = discretization.make_vector();
     for (unsigned int i = 0; i < dim * discretization.matrices().pattern.n_local; ++i)
       sums.clearance.local_element(i) = std::numeric_limits<double>::max();
-    for (const CoveredFace &face : faces)
+    for (const CoveredFace<dim> &face : faces)
       {
         const Eigen::VectorXd integrals = face.mass.rowwise().sum();
         for (std::size_t i = 0; i < face.nodes.size(); ++i)
@@ -206,13 +162,46 @@ namespace signorini
             sums.full(first) += face.full[i];
             sums.clearance(first) = std::min(sums.clearance(first), face.clearance);
             for (unsigned int c = 0; c < dim; ++c)
-              sums.normals(first + c) += face.normals(i, c);
+              {
+                sums.normals(first + c) += face.normals(i, c);
+                sums.opposite(first + c) += face.opposite(i, c);
+              }
           }
       }
-    for (Vector *sum : {&sums.covered, &sums.full, &sums.normals})
+    for (Vector *sum : {&sums.covered, &sums.full, &sums.normals, &sums.opposite})
       sum->compress(VectorOperation::add);
     sums.clearance.compress(VectorOperation::min);
     return sums;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim> MortarCoupling<dim>::NodeIntegrals::at(const Vector      &sums,
+                                                        const unsigned int node)
+  {
+    Tensor<1, dim> result;
+    for (unsigned int c = 0; c < dim; ++c)
+      result[c] = sums.local_element(dim * node + c);
+    return result;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim> MortarCoupling<dim>::normal_at(const unsigned int   node,
+                                                const NodeIntegrals &sums) const
+  {
+    const Tensor<1, dim> of_slave  = NodeIntegrals::at(sums.normals, node),
+                         of_master = -NodeIntegrals::at(sums.opposite, node);
+    if (rules.bluntness == nullptr)
+      return weights.slave * of_slave + weights.master * of_master;
+    const double covered = sums.covered.local_element(dim * node);
+    if (!(std::min(of_slave.norm(), of_master.norm()) > smallest_normal * covered))
+      return Tensor<1, dim>();
+    const double slave_bluntness  = (*rules.bluntness)[node],
+                 master_bluntness = std::max(0., 1. - of_master.norm() / covered);
+    return covered
+           * ((master_bluntness + equally_flat) * unit(of_slave)
+              + (slave_bluntness + equally_flat) * unit(of_master));
   }
 
 
@@ -250,8 +239,8 @@ namespace signorini
 
 
   template <int dim>
-  Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace> &faces,
-                                                 const DirichletConditions<dim> &dirichlet)
+  Vector MortarCoupling<dim>::choose_multipliers(const std::vector<CoveredFace<dim>> &faces,
+                                                 const DirichletConditions<dim>      &dirichlet)
   {
     const NodeIntegrals sums    = collect(faces);
     Vector              carries = discretization.make_vector();
@@ -259,12 +248,11 @@ namespace signorini
     for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
       {
         const double weight = sums.covered.local_element(dim * node);
-        if (!(weight > smallest_covered_node * sums.full.local_element(dim * node)))
+        if (!(weight > smallest_covered_node * sums.full.local_element(dim * node))
+            || (rules.excluded != nullptr && (*rules.excluded)[node]))
           continue;
-        Tensor<1, dim> normal;
-        for (unsigned int c = 0; c < dim; ++c)
-          normal[c] = sums.normals.local_element(dim * node + c);
-        if (!(normal.norm() > 1e-3 * weight)) // faces that look in opposite directions
+        Tensor<1, dim> normal = normal_at(node, sums);
+        if (!(normal.norm() > smallest_normal * weight)) // faces that look in opposite directions
           continue;
         normal /= normal.norm();
         ContactNode<dim> contact_node{
@@ -288,12 +276,12 @@ namespace signorini
 
 
   template <int dim>
-  void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace> &faces,
-                                          const Vector                   &carries)
+  void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace<dim>> &faces,
+                                          const Vector                        &carries)
   {
     Rows   rows;
     Vector integrals = discretization.make_vector(), distance = integrals;
-    for (const CoveredFace &face : faces)
+    for (const CoveredFace<dim> &face : faces)
       {
         std::vector<bool> face_carries;
         for (const auto node : face.nodes)

@@ -77,28 +77,30 @@ namespace signorini
     }
 
 
-    /** A prescribed displacement is that of the node itself, not a relative one. */
-    template <int dim>
-    std::array<bool, dim> relative_directions(const ContactNode<dim>         &node,
-                                              const DirichletConditions<dim> &dirichlet)
-    {
-      std::array<bool, dim> relative{};
-      if (node.partners.empty())
-        return relative;
-      relative[0] = true;
-      for (unsigned int k = 1; k < dim; ++k)
-        relative[k] = node.friction.any();
-      if (const auto condition = dirichlet.nodes().find(node.node);
-          condition != dirichlet.nodes().end())
-        {
-          const auto row = rows_along_axes<dim>(node.frame);
-          for (unsigned int c = 0; c < dim; ++c)
-            if (condition->second[c] != DirichletConditions<dim>::none && row[c] < dim)
-              relative[row[c]] = false;
-        }
-      return relative;
-    }
   } // namespace
+
+
+  template <int dim>
+  std::array<bool, dim>
+  relative_directions(const ContactNode<dim>                              &node,
+                      const typename DirichletConditions<dim>::Components *conditions)
+  {
+    std::array<bool, dim> relative{};
+    if (node.partners.empty())
+      return relative;
+    relative[node.row] = true;
+    if (node.row == 0) // tangents go with the first of several contact nodes
+      for (unsigned int k = node.n_bounds; k < dim; ++k)
+        relative[k] = node.friction.any();
+    if (conditions != nullptr)
+      {
+        const auto row = rows_along_axes<dim>(node.frame);
+        for (unsigned int c = 0; c < dim; ++c)
+          if ((*conditions)[c] != DirichletConditions<dim>::none && row[c] < dim)
+            relative[row[c]] = false;
+      }
+    return relative;
+  }
 
 
   template <int dim>
@@ -111,10 +113,18 @@ namespace signorini
       if (pairs[pair].friction.any)
         assign_law_of_pair(discretization.communicator(), pairs[pair], pair, nodes);
     for (ContactNode<dim> &node : nodes)
-      node.relative = relative_directions(node, dirichlet);
+      {
+        const auto conditions = dirichlet.nodes().find(node.node);
+        node.relative         = relative_directions<dim>(
+          node, conditions == dirichlet.nodes().end() ? nullptr : &conditions->second);
+      }
   }
 
 
+  template std::array<bool, 2>
+  relative_directions<2>(const ContactNode<2> &, const DirichletConditions<2>::Components *);
+  template std::array<bool, 3>
+  relative_directions<3>(const ContactNode<3> &, const DirichletConditions<3>::Components *);
   template void assign_friction(const Discretization<2> &,
                                 const DirichletConditions<2> &,
                                 const std::vector<PairDescription> &,

@@ -3,6 +3,8 @@
 
 #include <signorini/contact/node_coupling.h>
 
+#include <cmath>
+#include <map>
 #include <set>
 
 namespace signorini
@@ -12,8 +14,10 @@ namespace signorini
   template <int dim>
   NodeCoupling<dim>::NodeCoupling(
     const std::vector<ContactNode<dim>>                      &nodes,
-    const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
-    : n_owned_entries(partitioner->locally_owned_size())
+    const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner,
+    const bool                                                partners_may_come)
+    : partners_change(partners_may_come)
+    , n_owned_entries(partitioner->locally_owned_size())
   {
     std::vector<types::global_dof_index> ghosts;
     for (const ContactNode<dim> &node : nodes)
@@ -30,12 +34,14 @@ namespace signorini
 
     relative_start.assign(1, 0);
     row_start.assign(1, 0);
-    for (const ContactNode<dim> &node : nodes)
+    for (std::size_t k = 0; k < nodes.size(); ++k)
       {
+        const ContactNode<dim> &node = nodes[k];
         for (unsigned int row = 0; row < dim; ++row)
           if (node.relative[row])
             {
               relative.push_back(dim * node.node + row);
+              relative_nodes.push_back(k);
               directions.push_back(node.direction(row));
             }
         relative_start.push_back(relative.size());
@@ -43,8 +49,52 @@ namespace signorini
           entries.emplace_back(partners->global_to_local(dim * partner), weight);
         row_start.push_back(entries.size());
       }
-    has_partners =
+    const bool are_there =
       Utilities::MPI::max(static_cast<unsigned int>(!entries.empty()), communicator) > 0;
+    has_partners = are_there || partners_may_come;
+    level_of.assign(nodes.size(), 0);
+    if (are_there)
+      find_levels(nodes, partitioner);
+  }
+
+
+  template <int dim>
+  void NodeCoupling<dim>::find_levels(
+    const std::vector<ContactNode<dim>>                      &nodes,
+    const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
+  {
+    Vector level_of_nodes(partitioner); // first entries
+    for (bool any_changes = true; any_changes;)
+      {
+        bool changes = false;
+        fetch(level_of_nodes);
+        std::map<unsigned int, double> next;
+        for (std::size_t k = 0; k < nodes.size(); ++k)
+          if (relative_start[k] < relative_start[k + 1])
+            {
+              double highest = 0.;
+              for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
+                highest = std::max(highest, *values(level_of_nodes, entries[j].first));
+              double &level = next[nodes[k].node];
+              level         = std::max(level, highest + 1.);
+            }
+        for (const auto &[node, level] : next)
+          {
+            double &known = level_of_nodes.local_element(dim * node);
+            changes       = changes || known != level;
+            known         = level;
+            Assert(level < 64., ExcMessage("A node does not follow itself, by whatever way."));
+          }
+        any_changes = Utilities::MPI::max(static_cast<unsigned int>(changes),
+                                          partitioner->get_mpi_communicator())
+                      > 0;
+      }
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      {
+        level_of[k] = std::lround(level_of_nodes.local_element(dim * nodes[k].node));
+        levels      = std::max(levels, level_of[k]);
+      }
+    levels = Utilities::MPI::max(levels, partitioner->get_mpi_communicator());
   }
 
 
@@ -68,6 +118,37 @@ namespace signorini
     std::vector<Tensor<1, dim>> result(row_start.size() - 1);
     if (!has_partners)
       return result;
+    fetch(u);
+    for (std::size_t k = 0; k < result.size(); ++k)
+      for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
+        {
+          const double *of_partner = values(u, entries[j].first);
+          for (unsigned int c = 0; c < dim; ++c)
+            result[k][c] += entries[j].second * of_partner[c];
+        }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<std::vector<Tensor<1, dim>>>
+  NodeCoupling<dim>::partner_values(const Vector &u) const
+  {
+    std::vector<std::vector<Tensor<1, dim>>> result(row_start.size() - 1);
+    if (!has_partners)
+      return result;
+    fetch(u);
+    for (std::size_t k = 0; k < result.size(); ++k)
+      for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
+        result[k].emplace_back(make_array_view(values(u, entries[j].first),
+                                               values(u, entries[j].first) + dim));
+    return result;
+  }
+
+
+  template <int dim>
+  void NodeCoupling<dim>::fetch(const Vector &u) const
+  {
     std::vector<MPI_Request> requests;
     partners->export_to_ghosted_array_start(0,
                                             ArrayView<const double>(u.begin(), n_owned_entries),
@@ -75,17 +156,14 @@ namespace signorini
                                             make_array_view(ghost_values),
                                             requests);
     partners->export_to_ghosted_array_finish(make_array_view(ghost_values), requests);
-    for (std::size_t k = 0; k < result.size(); ++k)
-      for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
-        {
-          const auto &[entry, weight] = entries[j];
-          const double *values        = entry < n_owned_entries
-                                          ? u.begin() + entry
-                                          : ghost_values.data() + (entry - n_owned_entries);
-          for (unsigned int c = 0; c < dim; ++c)
-            result[k][c] += weight * values[c];
-        }
-    return result;
+  }
+
+
+  template <int dim>
+  const double *NodeCoupling<dim>::values(const Vector &u, const unsigned int entry) const
+  {
+    return entry < n_owned_entries ? u.begin() + entry
+                                   : ghost_values.data() + (entry - n_owned_entries);
   }
 
 

@@ -26,6 +26,25 @@ namespace signorini
     for (unsigned int corner = 0; corner < GeometryInfo<dim>::vertices_per_cell; ++corner)
       for (const Point<dim> &vertex : face.vertices)
         ahead = std::max(ahead, normal * (master_body.vertex(corner) - vertex));
+    find_obliquity();
+  }
+
+
+  template <int dim>
+  Sweep<dim>::Sweep(const SurfaceFace<dim> &face, const double behind, const double ahead)
+    : normal(face.unit_normal())
+    , box_of_face(face.bounding_box())
+    , diameter(face.diameter())
+    , behind(behind)
+    , ahead(ahead)
+  {
+    find_obliquity();
+  }
+
+
+  template <int dim>
+  void Sweep<dim>::find_obliquity()
+  {
     std::array<double, dim> parts;
     for (unsigned int c = 0; c < dim; ++c)
       parts[c] = std::abs(normal[c]);

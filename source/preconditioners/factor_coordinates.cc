@@ -14,7 +14,7 @@ namespace signorini
     : of_bodies(matrices)
     , coordinates(coordinates)
     , of_step(sum)
-    , relative(follows_partners && coordinates.coupling().any()
+    , relative(follows_partners && coordinates.coupling().any() && !coordinates.coupling().changes()
                  ? relative_matrix(matrices, coordinates, sum)
                  : ElasticMatrices<dim>())
     , is_relative(relative.pattern.partitioner != nullptr)

@@ -11,8 +11,7 @@ namespace signorini
                                 ContactSurface<dim>                      &surface,
                                 ContactCoordinates<dim>                  &coordinates,
                                 const std::function<std::vector<bool>()> &held)
-    : surface(surface)
-    , coordinates(coordinates)
+    : coordinates(coordinates)
     , geometry(discretization, dirichlet, surface)
     , held(held)
   {
@@ -23,9 +22,9 @@ namespace signorini
   std::vector<unsigned int> StepContact<dim>::entries() const
   {
     std::vector<unsigned int> result;
-    for (const ContactNode<dim> &node : surface.nodes())
-      for (unsigned int c = 0; c < dim && node.row == 0; ++c)
-        result.push_back(dim * node.node + c);
+    for (const unsigned int node : geometry.nodes())
+      for (unsigned int c = 0; c < dim; ++c)
+        result.push_back(dim * node + c);
     return result;
   }
 
@@ -86,8 +85,14 @@ namespace signorini
   void StepContact<dim>::take_over_geometry()
   {
     coordinates.follow_frames();
-    if (geometry.obstacles_move())
-      motion_of_obstacles = geometry.obstacle_motion();
+    if (!geometry.obstacles_move())
+      return;
+    motion_of_obstacles = geometry.obstacle_motion();
+    // What follows another body is carried along: the motion of an obstacle is none of its own.
+    coordinates.rotate_to_frames(motion_of_obstacles);
+    for (const unsigned int i : coordinates.relative_entries())
+      motion_of_obstacles.local_element(i) = 0.;
+    coordinates.displacement_to_cartesian(motion_of_obstacles);
   }
 
 
@@ -114,7 +119,7 @@ namespace signorini
 
 
   template <int dim>
-  double StepContact<dim>::mismatch(const Vector &increment) const
+  double StepContact<dim>::mismatch(const Vector &increment)
   {
     return geometry.mismatch(increment, held());
   }

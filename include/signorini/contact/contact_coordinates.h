@@ -8,6 +8,8 @@
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/node_frames.h>
 
+#include <optional>
+
 namespace signorini
 {
   /**
@@ -144,13 +146,10 @@ namespace signorini
     /** Call turn(contact node, its dim entries) for each node of the surface. */
     template <typename Turn>
     void for_each_node(Vector &vector, const Turn &turn) const;
-    /**
-     * Relative entries += factor e.(P u); the partners of contact nodes are in Cartesian
-     * components.
-     */
-    void add_partner_motion(Vector &vector, double factor) const;
-    /** The entries of partners += factor P'(sum of e f over the relative entries f). */
-    void add_to_partners(Vector &vector, double factor) const;
+    /** The relative entries times a factor; zero for nodes of other levels than a given one. */
+    std::vector<double> relative_forces(const Vector               &vector,
+                                        double                      factor,
+                                        std::optional<unsigned int> level = {}) const;
   };
 } // namespace signorini
 

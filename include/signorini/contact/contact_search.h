@@ -5,6 +5,7 @@
 #define signorini_contact_contact_search_h
 
 #include <signorini/contact/face_segments.h>
+#include <signorini/contact/sweep.h>
 
 namespace signorini
 {
@@ -33,6 +34,16 @@ namespace signorini
   template <int dim>
   FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
                                            const PairDescription     &pair);
+
+  /**
+   * The same with faces in any configuration, and for each slave face how far it looks.
+   * @param slaves, masters owned faces
+   */
+  template <int dim>
+  FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
+                                           const std::vector<SurfaceFace<dim>> &masters,
+                                           const std::vector<Sweep<dim>>       &sweeps,
+                                           MPI_Comm                             communicator);
 } // namespace signorini
 
 #endif

@@ -4,7 +4,7 @@
 #ifndef signorini_contact_contact_surface_h
 #define signorini_contact_contact_surface_h
 
-#include <signorini/contact/node_coupling.h>
+#include <signorini/contact/followed_pairs.h>
 #include <signorini/contact/obstacle_contact.h>
 
 namespace signorini
@@ -50,12 +50,17 @@ namespace signorini
       obstacle_contact.move_obstacles(start, end);
     }
 
-    /** The geometry of a node at an obstacle from now on; see FollowedContact. */
+    /** The geometry of a contact node from now on; see FollowedContact. */
     void set_geometry(const std::size_t k, const ContactNode<dim> &node)
     {
-      Assert(node.partners.empty(), dealii::ExcMessage("This is about contact with obstacles."));
       contact_nodes[k] = node;
     }
+
+    /** All contact nodes have their geometry. Collective. */
+    void complete_geometry();
+
+    /** Pairs of bodies, where contact follows the motion. */
+    FollowedPairs<dim> &followed_pairs() { return *bodies; }
 
     /** What moves the other side of the nodes. */
     const NodeCoupling<dim> &coupling() const { return *node_coupling; }
@@ -133,11 +138,19 @@ namespace signorini
     const ContactMotion                motion;
     ObstacleContact<dim>               obstacle_contact;
     std::vector<ContactNode<dim>>      contact_nodes;
-    std::unique_ptr<NodeCoupling<dim>> node_coupling;
+    std::unique_ptr<FollowedPairs<dim>> bodies; ///< where contact follows the motion
+    std::unique_ptr<NodeCoupling<dim>>  node_coupling;
     unsigned int                       n_global = 0, n_left_to_dirichlet = 0;
     std::vector<std::string>           assumptions;
 
     void add_pair_of_bodies(unsigned int pair, const DirichletConditions<dim> &dirichlet);
+    /**
+     * Contact that follows the motion: every node of a slave surface may face the other body one
+     * day. Nodes that are prescribed in all directions are left out.
+     */
+    void add_slave_nodes(const DirichletConditions<dim> &dirichlet);
+    /** @throws UserError naming pair, depth and place, if the bodies of a pair overlap */
+    void check_that_bodies_are_apart(const Vector &displacement) const;
     /**
      * Gaps by round-off become zero, and so do small overlaps of facetted surfaces; deep ones
      * stay, to be reported.

@@ -4,6 +4,7 @@
 #ifndef signorini_contact_followed_contact_h
 #define signorini_contact_followed_contact_h
 
+#include <signorini/contact/contact_site.h>
 #include <signorini/contact/contact_surface.h>
 
 namespace signorini
@@ -49,7 +50,7 @@ namespace signorini
      * 1e-12 of the size of the bodies and the round-off of coordinates. Collective.
      * @param matters per contact node
      */
-    double mismatch(const Vector &increment, const std::vector<bool> &matters) const;
+    double mismatch(const Vector &increment, const std::vector<bool> &matters);
 
     /**
      * Whether a node passes through an obstacle: it begins and ends outside, and is deep inside
@@ -64,54 +65,62 @@ namespace signorini
     /** Whether any obstacle moves. */
     bool obstacles_move() const { return some_move; }
 
+    /** The owned nodes on whose motion the conditions depend, ascending. */
+    std::vector<unsigned int> nodes() const;
+
+    /**
+     * By how much the true gap at the end of the latest motion is larger than what its condition
+     * says, per contact node: for bodies that meet bodies and have found no motion of their own
+     * normals, or whose bound is clipped.
+     */
+    std::vector<double> missed_gaps() const;
+
   private:
-    /** An obstacle as a node sees it. */
-    struct Facing
-    {
-      unsigned int         pair;
-      double               area;     ///< of the node in this pair
-      FrictionLaw          friction; ///< of the node in this pair
-      double               gap;      ///< at the start of the step; infinite past the end
-      MotionCondition<dim> condition;
-    };
-    /** A node of the surface. */
-    struct Site
-    {
-      std::size_t               first;        ///< of its contact nodes
-      unsigned int              n_rows;       ///< their number
-      dealii::Point<dim>        start;        ///< position at the start of the step
-      dealii::Tensor<1, dim>    displacement; ///< there
-      std::vector<Facing>       facings;      ///< one for each of its pairs
-      std::vector<unsigned int> bounding;     ///< the facings that bound it, one per row
-    };
+    using Site = ContactSite<dim>;
 
     const Discretization<dim>      &discretization;
     const DirichletConditions<dim> &dirichlet;
     ContactSurface<dim>            &surface;
     const ObstacleContact<dim>     &at_obstacles;
+    FollowedPairs<dim>             &pairs;
     std::vector<Site>               sites;
     bool                            some_move  = false;
     double                          accepted   = 0.; ///< length
     unsigned int                    n_followed = 0;  ///< motions of this step
+    Vector                          latest;          ///< motion of this step
 
     /** The laws of friction of all facings. Collective. */
     void find_friction();
     /** The motion of a node. */
     dealii::Tensor<1, dim> motion(const Site &site, const Vector &increment) const;
     /** Whether the node was in the obstacle when the step began. */
-    bool was_inside(const Facing &facing) const { return facing.gap < -accepted; }
+    bool was_inside(const Facing<dim> &facing) const
+    {
+      return !facing.of_body && facing.gap < -accepted;
+    }
     /** Whether a motion is so large that what faces the node may be in its way. */
-    bool is_in_reach(const Facing &facing, const dealii::Tensor<1, dim> &motion) const;
+    bool is_in_reach(const Facing<dim> &facing, const dealii::Tensor<1, dim> &motion) const;
     /** Look where the obstacles of a node are when the step begins. */
     void look_around(Site &site) const;
     /** Let the node be bounded by what it would enter, as far as it has rows. */
     void bound_by_what_is_entered(Site &site, const dealii::Tensor<1, dim> &motion) const;
     /** Whether a motion would end in an obstacle that does not bound the node. */
-    bool enters(const Site &site, const Facing &facing, const dealii::Tensor<1, dim> &motion) const;
-    /** Add a row. @return false: its normal is too close to those that are there */
-    bool add_row(Site &site, unsigned int facing) const;
+    bool enters(const Site                   &site,
+                const Facing<dim>            &facing,
+                const dealii::Tensor<1, dim> &motion) const;
+    /** The gap of a facing after a motion, as far as it is in the way. */
+    double gap_after(const Site                   &site,
+                     const Facing<dim>            &facing,
+                     const dealii::Tensor<1, dim> &motion) const;
+    /** By how much the condition of a row misses the true gap after a motion. */
+    double mismatch_of(const Site                   &site,
+                       const Facing<dim>            &facing,
+                       const dealii::Tensor<1, dim> &motion,
+                       bool                          is_held) const;
     /** Write the conditions of a node to the surface. */
     void write(const Site &site);
+    /** Take the conditions of bodies over. */
+    void update_opposite(Site &site) const;
   };
 } // namespace signorini
 

@@ -6,14 +6,34 @@
 
 #include <signorini/contact/contact_node.h>
 #include <signorini/contact/contact_search.h>
+#include <signorini/contact/covered_face.h>
+#include <signorini/contact/mean_curvature.h>
 #include <signorini/discretization/dirichlet_conditions.h>
 
-#include <Eigen/Core>
-
+#include <functional>
 #include <map>
 
 namespace signorini
 {
+  /** Where normals of a pair of bodies come from, and which nodes and parts of faces count. */
+  struct MortarRules
+  {
+    /**
+     * How much a point counts, by the cosine between the normal of the slave and the opposite one
+     * of the master. Null: always 1.
+     */
+    std::function<double(double)> facing;
+    /**
+     * Per owned node 1 - |mean of the unit normals| of the slave faces around it: 0 on a flat
+     * surface. If given, the normal of a contact node is that of the side that is flatter there, so
+     * that an edge on a face takes the normal of the face. Null: one weight for the whole pair, by
+     * the mean curvatures of both sides.
+     */
+    const std::vector<double> *bluntness = nullptr;
+    /** Per owned node, those that carry no multiplier. Null: none. */
+    const std::vector<bool> *excluded = nullptr;
+  };
+
   /**
    * Contact of two bodies with dual Lagrange multipliers (Wohlmuth 2000; Krause and Walloth 2012,
    * section 2). For each node i of the slave surface that carries a multiplier
@@ -29,7 +49,7 @@ namespace signorini
    * biorthogonal to the traces. The same combination of positions gives the gap g_i = -nu_i.[X]_i.
    * nu_i is a mean over the covered faces around i, weighted with N_i, of the normals of the slave
    * and the opposite ones of the master; the normals of the body that is bent less count more
-   * (weights_of_normals). Only the covered part of a slave face counts.
+   * (MortarRules). Only the covered part of a slave face counts.
    *
    * Slave nodes that carry no multiplier, because their normal displacement is prescribed or only a
    * sliver of their surroundings is covered, appear among the l, so that constants and linear
@@ -41,7 +61,7 @@ namespace signorini
   {
   public:
     /**
-     * Collective. @param pair index of a pair of two bodies
+     * In the reference configuration. Collective. @param pair index of a pair of two bodies
      * @throws UserError if a prescribed direction is neither normal nor tangential to the contact
      * surface
      */
@@ -49,6 +69,14 @@ namespace signorini
                    const DirichletConditions<dim>     &dirichlet,
                    const std::vector<PairDescription> &pairs,
                    unsigned int                        pair);
+
+    /** With surfaces that are in any configuration. Collective. */
+    MortarCoupling(const Discretization<dim>          &discretization,
+                   const DirichletConditions<dim>     &dirichlet,
+                   const std::vector<PairDescription> &pairs,
+                   unsigned int                        pair,
+                   const FacingSurfaces<dim>          &surfaces,
+                   const MortarRules                  &rules);
 
     /** The owned nodes that carry a multiplier, ascending. */
     const std::vector<ContactNode<dim>> &nodes() const { return contact_nodes; }
@@ -70,55 +98,33 @@ namespace signorini
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
   private:
-    /** Integrals over the covered part of a slave face; one row per node that moves the face. */
-    struct CoveredFace
-    {
-      /** Nodes and full integrals; nothing is covered yet. The face must outlive this. */
-      explicit CoveredFace(const SurfaceFace<dim> &slave);
-
-      /** N_i of all nodes at a point of the face. */
-      Eigen::VectorXd values_at(const dealii::Point<dim - 1> &xi) const;
-
-      /**
-       * Add a point of a segment to the integrals. @param normal, opposite of slave and master,
-       * unit vectors out of the bodies
-       */
-      void add(const SegmentPoint<dim>      &point,
-               const SurfaceFace<dim>       &master,
-               const dealii::Tensor<1, dim> &normal,
-               const dealii::Tensor<1, dim> &opposite);
-
-      const SurfaceFace<dim>                      *slave;
-      std::vector<dealii::types::global_dof_index> nodes;
-      Eigen::MatrixXd                              mass; ///< int N_i N_j
-      std::map<dealii::types::global_dof_index, Eigen::VectorXd>
-                      mixed;          ///< per master node l: int N_i N_l(chi)
-      Eigen::MatrixXd normals;        ///< int N_i nu, dim columns
-      Eigen::MatrixXd opposite;       ///< int N_i n(chi), dim columns
-      Eigen::MatrixXd distance;       ///< int N_i (X(chi) - X), dim columns
-      Eigen::VectorXd full;           ///< int N_i over the whole face
-      double          clearance = 0.; ///< smallest distance to the master
-    };
     using Rows =
       std::map<dealii::types::global_dof_index, std::map<dealii::types::global_dof_index, double>>;
 
     const Discretization<dim>    &discretization;
     const unsigned int            pair;
     const std::string             pair_name;
+    const MortarRules             rules;
+    NormalWeights                 weights; ///< of the whole pair, without MortarRules::bluntness
     std::vector<ContactNode<dim>> contact_nodes;
     double                        total_area = 0., total_covered_area = 0.;
     unsigned int                  n_left_to_dirichlet = 0, n_global = 0;
     bool                          any_segment = false;
     double                        turn        = 0.;
 
-    std::vector<CoveredFace> integrate(const FacingSurfaces<dim> &surfaces);
+    std::vector<CoveredFace<dim>> integrate(const FacingSurfaces<dim> &surfaces);
     /** Sums of integrals over the faces around each node. */
     struct NodeIntegrals
     {
-      Vector covered, full, normals; ///< the first two in first components
-      Vector clearance;              ///< smallest distance, first components
+      Vector covered, full;     ///< in first components
+      Vector normals, opposite; ///< of slave and master
+      Vector clearance;         ///< smallest distance, first components
+
+      static dealii::Tensor<1, dim> at(const Vector &sums, unsigned int node);
     };
-    NodeIntegrals collect(const std::vector<CoveredFace> &faces) const;
+    NodeIntegrals collect(const std::vector<CoveredFace<dim>> &faces) const;
+    /** The normal of a node, of any length; zero where faces look in opposite directions. */
+    dealii::Tensor<1, dim> normal_at(unsigned int node, const NodeIntegrals &sums) const;
     /**
      * Fit the frame of a node to its prescribed directions.
      * @param complaint becomes a message if that is impossible
@@ -132,10 +138,10 @@ namespace signorini
      * Decide which nodes carry a multiplier, with weight and frame. @return flags per node, with
      * ghosts
      */
-    Vector choose_multipliers(const std::vector<CoveredFace> &faces,
-                              const DirichletConditions<dim> &dirichlet);
+    Vector choose_multipliers(const std::vector<CoveredFace<dim>> &faces,
+                              const DirichletConditions<dim>      &dirichlet);
     /** Dual basis face by face: partners, gaps. */
-    void assemble_rows(const std::vector<CoveredFace> &faces, const Vector &carries);
+    void assemble_rows(const std::vector<CoveredFace<dim>> &faces, const Vector &carries);
     /** Sum the rows of all processes at the owners of the nodes. */
     Rows send_to_owners(const Rows &rows) const;
   };

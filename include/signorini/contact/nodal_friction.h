@@ -20,6 +20,15 @@ namespace signorini
                        const DirichletConditions<dim>     &dirichlet,
                        const std::vector<PairDescription> &pairs,
                        std::vector<ContactNode<dim>>      &nodes);
+
+  /**
+   * Which directions of a contact node are relative to the other side: a prescribed displacement is
+   * that of the node itself. @param conditions prescribed components of the node; null: none
+   */
+  template <int dim>
+  std::array<bool, dim>
+  relative_directions(const ContactNode<dim>                              &node,
+                      const typename DirichletConditions<dim>::Components *conditions);
 } // namespace signorini
 
 #endif

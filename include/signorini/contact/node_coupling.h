@@ -18,12 +18,33 @@ namespace signorini
   class NodeCoupling
   {
   public:
-    /** Collective. @param partitioner of vectors with dim entries per node */
+    /**
+     * Collective.
+     * @param partitioner       of vectors with dim entries per node
+     * @param partners_may_come contact follows the motion: nodes may have partners later
+     */
     NodeCoupling(const std::vector<ContactNode<dim>>                              &nodes,
-                 const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner);
+                 const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner,
+                 bool partners_may_come = false);
 
-    /** False if no contact node of any process has a partner: then there is nothing to do. */
+    /**
+     * False if no contact node of any process has a partner, and none will: then there is nothing
+     * to do.
+     */
     bool any() const { return has_partners; }
+
+    /** Whether partners come and go: contact follows the motion. */
+    bool changes() const { return partners_change; }
+
+    /**
+     * Partners may be contact nodes themselves. The level of a node is 0 if nothing of it is
+     * relative, otherwise one more than the highest one of its partners: displacements become
+     * Cartesian level by level. This is the number of levels above 0, on all processes.
+     */
+    unsigned int n_levels() const { return levels; }
+
+    /** The level of a contact node. */
+    unsigned int level(const std::size_t contact_node) const { return level_of[contact_node]; }
 
     /** The owned nodes that are partners of contact nodes on any process, ascending. */
     std::vector<unsigned int> owned_partners() const;
@@ -31,11 +52,17 @@ namespace signorini
     /** Per contact node k: sum_l P_kl u_l. Collective if any(). */
     std::vector<dealii::Tensor<1, dim>> partner_displacement(const Vector &u) const;
 
+    /** Per contact node the values of its partners, in their order. Collective if any(). */
+    std::vector<std::vector<dealii::Tensor<1, dim>>> partner_values(const Vector &u) const;
+
     /**
      * The entries of contact nodes in their frames that are relative: by contact node, and there
      * the normal first.
      */
     const std::vector<unsigned int> &relative_entries() const { return relative; }
+
+    /** The contact node of each relative entry. */
+    const std::vector<std::size_t> &nodes_of_relative_entries() const { return relative_nodes; }
 
     /** Per relative entry r of a contact node k: e_r . sum_l P_kl u_l. Collective if any(). */
     std::vector<double> partner_motion(const Vector &u) const;
@@ -52,17 +79,28 @@ namespace signorini
                                 Vector                                           &d) const;
 
   private:
-    bool                                has_partners;
+    bool                                has_partners, partners_change;
     unsigned int                        n_owned_entries;
     std::vector<unsigned int>           relative;
     std::vector<dealii::Tensor<1, dim>> directions;     ///< by relative entry
     std::vector<unsigned int>           relative_start; ///< by contact node
+    std::vector<std::size_t>            relative_nodes; ///< by relative entry
     std::vector<unsigned int>           row_start;      ///< by contact node
+    std::vector<unsigned int>           level_of;       ///< by contact node
+    unsigned int                        levels = 0;
     std::vector<std::pair<unsigned int, double>>
       entries; ///< first entry of the partner (owned, then ghosts); weight
     std::shared_ptr<dealii::Utilities::MPI::Partitioner>
                                 partners; ///< ghosts: partners on other processes
     mutable std::vector<double> ghost_values, import_storage;
+
+    /** Bring the values of partners on other processes. Collective. */
+    void fetch(const Vector &u) const;
+    /** The dim values of a partner, after fetch(). */
+    const double *values(const Vector &u, unsigned int entry) const;
+    /** Collective. */
+    void find_levels(const std::vector<ContactNode<dim>>                              &nodes,
+                     const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner);
 
     /**
      * Let add(k, P_kl, target_l) add to the dim entries of every partner l of every contact node

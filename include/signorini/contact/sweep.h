@@ -11,8 +11,8 @@
 namespace signorini
 {
   /**
-   * Where the master may be that a slave face sees: the face, swept along its normal from a quarter
-   * of both bodies behind it to the far side of the master.
+   * Where the master may be that a slave face sees: the face, swept along its normal, by default
+   * from a quarter of both bodies behind it to the far side of the master.
    */
   template <int dim>
   class Sweep
@@ -26,11 +26,17 @@ namespace signorini
           const dealii::BoundingBox<dim> &slave_body,
           const dealii::BoundingBox<dim> &master_body);
 
+    /** Between two distances: lengths, both positive. */
+    Sweep(const SurfaceFace<dim> &face, double behind, double ahead);
+
     /** Around all of it. */
     dealii::BoundingBox<dim> box() const { return box(-behind, ahead); }
 
     /** How deep in the slave body the master still counts. */
     double depth() const { return behind; }
+
+    /** How far in front of the face the master still counts. */
+    double height() const { return ahead; }
 
     /**
      * The boxes of a tree that it meets, and some that it misses by less than about the diameter of
@@ -44,6 +50,8 @@ namespace signorini
     const double                   diameter;
     double                         behind = 0., ahead = 0.;
     double                         obliquity; ///< how far aside it goes, per length
+
+    void find_obliquity();
 
     dealii::BoundingBox<dim> box(double from, double to) const;
 

@@ -46,6 +46,9 @@ namespace signorini
       Assert(factor > 0., dealii::ExcMessage("Forces are scaled by a positive factor."));
       return {coefficient, factor * constant, factor * cap};
     }
+
+    /** The law of a node with another area: what is given as a stress changes with it. */
+    FrictionLaw with_area(const double ratio) const { return {coefficient, ratio * constant, ratio * cap}; }
   };
 } // namespace signorini
 

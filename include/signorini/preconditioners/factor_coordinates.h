@@ -13,13 +13,15 @@ namespace signorini
 {
   /**
    * Whether the blocks that a process sees make up its rows of T'K T. On several processes it does
-   * not know what partners of partners beyond its ghosts add where bodies meet.
+   * not know what partners of partners beyond its ghosts add where bodies meet, and nowhere are
+   * they known where partners come and go.
    */
   template <int dim>
   bool sweeps_know_all(const ContactCoordinates<dim> &coordinates, const MPI_Comm communicator)
   {
     return !coordinates.coupling().any()
-           || dealii::Utilities::MPI::n_mpi_processes(communicator) == 1;
+           || (!coordinates.coupling().changes()
+               && dealii::Utilities::MPI::n_mpi_processes(communicator) == 1);
   }
 
 

@@ -33,7 +33,7 @@ namespace signorini
 
     void                      begin_step(const State &start, double step_size) override;
     void                      follow(const Vector &increment) override;
-    double                    mismatch(const Vector &increment) const override;
+    double                    mismatch(const Vector &increment) override;
     bool                      passes_through(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
     const Vector             *obstacle_motion() const override;
@@ -48,7 +48,6 @@ namespace signorini
     bool repeats() const { return is_repetition; }
 
   private:
-    const ContactSurface<dim>               &surface;
     ContactCoordinates<dim>                 &coordinates;
     FollowedContact<dim>                     geometry;
     const std::function<std::vector<bool>()> held;

@@ -211,7 +211,7 @@ namespace signorini
      * How far the true gaps at the end of the step just made are from what its normals say, where
      * that matters; in units of what can be tolerated. The same on all processes.
      */
-    virtual double mismatch(const Vector &increment) const = 0;
+    virtual double mismatch(const Vector &increment) = 0;
 
     /** Whether a motion passes through something, between a start and an end without contact. */
     virtual bool passes_through(const Vector &increment) const = 0;

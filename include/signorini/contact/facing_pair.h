@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_facing_pair_h
+#define signorini_contact_facing_pair_h
+
+#include <signorini/contact/contact_node.h>
+#include <signorini/contact/contact_search.h>
+#include <signorini/discretization/dirichlet_conditions.h>
+
+#include <map>
+
+namespace signorini
+{
+  /**
+   * The surfaces of a pair of two bodies, in any configuration: what faces the nodes of the slave
+   * there. The coupling is that of MortarCoupling, with three differences that motion asks for.
+   * Points of faces that turn away from each other count less and less, instead of no more from
+   * some angle on. Normals are those of the side that is flatter at the node. And the rows of P are
+   * shifted along the surface by so little that the relative position of a node is along its
+   * normal,
+   *
+   * @f[
+   *   P_{il} \leftarrow P_{il} + |P_{il}|\, a \cdot (x_l - \bar x), \qquad [x]_i \parallel \nu_i,
+   * @f]
+   *
+   * so that forces of contact have no moment. Weights still add up to one.
+   */
+  template <int dim>
+  class FacingPair
+  {
+  public:
+    /** All must outlive the object. Collective. @param pair index of a pair of two bodies */
+    FacingPair(const Discretization<dim>          &discretization,
+               const DirichletConditions<dim>     &dirichlet,
+               const std::vector<PairDescription> &pairs,
+               unsigned int                        pair);
+
+    /** The owned nodes of the slave surface, and the area (length in 2d) of each. */
+    const std::map<unsigned int, double> &slave_nodes() const { return areas; }
+
+    /** The owned nodes of the master surface, ascending. */
+    const std::vector<unsigned int> &master_nodes() const { return owned_master_nodes; }
+
+    /**
+     * The largest motion of a point of one surface relative to the other one as a whole. Collective.
+     */
+    double relative_motion(const Vector &increment) const;
+
+    /**
+     * The owned nodes that face the master, with gap, normal, partners; the gap is minus the normal
+     * part of the relative position. Collective.
+     * @param reach    length: what is farther away, or deeper inside, counts no more; half a face
+     *                 is added
+     * @param excluded per owned node, those that carry no multiplier; null: none
+     */
+    std::vector<ContactNode<dim>>
+    at(const Vector &displacement, double reach, const std::vector<bool> *excluded = nullptr) const;
+
+    /**
+     * How deep a corner of a face of either body is in the other one, at most; length, 0 if none
+     * is. @param nodes of at()
+     */
+    static double depth(const std::vector<ContactNode<dim>> &nodes);
+
+  private:
+    const Discretization<dim>          &discretization;
+    const DirichletConditions<dim>     &dirichlet;
+    const std::vector<PairDescription> &pairs;
+    const unsigned int                  pair;
+    std::vector<SurfaceFace<dim>>       slaves, masters; ///< owned, in the reference configuration
+    std::map<unsigned int, double>      areas;
+    std::vector<unsigned int>           owned_slave_nodes, owned_master_nodes;
+    std::vector<double>                 bluntness; ///< of the slave surface, per owned node
+
+    /** Area and bluntness of the slave's nodes. Collective. */
+    void measure_slave();
+    /** Around the owned nodes of a surface on all processes. Collective. */
+    dealii::BoundingBox<dim> box_of(const std::vector<unsigned int> &nodes,
+                                    const Vector                    &displacement) const;
+    /** Faces in a configuration, as far as they are in a box. */
+    std::vector<SurfaceFace<dim>> displaced(const std::vector<SurfaceFace<dim>> &faces,
+                                            const Vector                        &displacement,
+                                            const dealii::BoundingBox<dim>      &box) const;
+    /** Shift the rows of P. Collective. */
+    void align(std::vector<ContactNode<dim>> &nodes, const Vector &displacement) const;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_contact_followed_pairs_h
+#define signorini_contact_followed_pairs_h
+
+#include <signorini/contact/facing_pair.h>
+#include <signorini/contact/node_coupling.h>
+
+#include <memory>
+
+namespace signorini
+{
+  /** What a node of a slave surface faces in a step, and the condition that it sets. */
+  template <int dim>
+  struct PairCondition
+  {
+    ContactNode<dim>       geometry;     ///< in the middle of the motion
+    dealii::Tensor<1, dim> displacement; ///< [u] at the start of the step
+    /**
+     * b of nu.[d] <= b: such that a motion like the one whose normals these are keeps the condition
+     * exactly if the true gap at its end is not negative. Not negative: a bound that pushes would
+     * bring energy.
+     */
+    double bound        = 0.;
+    double gap_at_start = 0.; ///< by the geometry in the middle
+    bool   is_clipped = false; ///< the bound is zero instead of negative
+    /** Of the motion that was looked at last. */
+    dealii::Tensor<1, dim> motion;     ///< [d]
+    double                 gap_at_end; ///< true gap; NaN if nothing is opposite then
+
+    /** What the condition takes for the gap at the end of that motion. */
+    double linear_gap() const { return bound - geometry.normal() * motion; }
+    /** By how much the true gap is larger; 0 if nothing is opposite. */
+    double missed() const { return std::isnan(gap_at_end) ? 0. : gap_at_end - linear_gap(); }
+  };
+
+  /**
+   * Pairs of two bodies in the configurations of a step. Where bodies face each other is found at
+   * the middle of the motion, and the bound follows from the true gap at its end: with normals nu
+   * and weights P of the motion d_k,
+   *
+   * @f[
+   *   \nu \cdot [d] \le b = \max(0,\; g(x + d_k) + \nu \cdot [d_k]).
+   * @f]
+   *
+   * A motion that repeats itself then ends with g >= 0, and its forces act where g = 0. For any
+   * normals, weights and bounds that are not negative the laws of a scheme hold.
+   */
+  template <int dim>
+  class FollowedPairs
+  {
+  public:
+    /** All must outlive the object. Collective. */
+    FollowedPairs(const Discretization<dim>          &discretization,
+                  const DirichletConditions<dim>     &dirichlet,
+                  const std::vector<PairDescription> &pairs);
+
+    /** Whether there is any pair of two bodies. */
+    bool any() const { return !geometries.empty(); }
+
+    /** By the index of a pair of two bodies. */
+    const std::map<unsigned int, std::unique_ptr<FacingPair<dim>>> &pairs() const
+    {
+      return geometries;
+    }
+
+    /** Owned nodes on whose motion the conditions depend, ascending. */
+    std::vector<unsigned int> nodes() const;
+
+    /** The conditions of a motion that is expected from here. Collective. */
+    void begin_step(const Vector &displacement, const Vector &expected);
+
+    /** The conditions of a motion from the same start. Collective. */
+    void follow(const Vector &increment);
+
+    /** See where a motion ends; the conditions stay. Collective. */
+    void look_at_end(const Vector &increment);
+
+    /** The condition of a node in a pair; null if nothing is opposite. */
+    const PairCondition<dim> *find(unsigned int pair, unsigned int node) const;
+
+    /** How deep a corner of a face of each pair is in the other body. Collective. */
+    std::map<unsigned int, double> depths(const Vector &displacement) const;
+
+  private:
+    using Conditions = std::map<unsigned int, PairCondition<dim>>; ///< by node
+
+    const Discretization<dim>                                &discretization;
+    const std::vector<PairDescription>                       &descriptions;
+    std::map<unsigned int, std::unique_ptr<FacingPair<dim>>>  geometries;
+    std::vector<unsigned int>                                 order; ///< of pairs
+    bool                                                      is_cyclic = false;
+    std::map<unsigned int, Conditions>                        conditions; ///< by pair
+    std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
+    Vector                                                    start; ///< displacement
+
+    /** Masters before slaves, as far as there is no ring of bodies. */
+    void find_order();
+    /** Geometry in the middle of a motion, with [u] and [d]; bounds are of no end yet. */
+    void search_middle(const Vector &increment);
+    /** True gaps at the end of a motion. */
+    void search_end(const Vector &increment);
+    /** [v] of the nodes of a pair, in their order. Collective. */
+    std::vector<dealii::Tensor<1, dim>> relative(unsigned int pair, const Vector &v) const;
+    double                              reach(unsigned int pair, const Vector &increment) const;
+  };
+} // namespace signorini
+
+#endif

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/facing_pair.h>
+#include <signorini/contact/mortar_coupling.h>
+#include <signorini/contact/node_coupling.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <Eigen/Dense>
+
+#include <boost/geometry/algorithms/intersects.hpp>
+
+#include <algorithm>
+#include <limits>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Cosines of the angles at which faces begin to look at each other, and do so fully. */
+    constexpr double begins_to_face = 0.2, faces_fully = 0.6;
+    /** Largest change of a weight of P, as a part of it. */
+    constexpr double largest_shift = 0.5;
+
+
+    /** 0 where faces turn away from each other, 1 where they face, smooth between. */
+    double facing_weight(const double cosine)
+    {
+      const double x =
+        std::clamp((cosine - begins_to_face) / (faces_fully - begins_to_face), 0., 1.);
+      return x * x * (3. - 2. * x);
+    }
+
+
+    template <int dim>
+    std::vector<unsigned int> owned_nodes(const std::vector<SurfaceFace<dim>> &faces,
+                                          const Discretization<dim>           &discretization)
+    {
+      // What other processes know of an owned node's face arrives by a sum.
+      Vector flags = discretization.make_vector();
+      for (const SurfaceFace<dim> &face : faces)
+        for (const NodeWeights &weights : face.nodes)
+          for (const auto &[node, weight] : weights)
+            flags(dim * node) += 1.;
+      flags.compress(VectorOperation::add);
+      std::vector<unsigned int> result;
+      for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
+        if (flags.local_element(dim * node) > 0.)
+          result.push_back(node);
+      return result;
+    }
+
+
+    template <int dim>
+    Tensor<1, dim> motion_of(const unsigned int node, const Vector &motion)
+    {
+      Tensor<1, dim> result;
+      for (unsigned int c = 0; c < dim; ++c)
+        result[c] = motion.local_element(dim * node + c);
+      return result;
+    }
+  } // namespace
+
+
+  template <int dim>
+  FacingPair<dim>::FacingPair(const Discretization<dim>          &discretization,
+                              const DirichletConditions<dim>     &dirichlet,
+                              const std::vector<PairDescription> &pairs,
+                              const unsigned int                  pair)
+    : discretization(discretization)
+    , dirichlet(dirichlet)
+    , pairs(pairs)
+    , pair(pair)
+    , slaves(
+        owned_surface_faces(discretization, pairs[pair].slave, pairs[pair].slave_boundary_ids))
+    , masters(
+        owned_surface_faces(discretization, pairs[pair].master, pairs[pair].master_boundary_ids))
+    , owned_slave_nodes(owned_nodes(slaves, discretization))
+    , owned_master_nodes(owned_nodes(masters, discretization))
+  {
+    measure_slave();
+  }
+
+
+  template <int dim>
+  void FacingPair<dim>::measure_slave()
+  {
+    Vector                area = discretization.make_vector(), outward = area;
+    const QGauss<dim - 1> quadrature(3);
+    for (const SurfaceFace<dim> &face : slaves)
+      for (unsigned int q = 0; q < quadrature.size(); ++q)
+        {
+          const Tensor<1, dim> surface =
+            quadrature.weight(q) * face.area_vector(quadrature.point(q));
+          const auto values = face.shape_values(quadrature.point(q));
+          for (unsigned int v = 0; v < face.n_vertices; ++v)
+            for (const auto &[node, weight] : face.nodes[v])
+              {
+                area(dim * node) += weight * values[v] * surface.norm();
+                for (unsigned int c = 0; c < dim; ++c)
+                  outward(dim * node + c) += weight * values[v] * surface[c];
+              }
+        }
+    area.compress(VectorOperation::add);
+    outward.compress(VectorOperation::add);
+    bluntness.assign(discretization.matrices().pattern.n_owned, 0.);
+    for (const unsigned int node : owned_slave_nodes)
+      {
+        areas[node]     = area.local_element(dim * node);
+        bluntness[node] = std::max(0., 1. - motion_of<dim>(node, outward).norm() / areas[node]);
+      }
+  }
+
+
+  template <int dim>
+  double FacingPair<dim>::relative_motion(const Vector &increment) const
+  {
+    const MPI_Comm communicator = discretization.communicator();
+    Tensor<1, dim> sum;
+    for (const unsigned int node : owned_master_nodes)
+      sum += motion_of<dim>(node, increment);
+    const Tensor<1, dim> mean =
+      Utilities::MPI::sum(sum, communicator)
+      / Utilities::MPI::sum(static_cast<double>(owned_master_nodes.size()), communicator);
+    std::vector<double> largest(2, 0.);
+    for (const unsigned int node : owned_slave_nodes)
+      largest[0] = std::max(largest[0], (motion_of<dim>(node, increment) - mean).norm());
+    for (const unsigned int node : owned_master_nodes)
+      largest[1] = std::max(largest[1], (motion_of<dim>(node, increment) - mean).norm());
+    Utilities::MPI::max(largest, communicator, largest);
+    return largest[0] + largest[1];
+  }
+
+
+  template <int dim>
+  BoundingBox<dim> FacingPair<dim>::box_of(const std::vector<unsigned int> &nodes,
+                                           const Vector                    &displacement) const
+  {
+    std::vector<double> extent(2 * dim, std::numeric_limits<double>::lowest()); // -lower, upper
+    for (const unsigned int node : nodes)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double x =
+            discretization.node_positions()[node][c] + displacement.local_element(dim * node + c);
+          extent[c]       = std::max(extent[c], -x);
+          extent[dim + c] = std::max(extent[dim + c], x);
+        }
+    Utilities::MPI::max(extent, discretization.communicator(), extent);
+    Point<dim> lower, upper;
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        lower[c] = -extent[c];
+        upper[c] = extent[dim + c];
+      }
+    return BoundingBox<dim>({lower, upper});
+  }
+
+
+  template <int dim>
+  std::vector<SurfaceFace<dim>>
+  FacingPair<dim>::displaced(const std::vector<SurfaceFace<dim>> &faces,
+                             const Vector                        &displacement,
+                             const BoundingBox<dim>              &box) const
+  {
+    std::vector<SurfaceFace<dim>> result;
+    for (const SurfaceFace<dim> &face : faces)
+      {
+        SurfaceFace<dim> moved = face;
+        for (unsigned int v = 0; v < face.n_vertices; ++v)
+          for (const auto &[node, weight] : face.nodes[v])
+            for (unsigned int c = 0; c < dim; ++c)
+              moved.vertices[v][c] += weight * displacement(dim * node + c);
+        if (boost::geometry::intersects(moved.bounding_box(), box))
+          result.push_back(std::move(moved));
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<ContactNode<dim>> FacingPair<dim>::at(const Vector            &displacement,
+                                                    const double             reach,
+                                                    const std::vector<bool> *excluded) const
+  {
+    BoundingBox<dim> slave_box  = box_of(owned_slave_nodes, displacement),
+                     master_box = box_of(owned_master_nodes, displacement);
+    double largest_face         = 0.;
+    for (const SurfaceFace<dim> &face : slaves)
+      largest_face = std::max(largest_face, face.diameter());
+    largest_face = Utilities::MPI::max(largest_face, discretization.communicator());
+    slave_box.extend(reach + largest_face);
+    master_box.extend(reach + largest_face);
+    if (!boost::geometry::intersects(slave_box, master_box))
+      return {};
+
+    Vector ghosted = displacement;
+    ghosted.update_ghost_values();
+    const auto              near = displaced(slaves, ghosted, master_box);
+    std::vector<Sweep<dim>> sweeps;
+    for (const SurfaceFace<dim> &face : near)
+      {
+        const double range = reach + 0.5 * face.diameter();
+        sweeps.emplace_back(face, range, range);
+      }
+    const auto surfaces = find_facing_surfaces(
+      near, displaced(masters, ghosted, slave_box), sweeps, discretization.communicator());
+    MortarRules rules;
+    rules.facing    = facing_weight;
+    rules.bluntness = &bluntness;
+    rules.excluded  = excluded;
+    std::vector<ContactNode<dim>> nodes =
+      MortarCoupling<dim>(discretization, dirichlet, pairs, pair, surfaces, rules).nodes();
+    align(nodes, displacement);
+    return nodes;
+  }
+
+
+  template <int dim>
+  void FacingPair<dim>::align(std::vector<ContactNode<dim>> &nodes,
+                              const Vector                  &displacement) const
+  {
+    using Shift      = Eigen::Matrix<double, dim - 1, 1>;
+    Vector positions = displacement;
+    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        positions.local_element(dim * node + c) += discretization.node_positions()[node][c];
+    const NodeCoupling<dim> coupling(nodes, discretization.matrices().pattern.partitioner, true);
+    const auto              of_partners = coupling.partner_values(positions);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      {
+        ContactNode<dim> &node     = nodes[k];
+        Tensor<1, dim>    relative = motion_of<dim>(node.node, positions), mean;
+        double            sum      = 0.;
+        for (std::size_t l = 0; l < node.partners.size(); ++l)
+          {
+            relative -= node.partners[l].second * of_partners[k][l];
+            mean += std::abs(node.partners[l].second) * of_partners[k][l];
+            sum += std::abs(node.partners[l].second);
+          }
+        mean /= sum;
+        const auto along = [&](const Tensor<1, dim> &x) {
+          Shift result;
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            result[d] = node.direction(d + 1) * x;
+          return result;
+        };
+        Eigen::Matrix<double, dim - 1, dim - 1> spread =
+          Eigen::Matrix<double, dim - 1, dim - 1>::Zero();
+        for (std::size_t l = 0; l < node.partners.size(); ++l)
+          {
+            const Shift s = along(of_partners[k][l] - mean);
+            spread += std::abs(node.partners[l].second) * s * s.transpose();
+          }
+        const Shift a       = spread.fullPivLu().solve(along(relative));
+        double      largest = 0.;
+        for (const Tensor<1, dim> &x : of_partners[k])
+          largest = std::max(largest, std::abs(a.dot(along(x - mean))));
+        if (!(largest <= largest_shift))
+          continue;
+        for (std::size_t l = 0; l < node.partners.size(); ++l)
+          {
+            double      &weight = node.partners[l].second;
+            const double change = std::abs(weight) * a.dot(along(of_partners[k][l] - mean));
+            weight += change;
+            node.gap += change * (node.normal() * (of_partners[k][l] - mean));
+          }
+      }
+  }
+
+
+  template <int dim>
+  double FacingPair<dim>::depth(const std::vector<ContactNode<dim>> &nodes)
+  {
+    double deepest = 0.;
+    for (const ContactNode<dim> &node : nodes)
+      deepest = std::max(deepest, -node.clearance);
+    return deepest;
+  }
+
+
+  template class FacingPair<2>;
+  template class FacingPair<3>;
+} // namespace signorini

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/contact/followed_pairs.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+namespace signorini
+{
+  using namespace dealii;
+
+  namespace
+  {
+    /** Of the motion that is expected: it may turn out to be larger. */
+    constexpr double reserve = 2.;
+  } // namespace
+
+
+  template <int dim>
+  FollowedPairs<dim>::FollowedPairs(const Discretization<dim>          &discretization,
+                                    const DirichletConditions<dim>     &dirichlet,
+                                    const std::vector<PairDescription> &pairs)
+    : discretization(discretization)
+    , descriptions(pairs)
+  {
+    for (unsigned int pair = 0; pair < pairs.size(); ++pair)
+      if (pairs[pair].of_two_bodies())
+        geometries[pair] =
+          std::make_unique<FacingPair<dim>>(discretization, dirichlet, pairs, pair);
+    find_order();
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::find_order()
+  {
+    std::set<unsigned int> left;
+    for (const auto &[pair, geometry] : geometries)
+      left.insert(pair);
+    while (!left.empty())
+      {
+        const auto waits = [&](const unsigned int pair) {
+          return std::any_of(left.begin(), left.end(), [&](const unsigned int other) {
+            return descriptions[other].slave == descriptions[pair].master;
+          });
+        };
+        auto next = std::find_if_not(left.begin(), left.end(), waits);
+        if (next == left.end())
+          {
+            is_cyclic = true;
+            next      = left.begin();
+          }
+        order.push_back(*next);
+        left.erase(next);
+      }
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int> FollowedPairs<dim>::nodes() const
+  {
+    std::set<unsigned int> result;
+    for (const auto &[pair, geometry] : geometries)
+      {
+        for (const auto &[node, area] : geometry->slave_nodes())
+          result.insert(node);
+        result.insert(geometry->master_nodes().begin(), geometry->master_nodes().end());
+      }
+    return std::vector<unsigned int>(result.begin(), result.end());
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::begin_step(const Vector &displacement, const Vector &expected)
+  {
+    start = displacement;
+    search_middle(expected);
+    for (auto &[pair, of_pair] : conditions)
+      for (auto &[node, condition] : of_pair)
+        {
+          // The mean gap of a curved surface may be negative though nothing touches.
+          condition.bound      = std::max(0., condition.gap_at_start);
+          condition.is_clipped = condition.gap_at_start < 0.;
+        }
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::follow(const Vector &increment)
+  {
+    search_middle(increment);
+    search_end(increment);
+    for (auto &[pair, of_pair] : conditions)
+      for (auto &[node, condition] : of_pair)
+        {
+          const double moved = condition.geometry.normal() * condition.motion;
+          const double gap   = std::isnan(condition.gap_at_end) ? condition.gap_at_start
+                                                                : condition.gap_at_end + moved;
+          condition.bound      = std::max(0., gap);
+          condition.is_clipped = gap < 0.;
+        }
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::look_at_end(const Vector &increment)
+  {
+    search_end(increment);
+    for (auto &[pair, of_pair] : conditions)
+      {
+        const auto motion = relative(pair, increment);
+        auto       next   = motion.begin();
+        for (auto &[node, condition] : of_pair)
+          condition.motion = *next++;
+      }
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::search_middle(const Vector &increment)
+  {
+    Vector middle = start;
+    middle.add(0.5, increment);
+    std::vector<bool> excluded(discretization.matrices().pattern.n_owned, false);
+    conditions.clear();
+    for (const unsigned int pair : order)
+      {
+        const auto nodes = geometries[pair]->at(
+          middle, reach(pair, increment), is_cyclic ? &excluded : nullptr);
+        auto &coupling = couplings[pair];
+        coupling       = std::make_unique<NodeCoupling<dim>>(
+          nodes, discretization.matrices().pattern.partitioner, true);
+        // A ring of bodies must not make a node follow itself.
+        for (const unsigned int node : coupling->owned_partners())
+          excluded[node] = true;
+        Conditions &of_pair = conditions[pair];
+        for (const ContactNode<dim> &node : nodes)
+          {
+            of_pair[node.node].geometry   = node;
+            of_pair[node.node].gap_at_end = std::numeric_limits<double>::quiet_NaN();
+          }
+        const auto displacement = relative(pair, start), motion = relative(pair, increment);
+        std::size_t k = 0;
+        for (auto &[node, condition] : of_pair)
+          {
+            condition.displacement = displacement[k];
+            condition.motion       = motion[k++];
+            condition.gap_at_start =
+              condition.geometry.gap + 0.5 * (condition.geometry.normal() * condition.motion);
+          }
+      }
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::search_end(const Vector &increment)
+  {
+    Vector end = start;
+    end += increment;
+    for (auto &[pair, of_pair] : conditions)
+      {
+        for (auto &[node, condition] : of_pair)
+          condition.gap_at_end = std::numeric_limits<double>::quiet_NaN();
+        for (const ContactNode<dim> &node : geometries[pair]->at(end, reach(pair, increment)))
+          if (const auto condition = of_pair.find(node.node); condition != of_pair.end())
+            condition->second.gap_at_end = node.gap;
+      }
+  }
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> FollowedPairs<dim>::relative(const unsigned int pair,
+                                                           const Vector      &v) const
+  {
+    std::vector<Tensor<1, dim>> result = couplings.at(pair)->partner_displacement(v);
+    std::size_t                 k      = 0;
+    for (const auto &[node, condition] : conditions.at(pair))
+      {
+        for (unsigned int c = 0; c < dim; ++c)
+          result[k][c] = v.local_element(dim * node + c) - result[k][c];
+        ++k;
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  double FollowedPairs<dim>::reach(const unsigned int pair, const Vector &increment) const
+  {
+    return reserve * geometries.at(pair)->relative_motion(increment);
+  }
+
+
+  template <int dim>
+  const PairCondition<dim> *FollowedPairs<dim>::find(const unsigned int pair,
+                                                     const unsigned int node) const
+  {
+    const auto of_pair = conditions.find(pair);
+    if (of_pair == conditions.end())
+      return nullptr;
+    const auto condition = of_pair->second.find(node);
+    return condition == of_pair->second.end() ? nullptr : &condition->second;
+  }
+
+
+  template <int dim>
+  std::map<unsigned int, double> FollowedPairs<dim>::depths(const Vector &displacement) const
+  {
+    std::map<unsigned int, double> result;
+    for (const auto &[pair, geometry] : geometries)
+      result[pair] = Utilities::MPI::max(FacingPair<dim>::depth(geometry->at(displacement, 0.)),
+                                         discretization.communicator());
+    return result;
+  }
+
+
+  template class FollowedPairs<2>;
+  template class FollowedPairs<3>;
+} // namespace signorini
