@@ -96,7 +96,7 @@ namespace signorini
   template <int dim>
   void ContactCoordinates<dim>::follow_frames()
   {
-    bool any = false;
+    bool any = node_coupling.changes();
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         Frame &frame = frames[node.node];

@@ -119,6 +119,8 @@ namespace signorini
         double                  size  = slave.diameter();
         for (const std::size_t m : sweeps[f].meets(tree))
           {
+            if (!sweeps[f].reaches(result.masters[m]))
+              continue;
             Segment<dim> segment = intersect(slave, result.masters[m]);
             if (segment.points.empty() || segment.gap < -sweeps[f].depth()
                 || segment.gap > sweeps[f].height())

@@ -6,6 +6,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
 #include <signorini/contact/contact_surface.h>
+#include <signorini/contact/followed_pairs.h>
 #include <signorini/contact/free_directions.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/nodal_friction.h>
@@ -86,6 +87,21 @@ namespace signorini
     for (const ContactNode<dim> &node : contact_nodes)
       n_global += node.row == 0;
     n_global = Utilities::MPI::sum(n_global, discretization.communicator());
+  }
+
+
+  template <int dim>
+  ContactSurface<dim>::ContactSurface(ContactSurface &&) noexcept = default;
+
+
+  template <int dim>
+  ContactSurface<dim>::~ContactSurface() = default;
+
+
+  template <int dim>
+  double ContactSurface<dim>::depth(const unsigned int pair) const
+  {
+    return bodies ? bodies->depth(pair) : 0.;
   }
 
 

@@ -45,57 +45,67 @@ namespace signorini
     };
 
 
-    /**
-     * The reference coordinates of the point of a face that lies over a point of the plane, by
-     * Newton's method.
-     */
+    /** A face seen in the plane: its projected vertices, and the way back from there. */
     template <int dim>
-    Point<dim - 1> map_back(const SurfaceFace<dim> &face,
-                            const FacePlane<dim>   &plane,
-                            const Point<dim - 1>   &target)
+    class ProjectedFace
     {
-      Point<dim - 1> xi = face.middle();
-      for (unsigned int iteration = 0; iteration < 20; ++iteration)
-        {
-          const Tensor<1, dim - 1> defect =
-            target - plane.project(face.position(xi) - plane.origin);
-          const auto         t = face.tangents(xi);
-          Tensor<2, dim - 1> jacobian;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            {
-              const Point<dim - 1> column = plane.project(t[d]);
-              for (unsigned int c = 0; c < dim - 1; ++c)
-                jacobian[c][d] = column[c];
-            }
-          const Tensor<1, dim - 1> change = invert(jacobian) * defect;
-          xi += change;
-          if (change.norm() < 1e-14)
-            break;
-        }
-      return xi;
-    }
+    public:
+      ProjectedFace(const SurfaceFace<dim> &face, const FacePlane<dim> &plane)
+      {
+        for (unsigned int v = 0; v < face.n_vertices; ++v)
+          vertices[v] = plane.project(face.vertices[v] - plane.origin);
+      }
 
+      /** Counterclockwise (2d: two ascending coordinates). */
+      std::vector<Point<dim - 1>> outline() const
+      {
+        std::vector<Point<dim - 1>> points(vertices.begin(), vertices.end());
+        if constexpr (dim == 2)
+          {
+            if (points[1][0] < points[0][0])
+              std::swap(points[0], points[1]);
+          }
+        else
+          {
+            std::swap(points[2], points[3]); // lexicographic to circular
+            if (area(points) < 0.)
+              std::reverse(points.begin(), points.end());
+          }
+        return points;
+      }
 
-    /** The outline of a face in the plane, counterclockwise (2d: two ascending coordinates). */
-    template <int dim>
-    std::vector<Point<dim - 1>> outline(const SurfaceFace<dim> &face, const FacePlane<dim> &plane)
-    {
-      std::vector<Point<dim - 1>> points;
-      for (const Point<dim> &vertex : face.vertices)
-        points.push_back(plane.project(vertex - plane.origin));
-      if constexpr (dim == 2)
-        {
-          if (points[1][0] < points[0][0])
-            std::swap(points[0], points[1]);
-        }
-      else
-        {
-          std::swap(points[2], points[3]); // lexicographic to circular
-          if (area(points) < 0.)
-            std::reverse(points.begin(), points.end());
-        }
-      return points;
-    }
+      /**
+       * The reference coordinates of the point of the face that lies over a point of the plane: by
+       * Newton's method, which needs one step on a parallelogram.
+       */
+      Point<dim - 1> map_back(const Point<dim - 1> &target) const
+      {
+        if constexpr (dim == 2)
+          return Point<1>((target[0] - vertices[0][0]) / (vertices[1][0] - vertices[0][0]));
+        else
+          {
+            const Tensor<1, 2> a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
+                               bend = vertices[3] - vertices[2] - a;
+            Point<2> xi             = SurfaceFace<3>::middle();
+            for (unsigned int iteration = 0; iteration < 20; ++iteration)
+              {
+                const Tensor<1, 2> defect = (target - vertices[0]) - xi[0] * a - xi[1] * b
+                                            - xi[0] * xi[1] * bend,
+                                   s = a + xi[1] * bend, t = b + xi[0] * bend;
+                const double       determinant = s[0] * t[1] - s[1] * t[0];
+                const Tensor<1, 2> change({(defect[0] * t[1] - defect[1] * t[0]) / determinant,
+                                           (s[0] * defect[1] - s[1] * defect[0]) / determinant});
+                xi += change;
+                if (change.norm() < 1e-14)
+                  break;
+              }
+            return xi;
+          }
+      }
+
+    private:
+      std::array<Point<dim - 1>, SurfaceFace<dim>::n_vertices> vertices;
+    };
 
 
     double measure(const std::vector<Point<1>> &interval)
@@ -177,8 +187,9 @@ namespace signorini
     if (master.unit_normal() * plane.normal > -0.1)
       return segment;
 
-    const auto slave_outline = outline(slave, plane);
-    const auto common        = overlap(slave_outline, outline(master, plane));
+    const ProjectedFace<dim> slave_below(slave, plane), master_below(master, plane);
+    const auto               slave_outline = slave_below.outline();
+    const auto               common        = overlap(slave_outline, master_below.outline());
     segment.area             = measure(common);
     if (!(segment.area > 1e-12 * measure(slave_outline)))
       return segment;
@@ -190,11 +201,11 @@ namespace signorini
     for (const Point<dim - 1> &corner : common)
       segment.smallest_gap =
         std::min(segment.smallest_gap,
-                 distance(map_back(slave, plane, corner), map_back(master, plane, corner)));
+                 distance(slave_below.map_back(corner), master_below.map_back(corner)));
     for (const auto &[point, weight] : quadrature(common))
       {
-        const Point<dim - 1> xi      = map_back(slave, plane, point),
-                             eta     = map_back(master, plane, point);
+        const Point<dim - 1> xi      = slave_below.map_back(point),
+                             eta     = master_below.map_back(point);
         const Tensor<1, dim> surface = slave.area_vector(xi);
         segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
         segment.gap += weight / segment.area * distance(xi, eta);
@@ -206,7 +217,7 @@ namespace signorini
   template <int dim>
   double projected_area(const SurfaceFace<dim> &face)
   {
-    return measure(outline(face, FacePlane<dim>(face)));
+    return measure(ProjectedFace<dim>(face, FacePlane<dim>(face)).outline());
   }
 
 

@@ -181,6 +181,15 @@ namespace signorini
 
 
   template <int dim>
+  bool FacingPair<dim>::are_near(const Vector &displacement, const double distance) const
+  {
+    BoundingBox<dim> slave_box = box_of(owned_slave_nodes, displacement);
+    slave_box.extend(distance);
+    return boost::geometry::intersects(slave_box, box_of(owned_master_nodes, displacement));
+  }
+
+
+  template <int dim>
   std::vector<ContactNode<dim>> FacingPair<dim>::at(const Vector            &displacement,
                                                     const double             reach,
                                                     const std::vector<bool> *excluded) const

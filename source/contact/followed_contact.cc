@@ -352,6 +352,8 @@ namespace signorini
   template <int dim>
   bool FollowedContact<dim>::passes_through(const Vector &increment) const
   {
+    if (pairs.any() && pairs.move_too_far(increment))
+      return true;
     bool any = false;
     for_each_site(sites, discretization.communicator(), [&](const Site &site) {
       const Tensor<1, dim> d = motion(site, increment);

@@ -15,6 +15,8 @@ namespace signorini
   {
     /** Of the motion that is expected: it may turn out to be larger. */
     constexpr double reserve = 2.;
+    /** Of the smaller body of a pair in a step. */
+    constexpr double large_motion = 0.25;
   } // namespace
 
 
@@ -75,7 +77,8 @@ namespace signorini
   template <int dim>
   void FollowedPairs<dim>::begin_step(const Vector &displacement, const Vector &expected)
   {
-    start = displacement;
+    start     = displacement;
+    looked_at = Vector();
     search_middle(expected);
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
@@ -91,7 +94,9 @@ namespace signorini
   void FollowedPairs<dim>::follow(const Vector &increment)
   {
     search_middle(increment);
-    search_end(increment);
+    if (looked_at.size() == 0)
+      search_end(increment);
+    take_end_over();
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
         {
@@ -108,12 +113,25 @@ namespace signorini
   void FollowedPairs<dim>::look_at_end(const Vector &increment)
   {
     search_end(increment);
+    take_end_over();
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::take_end_over()
+  {
     for (auto &[pair, of_pair] : conditions)
       {
-        const auto motion = relative(pair, increment);
+        const auto motion = relative(pair, looked_at);
         auto       next   = motion.begin();
         for (auto &[node, condition] : of_pair)
-          condition.motion = *next++;
+          {
+            condition.motion     = *next++;
+            const auto gap       = end_gaps[pair].find(node);
+            condition.gap_at_end = gap != end_gaps[pair].end()
+                                     ? gap->second
+                                     : std::numeric_limits<double>::quiet_NaN();
+          }
       }
   }
 
@@ -157,15 +175,16 @@ namespace signorini
   template <int dim>
   void FollowedPairs<dim>::search_end(const Vector &increment)
   {
+    looked_at  = increment;
     Vector end = start;
     end += increment;
-    for (auto &[pair, of_pair] : conditions)
+    end_gaps.clear();
+    for (const auto &[pair, geometry] : geometries)
       {
-        for (auto &[node, condition] : of_pair)
-          condition.gap_at_end = std::numeric_limits<double>::quiet_NaN();
-        for (const ContactNode<dim> &node : geometries[pair]->at(end, reach(pair, increment)))
-          if (const auto condition = of_pair.find(node.node); condition != of_pair.end())
-            condition->second.gap_at_end = node.gap;
+        const auto nodes = geometry->at(end, reach(pair, increment));
+        for (const ContactNode<dim> &node : nodes)
+          end_gaps[pair][node.node] = node.gap;
+        end_depths[pair] = FacingPair<dim>::depth(nodes);
       }
   }
 
@@ -206,13 +225,29 @@ namespace signorini
 
 
   template <int dim>
-  std::map<unsigned int, double> FollowedPairs<dim>::depths(const Vector &displacement) const
+  double FollowedPairs<dim>::depth(const unsigned int pair) const
   {
-    std::map<unsigned int, double> result;
+    const auto found = end_depths.find(pair);
+    return Utilities::MPI::max(found != end_depths.end() ? found->second : 0.,
+                               discretization.communicator());
+  }
+
+
+  template <int dim>
+  bool FollowedPairs<dim>::move_too_far(const Vector &increment) const
+  {
+    const Mesh<dim> &mesh = discretization.mesh();
+    bool             any  = false;
     for (const auto &[pair, geometry] : geometries)
-      result[pair] = Utilities::MPI::max(FacingPair<dim>::depth(geometry->at(displacement, 0.)),
-                                         discretization.communicator());
-    return result;
+      {
+        const double relative = geometry->relative_motion(increment);
+        any                   = any
+              || (relative > large_motion
+                                 * std::min(mesh.body_size(descriptions[pair].slave),
+                                            mesh.body_size(descriptions[pair].master))
+                  && geometry->are_near(start, relative));
+      }
+    return any;
   }
 
 

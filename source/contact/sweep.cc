@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -17,6 +18,7 @@ namespace signorini
                     const BoundingBox<dim> &slave_body,
                     const BoundingBox<dim> &master_body)
     : normal(face.unit_normal())
+    , centre(face.centre())
     , box_of_face(face.bounding_box())
     , diameter(face.diameter())
   {
@@ -26,30 +28,33 @@ namespace signorini
     for (unsigned int corner = 0; corner < GeometryInfo<dim>::vertices_per_cell; ++corner)
       for (const Point<dim> &vertex : face.vertices)
         ahead = std::max(ahead, normal * (master_body.vertex(corner) - vertex));
-    find_obliquity();
+    measure(face);
   }
 
 
   template <int dim>
   Sweep<dim>::Sweep(const SurfaceFace<dim> &face, const double behind, const double ahead)
     : normal(face.unit_normal())
+    , centre(face.centre())
     , box_of_face(face.bounding_box())
     , diameter(face.diameter())
     , behind(behind)
     , ahead(ahead)
   {
-    find_obliquity();
+    measure(face);
   }
 
 
   template <int dim>
-  void Sweep<dim>::find_obliquity()
+  void Sweep<dim>::measure(const SurfaceFace<dim> &face)
   {
     std::array<double, dim> parts;
     for (unsigned int c = 0; c < dim; ++c)
       parts[c] = std::abs(normal[c]);
     std::sort(parts.begin(), parts.end());
     obliquity = parts[dim - 2]; // along an axis a box fits, however long it is
+    for (const Point<dim> &vertex : face.vertices)
+      warp = std::max(warp, std::abs(normal * (vertex - centre)));
   }
 
 
@@ -62,6 +67,20 @@ namespace signorini
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
+  }
+
+
+  template <int dim>
+  bool Sweep<dim>::reaches(const SurfaceFace<dim> &master) const
+  {
+    double lowest = std::numeric_limits<double>::max(), highest = -lowest;
+    for (const Point<dim> &vertex : master.vertices)
+      {
+        const double height = normal * (vertex - centre);
+        lowest              = std::min(lowest, height);
+        highest             = std::max(highest, height);
+      }
+    return lowest <= ahead + warp && highest >= -behind - warp;
   }
 
 

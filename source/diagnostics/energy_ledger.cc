@@ -15,6 +15,7 @@ namespace signorini
     damping += next.damping;
     scheme += next.scheme;
     external += next.external;
+    geometry += next.geometry;
     transfer += next.transfer;
     residual += next.residual;
     return *this;
@@ -46,6 +47,7 @@ namespace signorini
     booking.friction  = report.work_friction;
     booking.damping   = report.work_damping;
     booking.scheme    = report.work_scheme;
+    booking.geometry  = report.work_geometry;
     booking.external  = report.work_dirichlet + report.work_obstacles;
     if (load != nullptr)
       {

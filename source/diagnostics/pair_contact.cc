@@ -57,7 +57,7 @@ namespace signorini
           pair.normal_force    = sum[6];
           pair.friction_force  = sum[7];
           pair.n_active        = static_cast<unsigned int>(sum[8]);
-          pair.smallest_gap    = std::isfinite(gaps[k]) ? gaps[k] : 0.;
+          pair.smallest_gap    = gaps[k];
           pair.max_penetration = std::max(0., -pair.smallest_gap);
         }
     }
@@ -67,27 +67,43 @@ namespace signorini
   template <int dim>
   PairReader<dim>::PairReader(const Discretization<dim> &discretization,
                               const ContactSurface<dim> &surface)
-    : communicator(discretization.communicator())
+    : discretization(discretization)
     , surface(surface)
+    , bodies(discretization.bodies_of_nodes())
+    , levers(levers_at(nullptr))
   {
+  }
+
+
+  template <int dim>
+  std::vector<Tensor<1, dim>> PairReader<dim>::levers_at(const Vector *displacement) const
+  {
+    Vector positions = displacement != nullptr ? *displacement : discretization.make_vector();
+    for (unsigned int node = 0; node < bodies.size(); ++node)
+      for (unsigned int c = 0; c < dim; ++c)
+        positions.local_element(dim * node + c) += discretization.node_positions()[node][c];
+    std::vector<Tensor<1, dim>> result;
     for (const ContactNode<dim> &node : surface.nodes())
-      levers.push_back(node.position);
+      {
+        result.emplace_back();
+        for (unsigned int c = 0; c < dim; ++c)
+          result.back()[c] = positions.local_element(dim * node.node + c);
+      }
     std::set<unsigned int> slaves;
     for (const PairDescription &pair : surface.pairs())
       slaves.insert(pair.slave);
-    const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
     for (const unsigned int slave : slaves)
       {
-        Vector positions = discretization.make_vector();
+        Vector of_slave = positions;
         for (unsigned int node = 0; node < bodies.size(); ++node)
-          for (unsigned int c = 0; c < dim; ++c)
-            if (bodies[node] == slave)
-              positions.local_element(dim * node + c) = discretization.node_positions()[node][c];
-        const auto of_partners = surface.coupling().partner_displacement(positions);
+          for (unsigned int c = 0; c < dim && bodies[node] != slave; ++c)
+            of_slave.local_element(dim * node + c) = 0.;
+        const auto of_partners = surface.coupling().partner_displacement(of_slave);
         for (std::size_t k = 0; k < of_partners.size(); ++k)
           if (surface.pairs()[surface.nodes()[k].pair].slave == slave)
-            levers[k] -= of_partners[k];
+            result[k] -= of_partners[k];
       }
+    return result;
   }
 
 
@@ -98,6 +114,7 @@ namespace signorini
     none.smallest_gap = std::numeric_limits<double>::infinity();
     std::vector<PairContact>  pairs(surface.pairs().size(), none);
     const std::vector<double> gaps = surface.distance(state.displacement);
+    const auto places = surface.follows() ? levers_at(&state.displacement) : levers;
     for (unsigned int k = 0; k < surface.nodes().size(); ++k)
       {
         const ContactNode<dim>    &node         = surface.nodes()[k];
@@ -105,10 +122,7 @@ namespace signorini
         const double               normal_force = node.normal_force(state.contact_force);
         const FrictionReading<dim> friction     = friction_at(surface, state.friction, k);
         const Tensor<1, dim>       force        = node.force(state.contact_force);
-        Tensor<1, dim>             lever        = levers[k];
-        for (unsigned int c = 0; c < dim && surface.follows(); ++c)
-          lever[c] += state.displacement.local_element(dim * node.node + c);
-        const auto moment = cross<dim>(lever, force);
+        const auto                 moment       = cross<dim>(places[k], force);
         for (unsigned int c = 0; c < 3; ++c)
           {
             pair.force[c] += c < dim ? node.transmission * force[c] : 0.;
@@ -119,7 +133,9 @@ namespace signorini
         pair.n_active += bears_force(normal_force);
         pair.smallest_gap = std::min(pair.smallest_gap, gaps[k]);
       }
-    over_all_processes(pairs, communicator);
+    over_all_processes(pairs, discretization.communicator());
+    for (unsigned int k = 0; k < pairs.size(); ++k)
+      pairs[k].depth = surface.depth(k);
     return pairs;
   }
 

@@ -3,8 +3,11 @@
 
 #include <signorini/contact/contact_frame.h>
 #include <signorini/multigrid/free_space.h>
+#include <signorini/multigrid/relative_rows.h>
 
 #include <Eigen/LU>
+
+#include <algorithm>
 
 namespace signorini
 {
@@ -33,29 +36,24 @@ namespace signorini
           nodes.ghosts.push_back(partner);
     nodes.sort_ghosts();
 
-    std::map<unsigned int, const ContactNode<dim> *> contact_nodes;
-    for (const ContactNode<dim> &node : coordinates.surface_nodes())
-      contact_nodes[node.node] = &node;
+    const RelativeRows<dim> rows(coordinates);
     for (const auto &[node, oblique_frame] : coordinates.node_frames())
       {
-        const auto         frame        = orthonormal_frame<dim>(oblique_frame);
-        const auto         contact_node = contact_nodes.find(node);
-        const unsigned int begin        = partners.size();
-        if (contact_node != contact_nodes.end())
-          for (const auto &[partner, weight] : contact_node->second->partners)
-            partners.push_back({nodes.local(partner), static_cast<Number>(weight)});
+        const auto frame = orthonormal_frame<dim>(oblique_frame);
         for (unsigned int c = 0; c < dim; ++c)
           {
-            entries.push_back({node, c, {}, 0, 0});
+            Entry entry{node, c, {}};
             for (unsigned int d = 0; d < dim; ++d)
-              entries.back().direction[d] = frame[dim * c + d];
-            if (contact_node != contact_nodes.end() && contact_node->second->relative[c])
-              {
-                entries.back().partners_begin = begin;
-                entries.back().partners_end   = partners.size();
-              }
+              entry.direction[d] = frame[dim * c + d];
+            entry.partners_begin = partners.size();
+            for (const auto &[partner, weight] : rows.row(node, c))
+              partners.push_back({nodes.local(partner), weight});
+            entry.partners_end = partners.size();
+            entry.level        = rows.level(node);
+            entries.push_back(entry);
           }
       }
+    n_levels     = coordinates.coupling().n_levels();
     any_partners = coordinates.coupling().any();
     ghosts       = std::make_unique<GhostValues>(nodes, partitioner.get_mpi_communicator());
   }
@@ -69,6 +67,9 @@ namespace signorini
     for (const Entry &entry : entries)
       if (mask[dim * entry.node + entry.component])
         (entry.is_relative() ? relative : absolute).push_back(entry);
+    std::stable_sort(relative.begin(), relative.end(), [](const Entry &a, const Entry &b) {
+      return a.level < b.level;
+    });
   }
 
 
@@ -83,14 +84,19 @@ namespace signorini
       }
     if (!any_partners)
       return;
-    ghosts->fetch(displacement);
-    for (const Entry &entry : relative)
+    auto entry = relative.begin();
+    for (unsigned int level = 1; level <= n_levels; ++level)
       {
-        Lanes<Number> opposite{};
-        for (unsigned int j = entry.partners_begin; j < entry.partners_end; ++j)
-          opposite += partners[j].weight * ghosts->value(displacement, partners[j].node);
-        const Lanes<Number> n = entry.lanes(), u = value(displacement, entry.node);
-        set_value(displacement, entry.node, u - n * dot(n, u - opposite));
+        ghosts->fetch(displacement);
+        for (; entry != relative.end() && entry->level == level; ++entry)
+          {
+            Number opposite = 0;
+            for (unsigned int j = entry->partners_begin; j < entry->partners_end; ++j)
+              opposite +=
+                dot(partners[j].lanes(), ghosts->value(displacement, partners[j].node));
+            const Lanes<Number> n = entry->lanes(), u = value(displacement, entry->node);
+            set_value(displacement, entry->node, u - n * (dot(n, u) - opposite));
+          }
       }
   }
 
@@ -98,16 +104,17 @@ namespace signorini
   template <int dim, typename Number>
   void FreeSpace<dim, Number>::project_force(LevelVector<Number> &force) const
   {
-    if (any_partners)
+    auto entry = relative.rbegin();
+    for (unsigned int level = any_partners ? n_levels : 0; level > 0; --level)
       {
         ghosts->template clear<Number>();
-        for (const Entry &entry : relative)
+        for (; entry != relative.rend() && entry->level == level; ++entry)
           {
-            const Lanes<Number> n = entry.lanes(), f = value(force, entry.node),
-                                held = n * dot(n, f);
-            set_value(force, entry.node, f - held);
-            for (unsigned int j = entry.partners_begin; j < entry.partners_end; ++j)
-              ghosts->add(force, partners[j].node, partners[j].weight * held);
+            const Lanes<Number> n = entry->lanes(), f = value(force, entry->node);
+            const Number        held = dot(n, f);
+            set_value(force, entry->node, f - n * held);
+            for (unsigned int j = entry->partners_begin; j < entry->partners_end; ++j)
+              ghosts->add(force, partners[j].node, partners[j].lanes() * held);
           }
         ghosts->add_to_owners(force);
       }
@@ -134,10 +141,14 @@ namespace signorini
             const double stiffness = (entry.projector() * matrix.diagonal(entry.node)).trace();
             double       weights   = 0.;
             for (unsigned int j = entry.partners_begin; j < entry.partners_end; ++j)
-              weights += std::abs(partners[j].weight);
+              weights += partners[j].weight.norm();
             for (unsigned int j = entry.partners_begin; j < entry.partners_end; ++j)
-              carried.try_emplace(partners[j].node, Block::Zero()).first->second +=
-                weights * std::abs(partners[j].weight) * stiffness * entry.projector();
+              {
+                const Eigen::Matrix<double, dim, 1> a(partners[j].weight.begin_raw());
+                if (const double size = a.norm(); size > 0.)
+                  carried.try_emplace(partners[j].node, Block::Zero()).first->second +=
+                    weights * stiffness / size * a * a.transpose();
+              }
           }
         add_to_owners<dim>(carried, *ghosts);
       }

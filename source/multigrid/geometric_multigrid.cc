@@ -15,6 +15,8 @@ namespace signorini
   {
     /** Radians: directions that differ by less are good enough for a preconditioner. */
     constexpr double old_direction = 0.05;
+    /** The same for weights of partners: the sum of changes. */
+    constexpr double old_partners = 0.5;
 
     /** A power of two that makes the largest diagonal entry one or a little less. */
     template <int dim>
@@ -46,6 +48,8 @@ namespace signorini
     , free_space(coordinates, hierarchy.matrices(hierarchy.n_levels() - 1).pattern)
     , coarsest(hierarchy.matrices(0), sum, scale)
     , known_frames(coordinates.node_frames())
+    , known_nodes(coordinates.coupling().changes() ? coordinates.surface_nodes()
+                                                  : std::vector<ContactNode<dim>>())
     , cartesian(hierarchy.matrices(hierarchy.n_levels() - 1).pattern.partitioner)
   {
     levels.reserve(hierarchy.n_levels());
@@ -98,6 +102,8 @@ namespace signorini
         free_space =
           FreeSpace<dim, Number>(coordinates, hierarchy.matrices(hierarchy.n_levels() - 1).pattern);
         known_frames = coordinates.node_frames();
+        if (coordinates.coupling().changes())
+          known_nodes = coordinates.surface_nodes();
       }
     mask = new_mask;
     free_space.set_mask(mask);
@@ -127,9 +133,30 @@ namespace signorini
             for (unsigned int i = single ? dim * row : 0; i < end; ++i)
               any = any || std::abs(frame[i] - known[i]) > old_direction;
           }
+    for (std::size_t k = 0; k < known_nodes.size(); ++k)
+      any = any || has_other_partners(k, new_mask);
     return dealii::Utilities::MPI::max(static_cast<unsigned int>(any),
                                        cartesian.get_mpi_communicator())
            > 0;
+  }
+
+
+  template <int dim, typename Number>
+  bool GeometricMultigrid<dim, Number>::has_other_partners(const std::size_t k,
+                                                           const Mask       &new_mask) const
+  {
+    const ContactNode<dim> &node = coordinates.surface_nodes()[k];
+    if (!node.relative[node.row] || !new_mask[node.entry()])
+      return false;
+    std::map<dealii::types::global_dof_index, double> change;
+    for (const auto &[partner, weight] : node.partners)
+      change[partner] += weight;
+    for (const auto &[partner, weight] : known_nodes[k].partners)
+      change[partner] -= weight;
+    double sum_of_changes = 0.;
+    for (const auto &[partner, weight] : change)
+      sum_of_changes += std::abs(weight);
+    return sum_of_changes > old_partners;
   }
 
 

@@ -37,11 +37,10 @@ namespace signorini
     : matrices(matrices)
     , coordinates(coordinates)
     , sum(sum)
+    , relative_rows(coordinates)
     , owner(matrices.pattern.n_owned, matrices.pattern.partitioner->get_mpi_communicator())
     , mask_values(matrices.pattern.partitioner)
   {
-    for (const ContactNode<dim> &node : coordinates.surface_nodes())
-      contact_nodes[node.node] = &node;
     if (coordinates.coupling().any())
       ask_for_prescribed_directions();
     find_transposed();
@@ -203,21 +202,18 @@ namespace signorini
   {
     const Tensor direction    = direction_of(node, component);
     Row          result       = {{global(node), direction}};
-    const auto   contact_node = contact_nodes.find(node);
-    if (contact_node == contact_nodes.end() || !contact_node->second->relative[component])
-      return result;
-    for (const auto &[partner, weight] : contact_node->second->partners)
+    for (const auto &[partner, weight] : relative_rows.row(node, component))
       {
-        Tensor     moved = direction;
+        Tensor     moved = weight;
         const auto fixed = prescribed_of_partners.find(partner);
         if (fixed != prescribed_of_partners.end())
           for (const auto &values : fixed->second)
             {
               const Tensor prescribed = as_tensor<dim>(values);
-              moved -= (prescribed * direction) * prescribed;
+              moved -= (prescribed * weight) * prescribed;
             }
         if (moved.norm_square() > 0.)
-          result.push_back({partner, -weight * moved});
+          result.push_back({partner, -1. * moved});
       }
     return result;
   }

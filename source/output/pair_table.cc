@@ -19,7 +19,8 @@ namespace signorini
                                        "friction_force",
                                        "active_nodes",
                                        "smallest_gap",
-                                       "max_penetration"})
+                                       "max_penetration",
+                                       "depth"})
             names.push_back(pair + quantity);
         }
       return names;
@@ -56,7 +57,8 @@ namespace signorini
                        pair.friction_force,
                        static_cast<double>(pair.n_active),
                        pair.smallest_gap,
-                       pair.max_penetration});
+                       pair.max_penetration,
+                       pair.depth});
       }
     table.write_row(values, is_due);
   }

@@ -83,7 +83,8 @@ namespace signorini
       {
         swap(state, end);
         report.corrector = correctors;
-        report.predictor = predictors;
+        report.predictor     = predictors;
+        report.work_geometry = contact.geometry_work(state.contact_force);
         return report;
       }
 

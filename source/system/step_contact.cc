@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/followed_contact.h>
 #include <signorini/system/step_contact.h>
 
 namespace signorini
@@ -12,9 +13,26 @@ namespace signorini
                                 ContactCoordinates<dim>                  &coordinates,
                                 const std::function<std::vector<bool>()> &held)
     : coordinates(coordinates)
-    , geometry(discretization, dirichlet, surface)
+    , surface(surface)
+    , geometry(std::make_unique<FollowedContact<dim>>(discretization, dirichlet, surface))
     , held(held)
   {
+  }
+
+
+  template <int dim>
+  StepContact<dim>::~StepContact() = default;
+
+
+  template <int dim>
+  double StepContact<dim>::geometry_work(const Vector &contact_force) const
+  {
+    const std::vector<double> missed = geometry->missed_gaps();
+    double                    work   = 0.;
+    for (std::size_t k = 0; k < missed.size(); ++k)
+      if (missed[k] != 0.)
+        work -= surface.nodes()[k].normal_force(contact_force) * missed[k];
+    return dealii::Utilities::MPI::sum(work, contact_force.get_mpi_communicator());
   }
 
 
@@ -22,7 +40,7 @@ namespace signorini
   std::vector<unsigned int> StepContact<dim>::entries() const
   {
     std::vector<unsigned int> result;
-    for (const unsigned int node : geometry.nodes())
+    for (const unsigned int node : geometry->nodes())
       for (unsigned int c = 0; c < dim; ++c)
         result.push_back(dim * node + c);
     return result;
@@ -32,7 +50,7 @@ namespace signorini
   template <int dim>
   void StepContact<dim>::begin_step(const State &start, const double step_size)
   {
-    geometry.begin_step(
+    geometry->begin_step(
       start.displacement, expected_increment(start, step_size), start.time, start.time + step_size);
     take_over_geometry();
     is_repetition = false;
@@ -75,7 +93,7 @@ namespace signorini
   template <int dim>
   void StepContact<dim>::follow(const Vector &increment)
   {
-    geometry.follow(increment);
+    geometry->follow(increment);
     take_over_geometry();
     is_repetition = true;
   }
@@ -85,9 +103,9 @@ namespace signorini
   void StepContact<dim>::take_over_geometry()
   {
     coordinates.follow_frames();
-    if (!geometry.obstacles_move())
+    if (!geometry->obstacles_move())
       return;
-    motion_of_obstacles = geometry.obstacle_motion();
+    motion_of_obstacles = geometry->obstacle_motion();
     // What follows another body is carried along: the motion of an obstacle is none of its own.
     coordinates.rotate_to_frames(motion_of_obstacles);
     for (const unsigned int i : coordinates.relative_entries())
@@ -99,14 +117,14 @@ namespace signorini
   template <int dim>
   const Vector *StepContact<dim>::obstacle_motion() const
   {
-    return geometry.obstacles_move() ? &motion_of_obstacles : nullptr;
+    return geometry->obstacles_move() ? &motion_of_obstacles : nullptr;
   }
 
 
   template <int dim>
   Vector StepContact<dim>::drag() const
   {
-    if (!geometry.obstacles_move())
+    if (!geometry->obstacles_move())
       return {};
     Vector all = motion_of_obstacles, result;
     coordinates.displacement_to_contact(all);
@@ -121,14 +139,14 @@ namespace signorini
   template <int dim>
   double StepContact<dim>::mismatch(const Vector &increment)
   {
-    return geometry.mismatch(increment, held());
+    return geometry->mismatch(increment, held());
   }
 
 
   template <int dim>
   bool StepContact<dim>::passes_through(const Vector &increment) const
   {
-    return geometry.passes_through(increment);
+    return geometry->passes_through(increment);
   }
 
 

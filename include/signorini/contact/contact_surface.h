@@ -4,11 +4,14 @@
 #ifndef signorini_contact_contact_surface_h
 #define signorini_contact_contact_surface_h
 
-#include <signorini/contact/followed_pairs.h>
+#include <signorini/contact/node_coupling.h>
 #include <signorini/contact/obstacle_contact.h>
 
 namespace signorini
 {
+  template <int dim>
+  class FollowedPairs;
+
   /**
    * The possible contact boundary: nodes of the slave surfaces with gap, weight, contact frame
    * (normal and tangents), and what is opposite: a rigid obstacle or, by a mortar coupling, another
@@ -28,6 +31,8 @@ namespace signorini
                    const std::vector<NamedObstacle<dim>> &obstacles,
                    const std::vector<PairDescription>    &pairs,
                    ContactMotion                          motion = ContactMotion::linearised);
+    ContactSurface(ContactSurface &&) noexcept;
+    ~ContactSurface();
 
     /** Whether contact is that of the configurations of each step: see FollowedContact. */
     bool follows() const { return motion == ContactMotion::follow; }
@@ -61,6 +66,13 @@ namespace signorini
 
     /** Pairs of bodies, where contact follows the motion. */
     FollowedPairs<dim> &followed_pairs() { return *bodies; }
+
+    /**
+     * How deep a corner of a face of either body of a pair is in the other one, at most, at the end
+     * of the latest step; length. Conditions of contact are means around nodes, this is what they
+     * miss. 0 where contact is linearised. Collective.
+     */
+    double depth(unsigned int pair) const;
 
     /** What moves the other side of the nodes. */
     const NodeCoupling<dim> &coupling() const { return *node_coupling; }

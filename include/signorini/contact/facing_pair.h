@@ -47,6 +47,9 @@ namespace signorini
      */
     double relative_motion(const Vector &increment) const;
 
+    /** Whether boxes around both surfaces are closer than a length. Collective. */
+    bool are_near(const Vector &displacement, double distance) const;
+
     /**
      * The owned nodes that face the master, with gap, normal, partners; the gap is minus the normal
      * part of the relative position. Collective.

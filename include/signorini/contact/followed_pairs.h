@@ -71,7 +71,10 @@ namespace signorini
     /** The conditions of a motion that is expected from here. Collective. */
     void begin_step(const Vector &displacement, const Vector &expected);
 
-    /** The conditions of a motion from the same start. Collective. */
+    /**
+     * The conditions of a motion from the same start. Their true gap at the end is that of the
+     * motion that was looked at last, which is the same one in a fixed point. Collective.
+     */
     void follow(const Vector &increment);
 
     /** See where a motion ends; the conditions stay. Collective. */
@@ -80,8 +83,17 @@ namespace signorini
     /** The condition of a node in a pair; null if nothing is opposite. */
     const PairCondition<dim> *find(unsigned int pair, unsigned int node) const;
 
-    /** How deep a corner of a face of each pair is in the other body. Collective. */
-    std::map<unsigned int, double> depths(const Vector &displacement) const;
+    /**
+     * How deep a corner of a face of either body of a pair is in the other one, at most, at the end
+     * of the motion that was looked at last; length. Collective.
+     */
+    double depth(unsigned int pair) const;
+
+    /**
+     * Whether bodies that are near each other move by so much that they may pass through each other
+     * unseen: a quarter of the smaller one. Collective.
+     */
+    bool move_too_far(const Vector &increment) const;
 
   private:
     using Conditions = std::map<unsigned int, PairCondition<dim>>; ///< by node
@@ -94,6 +106,9 @@ namespace signorini
     std::map<unsigned int, Conditions>                        conditions; ///< by pair
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
     Vector                                                    start; ///< displacement
+    Vector looked_at;                                                ///< the latest motion, if any
+    std::map<unsigned int, std::map<unsigned int, double>> end_gaps; ///< of it, by pair and node
+    std::map<unsigned int, double> end_depths; ///< of it, by pair, of this process
 
     /** Masters before slaves, as far as there is no ring of bodies. */
     void find_order();
@@ -101,6 +116,8 @@ namespace signorini
     void search_middle(const Vector &increment);
     /** True gaps at the end of a motion. */
     void search_end(const Vector &increment);
+    /** Give the conditions the motion that was looked at, and its gaps. */
+    void take_end_over();
     /** [v] of the nodes of a pair, in their order. Collective. */
     std::vector<dealii::Tensor<1, dim>> relative(unsigned int pair, const Vector &v) const;
     double                              reach(unsigned int pair, const Vector &increment) const;

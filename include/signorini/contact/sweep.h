@@ -35,6 +35,9 @@ namespace signorini
     /** How deep in the slave body the master still counts. */
     double depth() const { return behind; }
 
+    /** False if all of a face is too far behind or in front. */
+    bool reaches(const SurfaceFace<dim> &master) const;
+
     /** How far in front of the face the master still counts. */
     double height() const { return ahead; }
 
@@ -46,12 +49,14 @@ namespace signorini
 
   private:
     const dealii::Tensor<1, dim>   normal;
+    const dealii::Point<dim>       centre;
     const dealii::BoundingBox<dim> box_of_face;
     const double                   diameter;
     double                         behind = 0., ahead = 0.;
     double                         obliquity; ///< how far aside it goes, per length
+    double                         warp = 0.; ///< by which the face is not flat
 
-    void find_obliquity();
+    void measure(const SurfaceFace<dim> &face);
 
     dealii::BoundingBox<dim> box(double from, double to) const;
 

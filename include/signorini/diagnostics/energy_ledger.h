@@ -30,6 +30,7 @@ namespace signorini
     double scheme    = 0.; ///< by the rule of integration itself: numerical dissipation
     double external  = 0.; ///< work of prescribed nodes and moving obstacles, and change of loads:
                            ///< -(f_new - f)'(u + u_new)/2
+    double geometry = 0.;  ///< in no balance: see StepReport::work_geometry
     double transfer = 0.;  ///< change by a new mesh
     double residual = 0.;
 

@@ -24,6 +24,7 @@ namespace signorini
     unsigned int          n_active        = 0;  ///< nodes that carry a force
     double                smallest_gap    = 0.; ///< least distance, negative where nodes penetrate
     double                max_penetration = 0.; ///< its negative part
+    double                depth           = 0.; ///< see ContactSurface::depth()
   };
 
   /** Reads the contact of each pair from states on one mesh. */
@@ -34,18 +35,24 @@ namespace signorini
     /** The arguments must outlive the reader. Collective. */
     PairReader(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
 
-    /** In the order of `Contact/Pairs`. The gap of a pair without contact nodes is 0. Collective.
+    /**
+     * In the order of `Contact/Pairs`. The gap of a pair is infinite where nothing is opposite.
+     * Collective.
      */
     std::vector<PairContact> read(const State &state) const;
 
   private:
-    const MPI_Comm             communicator;
-    const ContactSurface<dim> &surface;
+    const Discretization<dim>          &discretization;
+    const ContactSurface<dim>          &surface;
+    std::vector<unsigned int>           bodies; ///< of the owned nodes
+    std::vector<dealii::Tensor<1, dim>> levers; ///< in the reference configuration
+
     /**
      * Per contact node the position at which its force acts on the slave, times its transmission:
-     * nodes without multiplier take their share of the force.
+     * nodes without multiplier take their share of the force. Collective.
+     * @param displacement null: none
      */
-    std::vector<dealii::Tensor<1, dim>> levers;
+    std::vector<dealii::Tensor<1, dim>> levers_at(const Vector *displacement) const;
   };
 } // namespace signorini
 

@@ -18,8 +18,9 @@ namespace signorini
    *   G = I - sum_e n_e rho_e',    rho_e'u = n_e.(u_p - sum_l P_pl u_l),
    *
    * where n_e is a direction of the node p, and the sum over its partners is there if the entry is
-   * relative to another body. Only what is held is relative: free nodes of two bodies move on their
-   * own, as they do apart.
+   * relative to another body (RelativeRows). Only what is held is relative: free nodes of two bodies
+   * move on their own, as they do apart. Partners that are held themselves come first, level by
+   * level.
    */
   template <int dim, typename Number>
   class FreeSpace
@@ -55,8 +56,16 @@ namespace signorini
   private:
     struct Partner
     {
-      unsigned int node; ///< local: owned, or a ghost
-      Number       weight;
+      unsigned int           node;   ///< local: owned, or a ghost
+      dealii::Tensor<1, dim> weight; ///< a_l
+
+      Lanes<Number> lanes() const
+      {
+        Lanes<Number> result{};
+        for (unsigned int c = 0; c < dim; ++c)
+          result[c] = weight[c];
+        return result;
+      }
     };
     /** An entry that may be held. */
     struct Entry
@@ -64,6 +73,7 @@ namespace signorini
       unsigned int           node, component;
       dealii::Tensor<1, dim> direction;
       unsigned int           partners_begin = 0, partners_end = 0;
+      unsigned int           level = 0; ///< of a relative entry: see NodeCoupling::level()
 
       Lanes<Number> lanes() const
       {
@@ -83,7 +93,8 @@ namespace signorini
     std::vector<Partner>         partners;
     bool                         any_partners; ///< of any process
     std::unique_ptr<GhostValues> ghosts;
-    std::vector<Entry>           absolute, relative; ///< those that are held
+    unsigned int                 n_levels; ///< of relative entries, on all processes
+    std::vector<Entry>           absolute, relative; ///< those that are held, relative ones by level
   };
 } // namespace signorini
 

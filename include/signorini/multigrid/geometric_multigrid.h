@@ -39,7 +39,8 @@ namespace signorini
     CoarseFactor<dim>                                coarsest;
     Mask                                             mask;
     std::map<unsigned int, typename NodeFrames<dim>::Frame>
-                   known_frames; ///< of correction and space
+                             known_frames; ///< of correction and space
+    std::vector<ContactNode<dim>> known_nodes; ///< where partners come and go
     mutable Vector cartesian;
 
     struct Level
@@ -52,6 +53,8 @@ namespace signorini
 
     /** Whether what a mask holds has other directions than those that are known. Collective. */
     bool have_turned(const Mask &mask) const;
+    /** Whether a contact node that a mask holds has other partners than those that are known. */
+    bool has_other_partners(std::size_t contact_node, const Mask &mask) const;
     /** Where a level smooths: 1 for each such owned node. */
     std::vector<char> smoothed(unsigned int level) const;
     /** solution of the level = what the cycle makes of its residual. */

@@ -7,6 +7,7 @@
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/discretization/node_owners.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
+#include <signorini/multigrid/relative_rows.h>
 
 #include <boost/serialization/array.hpp>
 #include <boost/serialization/vector.hpp>
@@ -82,13 +83,13 @@ namespace signorini
     const ElasticMatrices<dim>    &matrices;
     const ContactCoordinates<dim> &coordinates;
     const MatrixSum                sum;
+    const RelativeRows<dim>        relative_rows;
     NodeOwners                     owner;
     mutable Vector                 mask_values;
     std::vector<Entry>             entries;
     std::vector<unsigned int>      owned;
-    /** Local node -> its contact node, or none; and the prescribed directions of partners. */
-    std::unordered_map<unsigned int, const ContactNode<dim> *> contact_nodes;
-    std::map<Node, std::vector<std::array<double, dim>>>       prescribed_of_partners;
+    /** The prescribed directions of partners. */
+    std::map<Node, std::vector<std::array<double, dim>>> prescribed_of_partners;
     /** Numbers of the entries of a local node; unknown ones are invalid. */
     std::unordered_map<unsigned int, std::array<unsigned int, dim>> numbers;
     std::unordered_map<Node, unsigned int>                          local_of_known;

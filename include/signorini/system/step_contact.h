@@ -5,14 +5,17 @@
 #define signorini_system_step_contact_h
 
 #include <signorini/contact/contact_coordinates.h>
-#include <signorini/contact/followed_contact.h>
 #include <signorini/time/dynamical_system.h>
 
 #include <deque>
 #include <functional>
+#include <memory>
 
 namespace signorini
 {
+  template <int dim>
+  class FollowedContact;
+
   /**
    * Contact that follows the motion, as steps need it: contact coordinates turn with the normals,
    * and the motion that a step is expected to make continues the last ones.
@@ -30,6 +33,7 @@ namespace signorini
                 ContactSurface<dim>                      &surface,
                 ContactCoordinates<dim>                  &coordinates,
                 const std::function<std::vector<bool>()> &held);
+    ~StepContact() override;
 
     void                      begin_step(const State &start, double step_size) override;
     void                      follow(const Vector &increment) override;
@@ -37,6 +41,7 @@ namespace signorini
     bool                      passes_through(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
     const Vector             *obstacle_motion() const override;
+    double                    geometry_work(const Vector &contact_force) const override;
 
     /**
      * The motion of the obstacles along the tangents on which friction acts, in contact
@@ -49,7 +54,8 @@ namespace signorini
 
   private:
     ContactCoordinates<dim>                 &coordinates;
-    FollowedContact<dim>                     geometry;
+    const ContactSurface<dim>               &surface;
+    std::unique_ptr<FollowedContact<dim>>    geometry;
     const std::function<std::vector<bool>()> held;
     bool                                     is_repetition = false;
     Vector                                   motion_of_obstacles;

@@ -224,6 +224,12 @@ namespace signorini
      * zero elsewhere. Null where nothing moves by itself.
      */
     virtual const Vector *obstacle_motion() const = 0;
+
+    /**
+     * What contact forces would do along what the conditions of the latest motion miss of its true
+     * gaps: an energy, zero where the motion belongs to its own conditions. Collective.
+     */
+    virtual double geometry_work(const Vector &contact_force) const = 0;
   };
 
 

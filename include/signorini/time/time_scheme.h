@@ -24,6 +24,7 @@ namespace signorini
     double      work_dirichlet = 0.; ///< work of the reactions at prescribed displacements
     double      work_obstacles = 0.; ///< work of moving obstacles
     double      work_damping   = 0.; ///< change of energy by viscous damping
+    double      work_geometry  = 0.; ///< see MovingContact::geometry_work(); in no balance
     double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
     /**
      * Nodal forces of whatever prescribes displacements, on the bodies, in the sense in which the
