@@ -22,6 +22,11 @@ namespace signorini
   {
     /** Cosines of the angles at which faces begin to look at each other, and do so fully. */
     constexpr double begins_to_face = 0.2, faces_fully = 0.6;
+    /**
+     * How far faces look beyond the motion of a step, in their diameters: what begins a step outside
+     * is not deep inside when it ends.
+     */
+    constexpr double behind = 0.1, ahead = 0.5;
     /** Largest change of a weight of P, as a part of it. */
     constexpr double largest_shift = 0.5;
 
@@ -210,10 +215,7 @@ namespace signorini
     const auto              near = displaced(slaves, ghosted, master_box);
     std::vector<Sweep<dim>> sweeps;
     for (const SurfaceFace<dim> &face : near)
-      {
-        const double range = reach + 0.5 * face.diameter();
-        sweeps.emplace_back(face, range, range);
-      }
+      sweeps.emplace_back(face, reach + behind * face.diameter(), reach + ahead * face.diameter());
     const auto surfaces = find_facing_surfaces(
       near, displaced(masters, ghosted, slave_box), sweeps, discretization.communicator());
     MortarRules rules;
