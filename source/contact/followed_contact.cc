@@ -73,7 +73,8 @@ namespace signorini
         {
           sites.push_back({k, 1, {}, {}, {}, {}});
           for (const auto &[pair, area] : at_obstacles.surface().at(nodes[k].node).areas)
-            sites.back().facings.push_back({pair, area, {}, infinity, {}});
+            for (unsigned int n = at_obstacles.obstacle(pair).most_conditions(); n > 0; --n)
+              sites.back().facings.push_back({pair, Facing::whole, area, {}, infinity, {}});
         }
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
       some_move = some_move || !at_obstacles.obstacle(pair).is_at_rest();
@@ -131,6 +132,7 @@ namespace signorini
       site.start        = surface.nodes()[site.first].position + site.displacement;
       for (unsigned int c = 0; c < dim; ++c)
         largest_coordinate = std::max(largest_coordinate, std::abs(site.start[c]));
+      face_sides(site, motion(site, expected));
       look_around(site);
     });
     largest_coordinate = Utilities::MPI::max(largest_coordinate, discretization.communicator());
@@ -150,7 +152,13 @@ namespace signorini
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       {
         Facing &facing = site.facings[f];
-        ways.push_back(at_obstacles.obstacle(facing.pair).project_before(site.start));
+        if (facing.side == Facing::absent)
+          {
+            ways.push_back({infinity, ways.front().normal, infinity});
+            facing.gap = infinity;
+            continue;
+          }
+        ways.push_back(obstacle(facing).project_before(site.start));
         facing.gap       = ways[f].is_carried(tolerance) ? ways[f].gap : infinity;
         facing.condition = {ways[f].normal, facing.gap};
         if (at_obstacles.is_closer(ways[f], ways[closest]))
@@ -200,9 +208,9 @@ namespace signorini
                                     const Facing         &facing,
                                     const Tensor<1, dim> &d) const
   {
-    if (was_inside(facing) || !is_in_reach(facing, d))
+    if (facing.side == Facing::absent || was_inside(facing) || !is_in_reach(facing, d))
       return false;
-    const auto way = at_obstacles.obstacle(facing.pair).project(site.start + d);
+    const auto way = obstacle(facing).project(site.start + d);
     return way.is_carried(at_obstacles.end_tolerance()) && way.gap < -accepted;
   }
 
@@ -211,7 +219,7 @@ namespace signorini
   void FollowedContact<dim>::bound_by_what_is_entered(Site &site, const Tensor<1, dim> &d) const
   {
     const auto gap_at_end = [&](const unsigned int f) {
-      return at_obstacles.obstacle(site.facings[f].pair).project(site.start + d).gap;
+      return obstacle(site.facings[f]).project(site.start + d).gap;
     };
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
@@ -241,8 +249,7 @@ namespace signorini
         {
           // What cannot get there needs no more than the plane at the start.
           if (std::isfinite(facing.gap) && is_in_reach(facing, d))
-            facing.condition =
-              at_obstacles.obstacle(facing.pair).condition_of_motion(site.start, site.start + d);
+            facing.condition = obstacle(facing).condition_of_motion(site.start, site.start + d);
           // What has come in past an end, or where no row was left, is not pushed out at once.
           if (was_inside(facing))
             facing.condition.bound = facing.condition.normal * facing.condition.obstacle_motion;
@@ -333,15 +340,17 @@ namespace signorini
       const Tensor<1, dim> d = motion(site, increment);
       for (const Facing &facing : site.facings)
         {
-          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-          const double              length   = (d - facing.condition.obstacle_motion).norm();
-          const double              least    = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
-          if (any || obstacle.is_flat() || facing.gap > length || length < least
-              || was_inside(facing) || enters(site, facing, d))
+          if (facing.side == Facing::absent)
+            continue;
+          const MovedObstacle<dim> &faced  = obstacle(facing);
+          const double              length = (d - facing.condition.obstacle_motion).norm();
+          const double              least  = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
+          if (any || faced.is_flat() || facing.gap > length || length < least || was_inside(facing)
+              || enters(site, facing, d))
             continue;
           // A chord of what slides along the surface is deep only if it turns far.
-          const double depth = obstacle.depth_on_way(site.start, site.start + d);
-          const bool   flies = std::max(facing.gap, obstacle.project(site.start + d).gap) > depth;
+          const double depth = faced.depth_on_way(site.start, site.start + d);
+          const bool   flies = std::max(facing.gap, faced.project(site.start + d).gap) > depth;
           any                = depth > least && (flies || depth > deep_on_way * length);
         }
     });
@@ -359,13 +368,13 @@ namespace signorini
       const Tensor<1, dim> d = motion(site, increment);
       for (unsigned int row = 0; row < site.bounding.size(); ++row)
         {
-          const Facing             &facing   = site.facings[site.bounding[row]];
-          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-          const bool                is_held  = matters[site.first + row];
-          if (facing.gap == infinity || obstacle.is_flat() || was_inside(facing)
+          const Facing             &facing  = site.facings[site.bounding[row]];
+          const MovedObstacle<dim> &faced   = obstacle(facing);
+          const bool                is_held = matters[site.first + row];
+          if (facing.gap == infinity || faced.is_flat() || was_inside(facing)
               || (!is_held && !is_in_reach(facing, d)))
             continue;
-          const double gap = obstacle.project(site.start + d).gap;
+          const double gap = faced.project(site.start + d).gap;
           if ((is_held && facing.condition.is_exact) || gap < 0.)
             largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
         }

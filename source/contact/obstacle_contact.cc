@@ -92,14 +92,15 @@ namespace signorini
     const unsigned int own_pair = contact_node.pair;
     contact_node.gap            = std::numeric_limits<double>::infinity();
     for (const auto &[pair, area] : surface_nodes.at(contact_node.node).areas)
-      if (pair != own_pair && contact_node.row + 1 < dim)
-        {
-          ++contact_node.row;
-          ContactNode<dim> further = contact_node;
-          further.pair             = pair;
-          further.weight           = area;
-          contact_nodes.push_back(further);
-        }
+      for (unsigned int k = pair == own_pair; k < obstacle(pair).most_conditions(); ++k)
+        if (contact_node.row + 1 < dim)
+          {
+            ++contact_node.row;
+            ContactNode<dim> further = contact_node;
+            further.pair             = pair;
+            further.weight           = area;
+            contact_nodes.push_back(further);
+          }
   }
 
 

@@ -15,6 +15,8 @@ namespace signorini
     , motion(obstacle.motion)
   {
     before.rotation = after.rotation = Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    for (const auto &side : shape->sides())
+      parts.push_back(MovedObstacle({obstacle.name, side, motion}));
     move(0., 0.);
   }
 
@@ -26,6 +28,11 @@ namespace signorini
       return;
     before = motion->place(start);
     after  = motion->place(end);
+    for (MovedObstacle &part : parts)
+      {
+        part.before = before;
+        part.after  = after;
+      }
   }
 
 

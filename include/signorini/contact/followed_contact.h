@@ -69,10 +69,13 @@ namespace signorini
     struct Facing
     {
       unsigned int         pair;
+      unsigned int         side;     ///< of the obstacle; `whole`, or `absent` for no side at all
       double               area;     ///< of the node in this pair
       FrictionLaw          friction; ///< of the node in this pair
       double               gap;      ///< at the start of the step; infinite past the end
       MotionCondition<dim> condition;
+
+      static constexpr unsigned int whole = -1, absent = -2;
     };
     /** A node of the surface. */
     struct Site
@@ -81,7 +84,7 @@ namespace signorini
       unsigned int              n_rows;       ///< their number
       dealii::Point<dim>        start;        ///< position at the start of the step
       dealii::Tensor<1, dim>    displacement; ///< there
-      std::vector<Facing>       facings;      ///< one for each of its pairs
+      std::vector<Facing>       facings;      ///< for each of its pairs as many as may hold it
       std::vector<unsigned int> bounding;     ///< the facings that bound it, one per row
     };
 
@@ -102,6 +105,13 @@ namespace signorini
     bool was_inside(const Facing &facing) const { return facing.gap < -accepted; }
     /** Whether a motion is so large that what faces the node may be in its way. */
     bool is_in_reach(const Facing &facing, const dealii::Tensor<1, dim> &motion) const;
+    /** The obstacle that a node faces, or one of its sides. */
+    const MovedObstacle<dim> &obstacle(const Facing &facing) const;
+    /**
+     * In inner corners of one obstacle let the node face its sides, each with a condition of its
+     * own.
+     */
+    void face_sides(Site &site, const dealii::Tensor<1, dim> &expected_motion) const;
     /** Look where the obstacles of a node are when the step begins. */
     void look_around(Site &site) const;
     /** Let the node be bounded by what it would enter, as far as it has rows. */

@@ -37,8 +37,27 @@ namespace signorini
     bool has_end() const override { return shape->has_end(); }
     bool is_flat() const override { return shape->is_flat() && !(motion && motion->turns()); }
 
+    /** The number of conditions that may hold one point: more than one in inner corners. */
+    unsigned int most_conditions() const { return parts.empty() ? 1 : dim; }
+
+    /** One of its sides, see RigidObstacle::sides(). */
+    const MovedObstacle &side(const unsigned int k) const { return parts[k]; }
+
+    /** RigidObstacle::sides_near() at the start of the step. */
+    std::vector<unsigned int> sides_near_before(const dealii::Point<dim> &p,
+                                                const double              reach) const
+    {
+      return shape->sides_near(before.back(p), reach);
+    }
+
     /** Whether it does not move. */
     bool is_at_rest() const { return motion == nullptr; }
+
+    /** The length of a motion through the step, as seen from the obstacle. */
+    double relative_motion(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const
+    {
+      return motion ? before.back(start).distance(after.back(end)) : start.distance(end);
+    }
 
     /** By which it turns in the step: radians. */
     double turn() const { return std::abs(after.angle - before.angle); }
@@ -62,6 +81,7 @@ namespace signorini
     std::shared_ptr<const RigidObstacle<dim>>  shape;
     std::shared_ptr<const ObstacleMotion<dim>> motion; ///< null: at rest
     ObstaclePlace<dim>                         before, after;
+    std::vector<MovedObstacle>                 parts; ///< its sides
 
     static ObstacleProjection<dim> turned(ObstacleProjection<dim>   way,
                                           const ObstaclePlace<dim> &place)

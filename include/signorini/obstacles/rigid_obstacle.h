@@ -7,11 +7,13 @@
 #include <deal.II/base/point.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -83,6 +85,28 @@ namespace signorini
 
     /** Whether projections may be past an end. */
     virtual bool has_end() const { return false; }
+
+    /**
+     * Smooth parts of its surface, each as an obstacle of its own, if some of them meet in inner
+     * corners: there more than one of them holds a point.
+     */
+    virtual std::vector<std::shared_ptr<const RigidObstacle<dim>>> sides() const { return {}; }
+
+    /**
+     * Where several sides hold a point outside: that of the closest point, and up to dim - 1 others
+     * that meet it in inner corners, nearest first; otherwise none.
+     * @param reach sides that are farther away do not count (length)
+     */
+    virtual std::vector<unsigned int> sides_near(const dealii::Point<dim> &, double /*reach*/) const
+    {
+      return {};
+    }
+
+    /** Its surface, if it consists of flat facets. */
+    virtual std::vector<std::array<dealii::Point<dim>, dim>> facets() const { return {}; }
+
+    /** The path of the file that it comes from; empty if there is none. */
+    virtual std::string file() const { return {}; }
 
     /** Whether all normals are the same, at all times. */
     virtual bool is_flat() const { return false; }
