@@ -3,7 +3,9 @@
 
 #include <signorini/contact/followed_contact.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace signorini
 {
@@ -35,9 +37,10 @@ namespace signorini
         if (n > 1)
           {
             // The motion may turn out to be another one.
-            const double cell  = std::pow(site.facings[first].area, 1. / (dim - 1));
-            const double moved = all.relative_motion(site.start, site.start + expected_motion);
-            sides              = all.sides_near_before(site.start, 2. * moved + within * cell);
+            const double     cell = std::pow(site.facings[first].area, 1. / (dim - 1));
+            const Point<dim> end  = site.start + expected_motion;
+            sides                 = all.sides_near(
+              site.start, end, 2. * all.relative_motion(site.start, end) + within * cell);
           }
         for (unsigned int k = 0; k < n; ++k)
           site.facings[first + k].side = k < sides.size() ? sides[k]
@@ -48,8 +51,29 @@ namespace signorini
   }
 
 
+  template <int dim>
+  bool FollowedContact<dim>::misses_a_side(const Site &site, const Tensor<1, dim> &d) const
+  {
+    // What none of the sides of an obstacle says about the end of the motion.
+    const auto depth = [&](const MovedObstacle<dim> &at) {
+      const auto way = at.project(site.start + d);
+      return way.is_carried(at_obstacles.end_tolerance()) ? -way.gap : 0.;
+    };
+    std::map<unsigned int, double> deepest;
+    for (const Facing &facing : site.facings)
+      if (facing.side < Facing::absent)
+        deepest[facing.pair] = std::max(deepest[facing.pair], depth(obstacle(facing)));
+    return std::any_of(deepest.begin(), deepest.end(), [&](const auto &pair_depth) {
+      const double most = std::max(2. * accepted, pair_depth.second + accepted);
+      return depth(at_obstacles.obstacle(pair_depth.first)) > most;
+    });
+  }
+
+
   template const MovedObstacle<2> &FollowedContact<2>::obstacle(const Facing &) const;
   template const MovedObstacle<3> &FollowedContact<3>::obstacle(const Facing &) const;
+  template bool FollowedContact<2>::misses_a_side(const Site &, const Tensor<1, 2> &) const;
+  template bool FollowedContact<3>::misses_a_side(const Site &, const Tensor<1, 3> &) const;
   template void FollowedContact<2>::face_sides(Site &, const Tensor<1, 2> &) const;
   template void FollowedContact<3>::face_sides(Site &, const Tensor<1, 3> &) const;
 } // namespace signorini

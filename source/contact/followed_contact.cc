@@ -31,7 +31,9 @@ namespace signorini
     constexpr double largest_turn = 1.;
     /** Of a unit normal, across those of the other obstacles at a node. */
     constexpr double independent = 0.1;
-    constexpr double infinity    = std::numeric_limits<double>::infinity();
+    /** The same for sides of one obstacle, whose angles are well known. */
+    constexpr double independent_sides = 0.015;
+    constexpr double infinity          = std::numeric_limits<double>::infinity();
 
 
     /**
@@ -196,7 +198,8 @@ namespace signorini
           other[c] = frame[dim * row + c];
         across -= (across * other) * other;
       }
-    if (across.norm() < independent)
+    const bool is_side = site.facings[facing].side < Facing::absent;
+    if (across.norm() < (is_side ? independent_sides : independent))
       return false;
     site.bounding.push_back(facing);
     return true;
@@ -383,6 +386,8 @@ namespace signorini
           if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
               && enters(site, site.facings[f], d))
             largest = infinity;
+      if (misses_a_side(site, d))
+        largest = infinity;
     });
     return Utilities::MPI::max(largest, discretization.communicator()) / accepted;
   }

@@ -139,9 +139,9 @@ namespace signorini
 
 
   template <int dim>
-  unsigned int FacetedObstacle<dim>::closest_facet(const Point<dim> &p) const
+  unsigned int FacetedObstacle<dim>::side_at(const Point<dim> &p) const
   {
-    return find_foot(p).facet;
+    return surface->facets()[find_foot(p).facet].side;
   }
 
 

@@ -24,9 +24,9 @@ namespace signorini
     constexpr double no_volume   = 1e-9; ///< of a surface, over the cube of its size
     /**
      * Sine of the angle between the normals at a crease. Two normals at a node have to be
-     * independent; below, one turns by half of this in a step across.
+     * independent.
      */
-    constexpr double crease = 0.11;
+    constexpr double crease = 0.02;
 
     template <int dim>
     std::string facet_name()

@@ -42,29 +42,30 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<unsigned int> MeshObstacle<dim>::sides_near(const Point<dim> &point,
+  std::vector<unsigned int> MeshObstacle<dim>::sides_near(const Point<dim> &start,
+                                                          const Point<dim> &end,
                                                           const double      reach) const
   {
+    if (parts.empty())
+      return {};
     const double       tolerance = touching * this->surface->size();
-    const unsigned int own       = this->surface->facets()[this->closest_facet(point)].side;
-    if (parts.empty() || meeting[own].empty())
-      return {};
-    const auto gap = [&](const unsigned int side) {
-      const auto way = parts[side]->project(point);
+    const unsigned int own = this->side_at(start), last = this->side_at(end);
+    const auto         gap = [&](const unsigned int side) {
+      const auto way = parts[side]->project(start);
       return way.is_carried(tolerance) && way.gap >= -tolerance
-               ? way.gap
-               : std::numeric_limits<double>::infinity();
+                       ? way.gap
+                       : std::numeric_limits<double>::infinity();
     };
-    if (!(gap(own) <= reach))
+    if (meeting[own].empty() || !(gap(own) <= reach))
       return {};
-    std::vector<std::pair<double, unsigned int>> others;
-    for (const unsigned int side : this->sides_around(point, reach + tolerance))
+    std::set<std::pair<double, unsigned int>> others;
+    for (const unsigned int side : this->sides_around(start, reach + tolerance))
       if (meeting[own].count(side) > 0)
         if (const double height = gap(side); height <= reach + tolerance)
-          others.emplace_back(height, side);
-    if (others.empty())
+          others.emplace(side == last ? 0. : height, side);
+    const auto is_last = [&](const auto &other) { return other.second == last; };
+    if (others.empty() || (own != last && std::none_of(others.begin(), others.end(), is_last)))
       return {};
-    std::sort(others.begin(), others.end());
     std::vector<unsigned int> result = {own};
     for (const auto &[height, side] : others)
       if (result.size() < dim)

@@ -112,6 +112,8 @@ namespace signorini
      * own.
      */
     void face_sides(Site &site, const dealii::Tensor<1, dim> &expected_motion) const;
+    /** Whether a motion ends in an obstacle, but in none of the sides that the node faces. */
+    bool misses_a_side(const Site &site, const dealii::Tensor<1, dim> &motion) const;
     /** Look where the obstacles of a node are when the step begins. */
     void look_around(Site &site) const;
     /** Let the node be bounded by what it would enter, as far as it has rows. */

@@ -37,8 +37,8 @@ namespace signorini
   protected:
     const std::shared_ptr<const Surface> surface;
 
-    /** The facet that is closest to a point. */
-    unsigned int closest_facet(const dealii::Point<dim> &p) const;
+    /** The side of the facet that is closest to a point. */
+    unsigned int side_at(const dealii::Point<dim> &p) const;
     /** The sides that facets in a cube about a point belong to. */
     std::set<unsigned int> sides_around(const dealii::Point<dim> &p, double reach) const;
 
@@ -70,7 +70,8 @@ namespace signorini
     MeshObstacle(std::shared_ptr<const FacetedSurface<dim>> surface, std::string path = "");
 
     std::vector<std::shared_ptr<const RigidObstacle<dim>>> sides() const override { return parts; }
-    std::vector<unsigned int> sides_near(const dealii::Point<dim> &point,
+    std::vector<unsigned int> sides_near(const dealii::Point<dim> &start,
+                                         const dealii::Point<dim> &end,
                                          double                    reach) const override;
 
     std::vector<std::array<dealii::Point<dim>, dim>> facets() const override;

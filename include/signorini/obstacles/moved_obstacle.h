@@ -43,11 +43,12 @@ namespace signorini
     /** One of its sides, see RigidObstacle::sides(). */
     const MovedObstacle &side(const unsigned int k) const { return parts[k]; }
 
-    /** RigidObstacle::sides_near() at the start of the step. */
-    std::vector<unsigned int> sides_near_before(const dealii::Point<dim> &p,
-                                                const double              reach) const
+    /** Through the step. */
+    std::vector<unsigned int> sides_near(const dealii::Point<dim> &start,
+                                         const dealii::Point<dim> &end,
+                                         const double              reach) const override
     {
-      return shape->sides_near(before.back(p), reach);
+      return shape->sides_near(before.back(start), after.back(end), reach);
     }
 
     /** Whether it does not move. */

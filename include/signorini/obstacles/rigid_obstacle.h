@@ -93,11 +93,14 @@ namespace signorini
     virtual std::vector<std::shared_ptr<const RigidObstacle<dim>>> sides() const { return {}; }
 
     /**
-     * Where several sides hold a point outside: that of the closest point, and up to dim - 1 others
-     * that meet it in inner corners, nearest first; otherwise none.
+     * Where several sides hold a point in a motion: that of the closest point at the start, and up
+     * to dim - 1 others that meet it in inner corners, nearest first. Otherwise none, also where a
+     * motion leads past them.
      * @param reach sides that are farther away do not count (length)
      */
-    virtual std::vector<unsigned int> sides_near(const dealii::Point<dim> &, double /*reach*/) const
+    virtual std::vector<unsigned int> sides_near(const dealii::Point<dim> & /*start*/,
+                                                 const dealii::Point<dim> & /*end*/,
+                                                 double /*reach*/) const
     {
       return {};
     }
