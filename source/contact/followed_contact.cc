@@ -153,14 +153,11 @@ namespace signorini
     unsigned int                         closest = 0;
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       {
-        Facing &facing = site.facings[f];
-        if (facing.side == Facing::absent)
-          {
-            ways.push_back({infinity, ways.front().normal, infinity});
-            facing.gap = infinity;
-            continue;
-          }
-        ways.push_back(obstacle(facing).project_before(site.start));
+        Facing    &facing = site.facings[f];
+        const auto way    = facing.side == Facing::absent
+                              ? std::nullopt
+                              : obstacle(facing).try_project_before(site.start);
+        ways.push_back(way.value_or(far_projection<dim>()));
         facing.gap       = ways[f].is_carried(tolerance) ? ways[f].gap : infinity;
         facing.condition = {ways[f].normal, facing.gap};
         if (at_obstacles.is_closer(ways[f], ways[closest]))
@@ -213,8 +210,8 @@ namespace signorini
   {
     if (facing.side == Facing::absent || was_inside(facing) || !is_in_reach(facing, d))
       return false;
-    const auto way = obstacle(facing).project(site.start + d);
-    return way.is_carried(at_obstacles.end_tolerance()) && way.gap < -accepted;
+    const auto way = obstacle(facing).try_project(site.start + d);
+    return way && way->is_carried(at_obstacles.end_tolerance()) && way->gap < -accepted;
   }
 
 
@@ -222,7 +219,8 @@ namespace signorini
   void FollowedContact<dim>::bound_by_what_is_entered(Site &site, const Tensor<1, dim> &d) const
   {
     const auto gap_at_end = [&](const unsigned int f) {
-      return obstacle(site.facings[f]).project(site.start + d).gap;
+      const auto way = obstacle(site.facings[f]).try_project(site.start + d);
+      return way.value_or(far_projection<dim>()).gap;
     };
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       if (std::find(site.bounding.begin(), site.bounding.end(), f) == site.bounding.end()
@@ -353,7 +351,8 @@ namespace signorini
             continue;
           // A chord of what slides along the surface is deep only if it turns far.
           const double depth = faced.depth_on_way(site.start, site.start + d);
-          const bool   flies = std::max(facing.gap, faced.project(site.start + d).gap) > depth;
+          const auto   last  = faced.try_project(site.start + d);
+          const bool   flies = std::max(facing.gap, last ? last->gap : infinity) > depth;
           any                = depth > least && (flies || depth > deep_on_way * length);
         }
     });
@@ -377,9 +376,10 @@ namespace signorini
           if (facing.gap == infinity || faced.is_flat() || was_inside(facing)
               || (!is_held && !is_in_reach(facing, d)))
             continue;
-          const double gap = faced.project(site.start + d).gap;
-          if ((is_held && facing.condition.is_exact) || gap < 0.)
-            largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
+          const Point<dim> end = site.start + d;
+          const auto way = is_held ? std::optional(faced.project(end)) : faced.try_project(end);
+          if (way && ((is_held && facing.condition.is_exact) || way->gap < 0.))
+            largest = std::max(largest, std::abs(way->gap - facing.condition.gap_after(d)));
         }
       if (site.facings.size() > 1)
         for (unsigned int f = 0; f < site.facings.size(); ++f)

@@ -153,6 +153,18 @@ namespace signorini
 
 
   template <int dim>
+  ObstacleProjection<dim>
+  ObstacleContact<dim>::projection_at_start(const unsigned int pair,
+                                            const Point<dim>  &position) const
+  {
+    // Linearised contact is decided here once for all, and has to know.
+    if (motion == ContactMotion::linearised)
+      return obstacle(pair).project(position);
+    return obstacle(pair).try_project(position).value_or(far_projection<dim>());
+  }
+
+
+  template <int dim>
   void ObstacleContact<dim>::add_closest(const unsigned int                        pair,
                                          std::map<unsigned int, ContactNode<dim>> &closest)
   {
@@ -168,7 +180,7 @@ namespace signorini
         surface_node.body         = description.slave;
         surface_node.areas.emplace_back(pair, weight);
         const Point<dim> &position   = discretization.node_positions()[node];
-        const auto        projection = obstacle(pair).project(position);
+        const auto        projection = projection_at_start(pair, position);
         double            facing     = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           facing += outward.local_element(dim * node + c) * projection.normal[c];
@@ -177,7 +189,7 @@ namespace signorini
         const bool faces = facing > 1e-8 * weight || motion == ContactMotion::follow;
         if (faces
             && (known == closest.end()
-                || is_closer(projection, obstacle(known->second.pair).project(position))))
+                || is_closer(projection, projection_at_start(known->second.pair, position))))
           closest[node] = {
             node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
       }
@@ -286,7 +298,8 @@ namespace signorini
         double          &depth    = deepest[surface_node.body];
         for (unsigned int pair = 0; pair < pairs.size(); ++pair)
           if (!pairs[pair].of_two_bodies() && pairs[pair].slave == surface_node.body)
-            depth = std::max(depth, obstacle(pair).project(position).depth());
+            if (const auto way = obstacle(pair).try_project(position))
+              depth = std::max(depth, way->depth());
       }
     Utilities::MPI::max(deepest, discretization.communicator(), deepest);
     return deepest;
@@ -304,10 +317,10 @@ namespace signorini
         double     deepest = 0.;
         Point<dim> place;
         const auto look = [&](const Point<dim> &point) {
-          const double depth = moved[pair.obstacle].project(point).depth();
-          if (depth > deepest)
+          const auto way = moved[pair.obstacle].try_project(point);
+          if (way && way->depth() > deepest)
             {
-              deepest = depth;
+              deepest = way->depth();
               place   = point;
             }
         };

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/obstacles/box_tree.h>
 #include <signorini/obstacles/closest_point.h>
 #include <signorini/obstacles/mesh_obstacle.h>
-
-#include <deal.II/base/bounding_box.h>
-
-#include <deal.II/numerics/rtree.h>
 
 #include <algorithm>
 
@@ -16,33 +13,10 @@ namespace signorini
 
   namespace
   {
-    namespace index = boost::geometry::index;
-
-    template <int dim>
-    using BoxedFacet = std::pair<BoundingBox<dim>, unsigned int>;
-
     template <int dim, std::size_t n>
     BoundingBox<dim> box_around(const std::array<Point<dim>, n> &corners)
     {
       return BoundingBox<dim>(std::vector<Point<dim>>(corners.begin(), corners.end()));
-    }
-
-
-    /**
-     * The least distance of a point to what is in a tree.
-     * @param distance of the point to a thing: distance(number)
-     */
-    template <int dim, typename Tree, typename Distance>
-    double least_distance(const Tree &tree, const Point<dim> &p, const Distance &distance)
-    {
-      double least = std::numeric_limits<double>::infinity();
-      for (auto near = tree.qbegin(index::nearest(p, tree.size())); near != tree.qend(); ++near)
-        {
-          if (boost::geometry::distance(p, near->first) > least)
-            break;
-          least = std::min(least, distance(near->second));
-        }
-      return least;
     }
   } // namespace
 
@@ -50,10 +24,24 @@ namespace signorini
   template <int dim>
   struct FacetedObstacle<dim>::Trees
   {
-    using Rim = std::array<Point<dim>, dim - 1>;
+    using Rim   = std::array<Point<dim>, dim - 1>;
+    using Boxes = std::vector<BoundingBox<dim>>;
 
-    RTree<BoxedFacet<dim>> facets, rim;
-    std::vector<Rim>       rim_pieces; ///< edges, in 2d points
+    Trees(const Boxes              &facet_boxes,
+          std::vector<unsigned int> numbers,
+          const Boxes              &rim_boxes,
+          std::vector<Rim>          rim_pieces)
+      : facets(facet_boxes)
+      , numbers(std::move(numbers))
+      , rim(rim_boxes)
+      , rim_pieces(std::move(rim_pieces))
+    {
+    }
+
+    BoxTree<dim>              facets;
+    std::vector<unsigned int> numbers; ///< of the facets in the surface
+    BoxTree<dim>              rim;
+    std::vector<Rim>          rim_pieces; ///< edges, in 2d points
   };
 
 
@@ -82,27 +70,26 @@ namespace signorini
     : surface(std::move(shape))
     , side(side)
   {
-    auto                         both = std::make_unique<Trees>();
-    std::vector<BoxedFacet<dim>> boxes, rim_boxes;
+    std::vector<BoundingBox<dim>>    boxes, rim_boxes;
+    std::vector<unsigned int>        numbers;
+    std::vector<typename Trees::Rim> rim;
     for (unsigned int f = 0; f < surface->facets().size(); ++f)
       if (belongs(f))
         {
           const auto &facet = surface->facets()[f];
-          boxes.emplace_back(box_around(surface->corners(f)), f);
+          boxes.push_back(box_around(surface->corners(f)));
+          numbers.push_back(f);
           for (unsigned int i = 0; i < dim; ++i)
             if (side == Surface::none && facet.neighbours[i] == Surface::none)
               {
-                typename Trees::Rim piece;
+                rim.emplace_back();
                 for (unsigned int v = 0, k = 0; v < dim; ++v)
                   if (v != i)
-                    piece[k++] = surface->vertices()[facet.vertices[v]];
-                rim_boxes.emplace_back(box_around(piece), both->rim_pieces.size());
-                both->rim_pieces.push_back(piece);
+                    rim.back()[k++] = surface->vertices()[facet.vertices[v]];
+                rim_boxes.push_back(box_around(rim.back()));
               }
         }
-    both->facets = pack_rtree(boxes);
-    both->rim    = pack_rtree(rim_boxes);
-    trees        = std::move(both);
+    trees = std::make_unique<const Trees>(boxes, std::move(numbers), rim_boxes, std::move(rim));
   }
 
 
@@ -115,7 +102,8 @@ namespace signorini
   {
     Foot   foot;
     double least = std::numeric_limits<double>::infinity();
-    least_distance<dim>(trees->facets, p, [&](const unsigned int facet) {
+    trees->facets.least_distance(p, [&](const unsigned int thing) {
+      const auto   facet    = trees->numbers[thing];
       const auto   place    = closest_point(p, surface->corners(facet));
       const double distance = p.distance(place.foot);
       if (distance < least)
@@ -132,7 +120,7 @@ namespace signorini
   template <int dim>
   double FacetedObstacle<dim>::distance_to_rim(const Point<dim> &p) const
   {
-    return least_distance<dim>(trees->rim, p, [&](const unsigned int piece) {
+    return trees->rim.least_distance(p, [&](const unsigned int piece) {
       return p.distance(closest_point(p, trees->rim_pieces[piece]).foot);
     });
   }
@@ -149,13 +137,10 @@ namespace signorini
   std::set<unsigned int> FacetedObstacle<dim>::sides_around(const Point<dim> &p,
                                                             const double      reach) const
   {
-    BoundingBox<dim> box({p, p});
-    box.extend(reach);
-    std::vector<BoxedFacet<dim>> near;
-    trees->facets.query(index::intersects(box), std::back_inserter(near));
     std::set<unsigned int> result;
-    for (const auto &[facet_box, facet] : near)
-      result.insert(surface->facets()[facet].side);
+    trees->facets.for_each_near(p, reach, [&](const unsigned int thing) {
+      result.insert(surface->facets()[trees->numbers[thing]].side);
+    });
     return result;
   }
 

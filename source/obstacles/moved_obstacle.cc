@@ -45,6 +45,15 @@ namespace signorini
 
 
   template <int dim>
+  std::optional<ObstacleProjection<dim>>
+  MovedObstacle<dim>::try_project_before(const Point<dim> &p) const
+  {
+    const auto way = shape->try_project(before.back(p));
+    return way ? std::optional(turned(*way, before)) : std::nullopt;
+  }
+
+
+  template <int dim>
   MotionCondition<dim> MovedObstacle<dim>::condition_of_motion(const Point<dim> &start,
                                                                const Point<dim> &end) const
   {
@@ -62,6 +71,18 @@ namespace signorini
     condition.bound = condition.bound / size + condition.normal * condition.obstacle_motion;
     condition.gap_per_slack *= size;
     return condition;
+  }
+
+
+  template <int dim>
+  std::vector<std::array<Point<dim>, dim>> MovedObstacle<dim>::facets() const
+  {
+    auto result = shape->facets();
+    if (motion)
+      for (auto &facet : result)
+        for (Point<dim> &corner : facet)
+          corner = after.forth(corner);
+    return result;
   }
 
 

@@ -20,8 +20,9 @@ namespace signorini
    * follow() until mismatch() is small. At flat obstacles, and far from any, there is nothing to
    * repeat.
    *
-   * All functions that look at obstacles are collective, and throw a UserError on all processes
-   * where one has no distance or no normal.
+   * All functions that look at obstacles are collective. Where an obstacle has no distance or no
+   * normal, a node is far from it, but for a node that it holds: then they throw a UserError on all
+   * processes.
    */
   template <int dim>
   class FollowedContact

@@ -39,7 +39,7 @@ namespace signorini
 
     /** The side of the facet that is closest to a point. */
     unsigned int side_at(const dealii::Point<dim> &p) const;
-    /** The sides that facets in a cube about a point belong to. */
+    /** The sides of the facets whose boxes are not farther from a point than a distance. */
     std::set<unsigned int> sides_around(const dealii::Point<dim> &p, double reach) const;
 
   private:

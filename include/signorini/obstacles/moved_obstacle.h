@@ -33,6 +33,7 @@ namespace signorini
       return turned(shape->project(before.back(p)), before);
     }
     std::optional<ObstacleProjection<dim>> try_project(const dealii::Point<dim> &p) const override;
+    std::optional<ObstacleProjection<dim>> try_project_before(const dealii::Point<dim> &p) const;
 
     bool has_end() const override { return shape->has_end(); }
     bool is_flat() const override { return shape->is_flat() && !(motion && motion->turns()); }
@@ -50,6 +51,9 @@ namespace signorini
     {
       return shape->sides_near(before.back(start), after.back(end), reach);
     }
+
+    /** At the end of the step. */
+    std::vector<std::array<dealii::Point<dim>, dim>> facets() const override;
 
     /** Whether it does not move. */
     bool is_at_rest() const { return motion == nullptr; }

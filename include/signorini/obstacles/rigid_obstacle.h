@@ -42,6 +42,16 @@ namespace signorini
     double distance() const { return std::hypot(std::max(0., gap), std::max(0., beyond)); }
   };
 
+  /** For a point that is far, or of which an obstacle knows nothing. */
+  template <int dim>
+  ObstacleProjection<dim> far_projection()
+  {
+    constexpr double       infinity = std::numeric_limits<double>::infinity();
+    dealii::Tensor<1, dim> any;
+    any[dim - 1] = 1.;
+    return {infinity, any, infinity};
+  }
+
   /**
    * A linear condition on the motion d of a point that says what its gap g at the end of the motion
    * says: g = gap_per_slack (bound - normal.d). At an edge there may be none; then it is the plane
@@ -122,7 +132,8 @@ namespace signorini
      * scaled to a unit vector; its bound is then g(start), scaled alike, whatever the motion turns
      * out to be (Gonzalez, Comput. Methods Appl. Mech. Engrg. 190 (2000) 1763-1783, equation (24)).
      * It is the normal in the middle, tilted along the motion. Where that takes more than
-     * `largest_tilt`, at edges, it is not exact.
+     * `largest_tilt`, at edges, or where the motion leads to where the obstacle has no value, it is
+     * not exact.
      */
     virtual MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
                                                      const dealii::Point<dim> &end) const;
