@@ -172,21 +172,23 @@ namespace signorini
     const std::string key = "File", path = in.path(key);
     if (in.text(key).empty())
       in.fail(key, "an obstacle of shape `mesh` needs a surface. Give the name of a mesh file.");
-    std::string prefix; // messages of the reader have the path already
-    try
-      {
-        FacetMesh<dim> mesh = read_facet_mesh<dim>(path);
-        place_mesh(in, mesh);
-        prefix             = path + ": ";
-        const auto surface = std::make_shared<FacetedSurface<dim>>(mesh, in.flag("Open"));
-        if (in.flag("Bodies inside"))
-          surface->turn_inside_out();
-        return std::make_shared<MeshObstacle<dim>>(surface, path);
-      }
-    catch (const UserError &error)
-      {
-        in.fail(key, prefix + error.what());
-      }
+    const auto refuse_user_errors = [&](const std::string &prefix, const auto &action) {
+      try
+        {
+          return action();
+        }
+      catch (const UserError &error)
+        {
+          in.fail(key, prefix + error.what());
+        }
+    };
+    auto mesh = refuse_user_errors("", [&] { return read_facet_mesh<dim>(path); });
+    place_mesh(in, mesh);
+    const auto surface = refuse_user_errors(
+      path + ": ", [&] { return std::make_shared<FacetedSurface<dim>>(mesh, in.flag("Open")); });
+    if (in.flag("Bodies inside"))
+      surface->turn_inside_out();
+    return std::make_shared<MeshObstacle<dim>>(surface, path);
   }
 
 

@@ -105,10 +105,14 @@ TEST(MeshObstacle, AGlobeIsNearlyASphere)
           wrong          = std::max(wrong, std::abs(way.gap - (point.norm() - 1.)));
           // A facet, or what is between those that meet, is as far from the sphere's normal.
           if (point.norm() > 0.5)
-            EXPECT_LT((way.normal + point / point.norm()).norm(), 4. / n) << point;
+            {
+              EXPECT_LT((way.normal + point / point.norm()).norm(), 4. / n) << point;
+            }
         }
       if (former > 0.)
-        EXPECT_NEAR(former / wrong, 4., 0.6) << n;
+        {
+          EXPECT_NEAR(former / wrong, 4., 0.6) << n;
+        }
       former = wrong;
     }
 }
@@ -190,7 +194,7 @@ TEST(MeshObstacle, SidesMeetInInnerCorners)
   EXPECT_TRUE(inside.is_carried(1e-10));
   EXPECT_TRUE(mesh.sides_near(near, near, 0.12).empty());                // out of reach
   EXPECT_TRUE(mesh.sides_near({3.05, 0.9}, {3.05, 0.9}, 0.2).empty());   // an outer corner
-  EXPECT_TRUE(mesh.sides_near({1.1, 1.15}, {1.1, 3.5}, 4.).empty());     // leads past them
+  EXPECT_TRUE(mesh.sides_near({1.1, 1.15}, {0.5, 3.5}, 4.).empty());     // leads past them
   EXPECT_FALSE(sides[found[1]]->project({3.1, 0.99}).is_carried(1e-10)); // past its outer end
 }
 

@@ -150,11 +150,9 @@ TEST(ObstacleSurfaces, ObstaclesThatMoveAreWhereTheyAre)
   for (const auto &patch : surfaces.get_patches())
     for (unsigned int v = 0; v < 2; ++v)
       {
-        const Point<2> start = motion->place(time).back(patch.vertices[v]);
-        if (patch.data(0, 0) == 1.)
-          EXPECT_LT(std::abs(start[1]), 1e-12);
-        else
-          EXPECT_LT(std::abs(facets.shape->project(start).gap), 1e-12);
+        const Point<2>          start = motion->place(time).back(patch.vertices[v]);
+        const NamedObstacle<2> &shown = all.at(patch.data(0, 0));
+        EXPECT_LT(std::abs(shown.shape->project(start).gap), 1e-12);
         n_facets += patch.data(0, 0) == 2.;
         length += patch.data(0, 0) == 2. ? 0.5 * measure(patch) : 0.;
       }
