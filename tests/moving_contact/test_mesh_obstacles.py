@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Obstacles from mesh files do what obstacles of the same shape do that are given by formulas: boxes
-and grooves to round-off, slopes as mechanics says; and they may move. Nodes come to rest in the
-grooves between facets, deep and shallow ones. Where a function has no value, and no contact is,
+"""Obstacles from mesh files do what obstacles of the same shape do that are given by formulas:
+boxes and grooves to round-off, slopes as mechanics says; and they may move. Nodes come to rest in
+the grooves between facets, deep and shallow ones. Where a function has no value, and no contact is,
 nothing happens.
 """
 
@@ -208,9 +208,9 @@ class MeshObstacles(check_history.SceneTest):
         self.assertLess(max(run["geometric_penetration"]), 1e-11)
 
     def test_chute(self):
-        """The shipped scene: in a groove of a right angle each wall presses with the load over twice
-        the sine of 45 degrees, and friction at both brakes. The load comes within 0.1; the block
-        vibrates by some 1e-4 of its velocity."""
+        """The shipped scene: in a groove of a right angle each wall presses with the load over
+        twice the sine of 45 degrees, and friction at both brakes. The load comes within 0.1; the
+        block vibrates by some 1e-4 of its velocity."""
         run = check_history.Run(check_history.scene_file("chute"), "chute")
         slope, half = math.radians(30), math.radians(45)
         mass = 0.8 * 0.4 * 0.4
