@@ -6,6 +6,7 @@
 #include <signorini/obstacles/mesh_obstacle.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini
 {
@@ -102,10 +103,10 @@ namespace signorini
   {
     Foot   foot;
     double least = std::numeric_limits<double>::infinity();
-    trees->facets.least_distance(p, [&](const unsigned int thing) {
+    trees->facets.least_square_distance(p, [&](const unsigned int thing) {
       const auto   facet    = trees->numbers[thing];
       const auto   place    = closest_point(p, surface->corners(facet));
-      const double distance = p.distance(place.foot);
+      const double distance = p.distance_square(place.foot);
       if (distance < least)
         {
           least = distance;
@@ -120,9 +121,9 @@ namespace signorini
   template <int dim>
   double FacetedObstacle<dim>::distance_to_rim(const Point<dim> &p) const
   {
-    return trees->rim.least_distance(p, [&](const unsigned int piece) {
-      return p.distance(closest_point(p, trees->rim_pieces[piece]).foot);
-    });
+    return std::sqrt(trees->rim.least_square_distance(p, [&](const unsigned int piece) {
+      return p.distance_square(closest_point(p, trees->rim_pieces[piece]).foot);
+    }));
   }
 
 

@@ -227,15 +227,14 @@ TEST(MeshObstacle, TheTreeFindsTheNearest)
       unsigned int n_looked = 0, n_near = 0, n_found = 0;
       for (const Point<3> &place : places)
         {
-          least = std::min(least, p.distance(place));
+          least = std::min(least, p.distance_square(place));
           n_near += p.distance(place) <= 1.;
         }
-      EXPECT_EQ(tree.least_distance(p,
-                                    [&](const unsigned int k) {
-                                      ++n_looked;
-                                      return p.distance(places[k]);
-                                    }),
-                least);
+      const double found = tree.least_square_distance(p, [&](const unsigned int k) {
+        ++n_looked;
+        return p.distance_square(places[k]);
+      });
+      EXPECT_EQ(found, least);
       EXPECT_LT(n_looked, 100u);
       tree.for_each_near(
         p, 1., [&](const unsigned int k) { n_found += p.distance(places[k]) <= 1.; });
