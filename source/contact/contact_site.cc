@@ -16,6 +16,8 @@ namespace signorini
   {
     /** Of a unit normal, across those of the others at a node. */
     constexpr double independent = 0.1;
+    /** The same for sides of one obstacle, whose angles are well known. */
+    constexpr double independent_sides = 0.015;
   } // namespace
 
 
@@ -55,7 +57,8 @@ namespace signorini
           other[c] = frame[dim * row + c];
         across -= (across * other) * other;
       }
-    if (across.norm() < independent)
+    const bool is_side = facings[facing].side < Facing<dim>::absent;
+    if (across.norm() < (is_side ? independent_sides : independent))
       return false;
     bounding.push_back(facing);
     return true;

@@ -368,8 +368,9 @@ namespace signorini
       if (const ContactNode<dim> &node = contact_nodes[k];
           !descriptions[node.pair].of_two_bodies() && (follows() || std::isinf(result[k])))
         {
-          const auto way = obstacle_contact.obstacle(node.pair).project(
-            obstacle_contact.displaced(node.node, displacement));
+          const auto way = obstacle_contact.obstacle(node.pair)
+                             .try_project(obstacle_contact.displaced(node.node, displacement))
+                             .value_or(far_projection<dim>());
           result[k] = way.is_carried(obstacle_contact.end_tolerance()) ? way.gap : way.distance();
         }
       else

@@ -81,7 +81,8 @@ namespace signorini
           const auto &of_obstacles = at_obstacles.surface();
           if (const auto node = of_obstacles.find(nodes[k].node); node != of_obstacles.end())
             for (const auto &[pair, area] : node->second.areas)
-              sites.back().facings.push_back({pair, false, area, {}});
+              for (unsigned int n = at_obstacles.obstacle(pair).most_conditions(); n > 0; --n)
+                sites.back().facings.push_back({pair, false, area, {}});
           for (const auto &[pair, bodies] : pairs.pairs())
             if (const auto node = bodies->slave_nodes().find(nodes[k].node);
                 node != bodies->slave_nodes().end())
@@ -148,6 +149,7 @@ namespace signorini
       site.start        = surface.nodes()[site.first].position + site.displacement;
       for (unsigned int c = 0; c < dim; ++c)
         largest_coordinate = std::max(largest_coordinate, std::abs(site.start[c]));
+      face_sides(site, motion(site, expected));
       look_around(site);
     });
     largest_coordinate = Utilities::MPI::max(largest_coordinate, discretization.communicator());
@@ -175,10 +177,12 @@ namespace signorini
           }
         else
           {
-            const auto way   = at_obstacles.obstacle(facing.pair).project_before(site.start);
-            rank             = {!way.is_carried(tolerance), way.gap};
-            facing.gap       = rank.first ? infinity : way.gap;
-            facing.condition = {way.normal, facing.gap};
+            const auto way = facing.is_there() ? obstacle(facing).try_project_before(site.start)
+                                               : std::nullopt;
+            const auto projection = way.value_or(far_projection<dim>());
+            rank                  = {!projection.is_carried(tolerance), projection.gap};
+            facing.gap            = rank.first ? infinity : projection.gap;
+            facing.condition      = {projection.normal, facing.gap};
           }
         if (f == 0 || rank < closest)
           {
@@ -223,10 +227,10 @@ namespace signorini
   {
     if (facing.of_body)
       return facing.is_there() && facing.opposite->linear_gap() < -accepted;
-    if (was_inside(facing) || !is_in_reach(facing, d))
+    if (!facing.is_there() || was_inside(facing) || !is_in_reach(facing, d))
       return false;
-    const auto way = at_obstacles.obstacle(facing.pair).project(site.start + d);
-    return way.is_carried(at_obstacles.end_tolerance()) && way.gap < -accepted;
+    const auto way = obstacle(facing).try_project(site.start + d);
+    return way && way->is_carried(at_obstacles.end_tolerance()) && way->gap < -accepted;
   }
 
 
@@ -262,7 +266,9 @@ namespace signorini
   {
     if (facing.of_body)
       return facing.is_there() ? facing.opposite->linear_gap() : infinity;
-    return at_obstacles.obstacle(facing.pair).project(site.start + d).gap;
+    const auto way =
+      facing.is_there() ? obstacle(facing).try_project(site.start + d) : std::nullopt;
+    return way.value_or(far_projection<dim>()).gap;
   }
 
 
@@ -287,8 +293,7 @@ namespace signorini
             continue;
           // What cannot get there needs no more than the plane at the start.
           if (std::isfinite(facing.gap) && is_in_reach(facing, d))
-            facing.condition =
-              at_obstacles.obstacle(facing.pair).condition_of_motion(site.start, site.start + d);
+            facing.condition = obstacle(facing).condition_of_motion(site.start, site.start + d);
           // What has come in past an end, or where no row was left, is not pushed out at once.
           if (was_inside(facing))
             facing.condition.bound = facing.condition.normal * facing.condition.obstacle_motion;
@@ -359,17 +364,18 @@ namespace signorini
       const Tensor<1, dim> d = motion(site, increment);
       for (const Facing<dim> &facing : site.facings)
         {
-          if (facing.of_body)
+          if (facing.of_body || !facing.is_there())
             continue;
-          const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-          const double              length   = (d - facing.condition.obstacle_motion).norm();
-          const double              least    = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
-          if (any || obstacle.is_flat() || facing.gap > length || length < least
-              || was_inside(facing) || enters(site, facing, d))
+          const MovedObstacle<dim> &faced  = obstacle(facing);
+          const double              length = (d - facing.condition.obstacle_motion).norm();
+          const double              least  = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
+          if (any || faced.is_flat() || facing.gap > length || length < least || was_inside(facing)
+              || enters(site, facing, d))
             continue;
           // A chord of what slides along the surface is deep only if it turns far.
-          const double depth = obstacle.depth_on_way(site.start, site.start + d);
-          const bool   flies = std::max(facing.gap, obstacle.project(site.start + d).gap) > depth;
+          const double depth = faced.depth_on_way(site.start, site.start + d);
+          const auto   last  = faced.try_project(site.start + d);
+          const bool   flies = std::max(facing.gap, last ? last->gap : infinity) > depth;
           any                = depth > least && (flies || depth > deep_on_way * length);
         }
     });
@@ -391,13 +397,14 @@ namespace signorini
           return 0.;
         return std::abs(opposite->missed()) / (bodies_by_obstacles * accepted);
       }
-    const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
-    if (facing.gap == infinity || obstacle.is_flat() || was_inside(facing)
+    const MovedObstacle<dim> &faced = obstacle(facing);
+    if (facing.gap == infinity || faced.is_flat() || was_inside(facing)
         || (!is_held && !is_in_reach(facing, d)))
       return 0.;
-    const double gap = obstacle.project(site.start + d).gap;
-    if ((is_held && facing.condition.is_exact) || gap < 0.)
-      return std::abs(gap - facing.condition.gap_after(d)) / accepted;
+    const Point<dim> end = site.start + d;
+    const auto       way = is_held ? std::optional(faced.project(end)) : faced.try_project(end);
+    if (way && ((is_held && facing.condition.is_exact) || way->gap < 0.))
+      return std::abs(way->gap - facing.condition.gap_after(d)) / accepted;
     return 0.;
   }
 
@@ -422,6 +429,8 @@ namespace signorini
           if (!site.is_bounded_by(f) && enters(site, site.facings[f], d)
               && !(site.facings[f].of_body && n_followed > most_motions))
             largest = infinity;
+      if (misses_a_side(site, d))
+        largest = infinity;
     });
     return Utilities::MPI::max(largest, discretization.communicator());
   }

@@ -92,14 +92,15 @@ namespace signorini
     const unsigned int own_pair = contact_node.pair;
     contact_node.gap            = std::numeric_limits<double>::infinity();
     for (const auto &[pair, area] : surface_nodes.at(contact_node.node).areas)
-      if (pair != own_pair && contact_node.row + 1 < dim)
-        {
-          ++contact_node.row;
-          ContactNode<dim> further = contact_node;
-          further.pair             = pair;
-          further.weight           = area;
-          contact_nodes.push_back(further);
-        }
+      for (unsigned int k = pair == own_pair; k < obstacle(pair).most_conditions(); ++k)
+        if (contact_node.row + 1 < dim)
+          {
+            ++contact_node.row;
+            ContactNode<dim> further = contact_node;
+            further.pair             = pair;
+            further.weight           = area;
+            contact_nodes.push_back(further);
+          }
   }
 
 
@@ -152,6 +153,18 @@ namespace signorini
 
 
   template <int dim>
+  ObstacleProjection<dim>
+  ObstacleContact<dim>::projection_at_start(const unsigned int pair,
+                                            const Point<dim>  &position) const
+  {
+    // Linearised contact is decided here once for all, and has to know.
+    if (motion == ContactMotion::linearised)
+      return obstacle(pair).project(position);
+    return obstacle(pair).try_project(position).value_or(far_projection<dim>());
+  }
+
+
+  template <int dim>
   void ObstacleContact<dim>::add_closest(const unsigned int                        pair,
                                          std::map<unsigned int, ContactNode<dim>> &closest)
   {
@@ -167,7 +180,7 @@ namespace signorini
         surface_node.body         = description.slave;
         surface_node.areas.emplace_back(pair, weight);
         const Point<dim> &position   = discretization.node_positions()[node];
-        const auto        projection = obstacle(pair).project(position);
+        const auto        projection = projection_at_start(pair, position);
         double            facing     = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           facing += outward.local_element(dim * node + c) * projection.normal[c];
@@ -176,7 +189,7 @@ namespace signorini
         const bool faces = facing > 1e-8 * weight || motion == ContactMotion::follow;
         if (faces
             && (known == closest.end()
-                || is_closer(projection, obstacle(known->second.pair).project(position))))
+                || is_closer(projection, projection_at_start(known->second.pair, position))))
           closest[node] = {
             node, pair, position, projection.gap, weight, contact_frame(projection.normal), {}};
       }
@@ -285,7 +298,8 @@ namespace signorini
         double          &depth    = deepest[surface_node.body];
         for (unsigned int pair = 0; pair < pairs.size(); ++pair)
           if (!pairs[pair].of_two_bodies() && pairs[pair].slave == surface_node.body)
-            depth = std::max(depth, obstacle(pair).project(position).depth());
+            if (const auto way = obstacle(pair).try_project(position))
+              depth = std::max(depth, way->depth());
       }
     Utilities::MPI::max(deepest, discretization.communicator(), deepest);
     return deepest;
@@ -303,10 +317,10 @@ namespace signorini
         double     deepest = 0.;
         Point<dim> place;
         const auto look = [&](const Point<dim> &point) {
-          const double depth = moved[pair.obstacle].project(point).depth();
-          if (depth > deepest)
+          const auto way = moved[pair.obstacle].try_project(point);
+          if (way && way->depth() > deepest)
             {
-              deepest = depth;
+              deepest = way->depth();
               place   = point;
             }
         };

@@ -15,32 +15,9 @@ namespace signorini
 {
   namespace
   {
-    std::string extension_of(const std::string &path)
-    {
-      std::string extension = std::filesystem::path(path).extension().string();
-      std::transform(extension.begin(),
-                     extension.end(),
-                     extension.begin(),
-                     [](const unsigned char c) { return std::tolower(c); });
-      return extension;
-    }
-
     std::string read_whole_file(const std::string &path)
     {
-      std::error_code error;
-      if (!std::filesystem::exists(path, error))
-        throw MeshFileError("there is no such file. Check the name; a relative path starts in the "
-                            "folder of the scene.");
-      if (std::filesystem::is_directory(path, error))
-        throw MeshFileError("it is a directory. Name a mesh file in it.");
-      std::ifstream in(path);
-      if (!in)
-        throw MeshFileError(std::strerror(errno) + std::string(". Check its permissions."));
-      std::ostringstream text;
-      text << in.rdbuf();
-      std::string content = text.str();
-      if (content.empty())
-        throw MeshFileError("the file is empty. Write the mesh again.");
+      std::string content = read_mesh_content(path);
       if (content.find('\0') != std::string::npos)
         throw MeshFileError(
           "it is a binary file. Write the mesh as text (ASCII); in Gmsh: `Mesh.Binary = 0`.");
@@ -54,6 +31,34 @@ namespace signorini
       return text[0] == '*' || text.find("\n*") != std::string::npos;
     }
   } // namespace
+
+  std::string extension_of(const std::string &path)
+  {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::transform(extension.begin(),
+                   extension.end(),
+                   extension.begin(),
+                   [](const unsigned char c) { return std::tolower(c); });
+    return extension;
+  }
+
+  std::string read_mesh_content(const std::string &path)
+  {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error))
+      throw MeshFileError("there is no such file. Check the name; a relative path starts in the "
+                          "folder of the scene.");
+    if (std::filesystem::is_directory(path, error))
+      throw MeshFileError("it is a directory. Name a mesh file in it.");
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+      throw MeshFileError(std::strerror(errno) + std::string(". Check its permissions."));
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (text.str().empty())
+      throw MeshFileError("the file is empty. Write the mesh again.");
+    return text.str();
+  }
 
   MeshText read_mesh_text(const std::string &path)
   {

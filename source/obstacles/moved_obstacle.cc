@@ -15,6 +15,8 @@ namespace signorini
     , motion(obstacle.motion)
   {
     before.rotation = after.rotation = Tensor<2, dim>(unit_symmetric_tensor<dim>());
+    for (const auto &side : shape->sides())
+      parts.push_back(MovedObstacle({obstacle.name, side, motion}));
     move(0., 0.);
   }
 
@@ -26,6 +28,11 @@ namespace signorini
       return;
     before = motion->place(start);
     after  = motion->place(end);
+    for (MovedObstacle &part : parts)
+      {
+        part.before = before;
+        part.after  = after;
+      }
   }
 
 
@@ -34,6 +41,15 @@ namespace signorini
   {
     const auto way = shape->try_project(after.back(p));
     return way ? std::optional(turned(*way, after)) : std::nullopt;
+  }
+
+
+  template <int dim>
+  std::optional<ObstacleProjection<dim>>
+  MovedObstacle<dim>::try_project_before(const Point<dim> &p) const
+  {
+    const auto way = shape->try_project(before.back(p));
+    return way ? std::optional(turned(*way, before)) : std::nullopt;
   }
 
 
@@ -55,6 +71,18 @@ namespace signorini
     condition.bound = condition.bound / size + condition.normal * condition.obstacle_motion;
     condition.gap_per_slack *= size;
     return condition;
+  }
+
+
+  template <int dim>
+  std::vector<std::array<Point<dim>, dim>> MovedObstacle<dim>::facets() const
+  {
+    auto result = shape->facets();
+    if (motion)
+      for (auto &facet : result)
+        for (Point<dim> &corner : facet)
+          corner = after.forth(corner);
+    return result;
   }
 
 

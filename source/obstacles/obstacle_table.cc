@@ -3,6 +3,7 @@
 
 #include <signorini/obstacles/box_obstacle.h>
 #include <signorini/obstacles/level_set.h>
+#include <signorini/obstacles/mesh_obstacle.h>
 #include <signorini/obstacles/obstacle_table.h>
 #include <signorini/obstacles/plane.h>
 #include <signorini/obstacles/round_obstacle.h>
@@ -36,6 +37,11 @@ namespace signorini
        declare_box<dim>,
        {"Lower corner", "Upper corner"},
        parse_box<dim>},
+      {"mesh",
+       dim == 2 ? "mesh (a line from a file)" : "mesh (a surface from a file)",
+       declare_mesh_obstacle<dim>,
+       {"File", "Open", "Bodies inside", "Scale", "Rotation", "Translation"},
+       parse_mesh_obstacle<dim>},
       {"function",
        "function (the zero set of an expression)",
        declare_level_set,

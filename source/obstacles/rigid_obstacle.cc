@@ -13,10 +13,13 @@ namespace signorini
   {
     const Tensor<1, dim> motion   = end - start;
     const auto           at_start = project(start);
-    const double         before = at_start.gap, after = project(end).gap;
-    Tensor<1, dim>       normal = project(start + 0.5 * motion).normal;
-    const double         length = motion.norm();
-    const double         missed = before - after - normal * motion;
+    const auto           at_end = try_project(end), in_middle = try_project(start + 0.5 * motion);
+    if (!at_end || !in_middle)
+      return {at_start.normal, at_start.gap, 1., false};
+    const double   before = at_start.gap, after = at_end->gap;
+    Tensor<1, dim> normal = in_middle->normal;
+    const double   length = motion.norm();
+    const double   missed = before - after - normal * motion;
     // The tilt that round-off in the gaps suggests for a small motion would be arbitrary.
     const double round_off = 1e-14 * (start.norm() + std::abs(before) + std::abs(after));
     if (std::abs(missed) <= round_off)

@@ -78,7 +78,8 @@ namespace signorini
         "Bodies inside",
         "false",
         Patterns::Bool(),
-        "Sphere, cylinder: the obstacle is hollow and the bodies are inside of it.");
+        "Sphere, cylinder, mesh: the obstacle is hollow and the bodies are inside of it; of a mesh "
+        "with an end, the bodies are on its other side.");
     }
 
     double parse_radius(const SectionReader &in)

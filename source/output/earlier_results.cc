@@ -34,8 +34,9 @@ namespace signorini
       const std::filesystem::path folder(directory);
       remove_matching(folder,
                       std::regex("(history|supports|pairs|bodies|probe_.*)\\.csv|"
-                                 "(volume|surface)\\.pvd|obstacles\\.vtu"));
-      remove_matching(folder / "fields", std::regex("(volume|surface)_.*\\.p?vtu(\\.part)?"));
+                                 "(volume|surface|obstacles)\\.pvd|obstacles\\.vtu"));
+      remove_matching(folder / "fields",
+                      std::regex("(volume|surface|obstacles)_.*\\.p?vtu(\\.part)?"));
       remove_matching(folder / "pictures",
                       std::regex("(bodies|contact_force|energy|momentum|probe_.*)\\.png"));
     });

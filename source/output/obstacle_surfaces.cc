@@ -81,8 +81,42 @@ namespace signorini
 
 
   template <int dim>
-  ObstacleSurfaces<dim>::ObstacleSurfaces(const std::vector<NamedObstacle<dim>> &obstacles,
+  std::vector<ShownObstacle<dim>> shown_obstacles(const std::vector<NamedObstacle<dim>> &obstacles,
+                                                  const bool                             moving,
+                                                  const double                           time)
+  {
+    std::vector<ShownObstacle<dim>> result;
+    for (unsigned int index = 0; index < obstacles.size(); ++index)
+      if ((obstacles[index].motion != nullptr) == moving)
+        {
+          result.push_back({index, obstacles[index]});
+          result.back().obstacle.move(time, time);
+        }
+    return result;
+  }
+
+
+  template <int dim>
+  ObstacleSurfaces<dim>::ObstacleSurfaces(const std::vector<ShownObstacle<dim>> &obstacles,
                                           const BoundingBox<dim>                &box)
+  {
+    std::vector<ShownObstacle<dim>> others;
+    for (const ShownObstacle<dim> &shown : obstacles)
+      {
+        const auto facets = shown.obstacle.facets();
+        for (const auto &facet : facets)
+          add_patch(shown.index, facet);
+        if (facets.empty())
+          others.push_back(shown);
+      }
+    if (!others.empty())
+      add_zero_sets(others, box);
+  }
+
+
+  template <int dim>
+  void ObstacleSurfaces<dim>::add_zero_sets(const std::vector<ShownObstacle<dim>> &obstacles,
+                                            const BoundingBox<dim>                &box)
   {
     const auto        &corners = box.get_boundary_points();
     Triangulation<dim> cells;
@@ -98,10 +132,9 @@ namespace signorini
     const double size = corners.first.distance(corners.second) / cells_per_direction<dim>;
     const GridTools::MarchingCubeAlgorithm<dim, dealii::Vector<double>> marching(
       mapping, linear, 1, 1e-3 * no_zero * size);
-    for (unsigned int index = 0; index < obstacles.size(); ++index)
+    for (const ShownObstacle<dim> &shown : obstacles)
       {
-        const RigidObstacle<dim>      &obstacle = *obstacles[index].shape;
-        const dealii::Vector<double>   distance = distances(grid, obstacle, no_zero * size);
+        const dealii::Vector<double>   distance = distances(grid, shown.obstacle, no_zero * size);
         std::vector<Point<dim>>        vertices;
         std::vector<CellData<dim - 1>> pieces;
         for (const auto &cell : grid.active_cell_iterators())
@@ -112,16 +145,30 @@ namespace signorini
             std::vector<Point<dim>> corners_of_piece;
             for (const unsigned int v : piece.vertices)
               corners_of_piece.push_back(vertices[v]);
-            add_patch(obstacle, index, corners_of_piece);
+            add_piece(shown, corners_of_piece);
           }
       }
   }
 
 
   template <int dim>
-  void ObstacleSurfaces<dim>::add_patch(const RigidObstacle<dim>      &obstacle,
-                                        const unsigned int             index,
-                                        const std::vector<Point<dim>> &vertices)
+  void ObstacleSurfaces<dim>::add_piece(const ShownObstacle<dim> &shown,
+                                        std::vector<Point<dim>>   vertices)
+  {
+    for (Point<dim> &vertex : vertices)
+      {
+        const auto way = shown.obstacle.try_project(vertex);
+        if (!way)
+          return;
+        vertex += way->gap * way->normal;
+      }
+    add_patch(shown.index, vertices);
+  }
+
+
+  template <int dim>
+  template <typename Vertices>
+  void ObstacleSurfaces<dim>::add_patch(const unsigned int index, const Vertices &vertices)
   {
     Patch patch;
     patch.n_subdivisions = 1;
@@ -129,10 +176,7 @@ namespace signorini
     patch.data.reinit(1, vertices.size());
     for (unsigned int v = 0; v < vertices.size(); ++v)
       {
-        const auto way = obstacle.try_project(vertices[v]);
-        if (!way)
-          return;
-        patch.vertices[v] = vertices[v] + way->gap * way->normal;
+        patch.vertices[v] = vertices[v];
         patch.data(0, v)  = index;
       }
     patch.patch_index = patches.size();
@@ -142,7 +186,7 @@ namespace signorini
 
   template <int dim>
   BoundingBox<dim> surroundings(const std::vector<BoundingBox<dim>>   &bodies,
-                                const std::vector<NamedObstacle<dim>> &obstacles)
+                                const std::vector<ShownObstacle<dim>> &obstacles)
   {
     BoundingBox<dim> box  = bodies.front();
     double           size = 0.;
@@ -155,8 +199,8 @@ namespace signorini
     std::vector<Point<dim>> points = {box.get_boundary_points().first,
                                       box.get_boundary_points().second};
     for (const BoundingBox<dim> &body : bodies)
-      for (const NamedObstacle<dim> &obstacle : obstacles)
-        for (const Point<dim> &point : nearest_points(body, *obstacle.shape))
+      for (const ShownObstacle<dim> &shown : obstacles)
+        for (const Point<dim> &point : nearest_points(body, shown.obstacle))
           points.push_back(point);
     box = BoundingBox<dim>(points);
     box.extend(0.5 * size);
@@ -171,9 +215,10 @@ namespace signorini
                        const MPI_Comm                         communicator)
   {
     succeed_together(communicator, [&] {
-      if (Utilities::MPI::this_mpi_process(communicator) != 0)
+      const auto at_rest = shown_obstacles(obstacles, false);
+      if (at_rest.empty() || Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
-      const ObstacleSurfaces<dim> surfaces(obstacles, surroundings(bodies, obstacles));
+      const ObstacleSurfaces<dim> surfaces(at_rest, surroundings(bodies, at_rest));
       write_whole_file(directory + "/obstacles.vtu",
                        [&](std::ostream &out) { surfaces.write_vtu(out); });
     });
@@ -182,8 +227,10 @@ namespace signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template class ObstacleSurfaces<dim>;                                                            \
+  template std::vector<ShownObstacle<dim>> shown_obstacles(                                        \
+    const std::vector<NamedObstacle<dim>> &, bool, double);                                        \
   template BoundingBox<dim> surroundings(const std::vector<BoundingBox<dim>> &,                    \
-                                         const std::vector<NamedObstacle<dim>> &);                 \
+                                         const std::vector<ShownObstacle<dim>> &);                 \
   template void             write_obstacles(const std::string &,                                   \
                                             const std::vector<BoundingBox<dim>> &,                 \
                                             const std::vector<NamedObstacle<dim>> &,               \

@@ -25,7 +25,8 @@ namespace signorini
       "true",
       Bool(),
       "With `VTU`: write the surfaces of the obstacles, as far as they are near the "
-      "bodies, once to obstacles.vtu.");
+      "bodies: those that rest once to obstacles.vtu, those that move with the fields to "
+      "obstacles.pvd.");
     prm.declare_entry("History every",
                       "1",
                       Integer(),

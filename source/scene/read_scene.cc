@@ -126,25 +126,48 @@ namespace signorini
       return CellGeometry::linear;
     }
 
+    /** A mesh that a scene names. */
+    struct NamedMesh
+    {
+      std::vector<std::string> section; ///< of its key `File`
+      std::string              path;    ///< from the root of the file system
+    };
+
+
+    template <int dim>
+    std::vector<NamedMesh> meshes_of(const Scene<dim> &scene)
+    {
+      const auto whole = [](const std::string &path) {
+        return std::filesystem::absolute(path).lexically_normal().string();
+      };
+      std::vector<NamedMesh> meshes;
+      for (const BodyDescription<dim> &body : scene.bodies)
+        if (body.shape == BodyShape::file)
+          meshes.push_back({{"Bodies", body.name}, whole(body.mesh_file.path)});
+      for (const NamedObstacle<dim> &obstacle : scene.obstacles)
+        if (const std::string path = obstacle.shape->file(); !path.empty())
+          meshes.push_back({{"Obstacles", obstacle.name}, whole(path)});
+      return meshes;
+    }
+
+
     /**
      * All keys as a .prm. It will lie in another folder, so the paths of meshes must not depend on
      * where it lies. Where the command line has chosen, keys that lost their effect keep their
      * values, and are no mistake.
      */
-    template <int dim>
-    std::string print_all(const SceneText                         &text,
-                          dealii::ParameterHandler                &prm,
-                          const std::vector<BodyDescription<dim>> &bodies)
+    std::string print_all(const SceneText              &text,
+                          dealii::ParameterHandler     &prm,
+                          const std::vector<NamedMesh> &meshes)
     {
-      prm.enter_subsection("Bodies");
-      for (const BodyDescription<dim> &body : bodies)
-        if (body.shape == BodyShape::file)
-          {
-            prm.enter_subsection(body.name);
-            prm.set("File", std::filesystem::absolute(body.mesh_file.path).string());
-            prm.leave_subsection();
-          }
-      prm.leave_subsection();
+      for (const NamedMesh &mesh : meshes)
+        {
+          prm.enter_subsection(mesh.section[0]);
+          prm.enter_subsection(mesh.section[1]);
+          prm.set("File", mesh.path);
+          prm.leave_subsection();
+          prm.leave_subsection();
+        }
       std::ostringstream all;
       if (std::any_of(text.statements.begin(), text.statements.end(), [](const Statement &said) {
             return said.is_override;
@@ -154,22 +177,16 @@ namespace signorini
         all, dealii::ParameterHandler::ShortText | dealii::ParameterHandler::KeepDeclarationOrder);
       return all.str();
     }
+
+
     /** What the command line said, and where meshes lie that the scene names by its own folder. */
-    template <int dim>
-    std::vector<Statement>
-    statements_beyond_the_file(const SceneText                         &text,
-                               const std::vector<BodyDescription<dim>> &bodies)
+    std::vector<Statement> statements_beyond_the_file(const SceneText              &text,
+                                                      const std::vector<NamedMesh> &meshes)
     {
       std::vector<Statement> later(text.statements.end() - text.n_overrides, text.statements.end());
-      for (const BodyDescription<dim> &body : bodies)
-        if (body.shape == BodyShape::file)
-          {
-            const std::vector<std::string> section = {"Bodies", body.name};
-            const std::string              path =
-              std::filesystem::absolute(body.mesh_file.path).lexically_normal().string();
-            if (text.find(section, "File")->value != path)
-              later.push_back({section, "File", path, ""});
-          }
+      for (const NamedMesh &mesh : meshes)
+        if (text.find(mesh.section, "File")->value != mesh.path)
+          later.push_back({mesh.section, "File", mesh.path, ""});
       return later;
     }
   } // namespace
@@ -219,8 +236,9 @@ namespace signorini
     scene.solver         = parse_solver(in.section("Solver"), has_friction(scene.pairs));
     scene.output         = parse_output(in.section("Output"));
 
-    scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, scene.bodies));
-    scene.all_parameters = print_all(text, prm, scene.bodies);
+    const auto meshes    = meshes_of(scene);
+    scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, meshes));
+    scene.all_parameters = print_all(text, prm, meshes);
     return scene;
   }
 

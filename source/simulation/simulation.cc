@@ -210,6 +210,8 @@ namespace signorini
     TimerOutput::Scope scope(timer, "field output");
     observation.pause_clock();
     fields->write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
+    if (moving_obstacles)
+      moving_obstacles->write(state, meshed->discretization);
     observation.resume_clock();
   }
 
@@ -363,11 +365,17 @@ namespace signorini
 
 
   template <int dim>
-  void Simulation<dim>::write_obstacles() const
+  void Simulation<dim>::write_obstacles()
   {
-    if (scene.output.vtu && scene.output.obstacles && !scene.obstacles.empty())
-      signorini::write_obstacles(
-        scene.output_directory, mesh.bounding_boxes(), scene.obstacles, mesh.communicator());
+    if (!scene.output.vtu || !scene.output.obstacles || scene.obstacles.empty())
+      return;
+    signorini::write_obstacles(
+      scene.output_directory, mesh.bounding_boxes(), scene.obstacles, mesh.communicator());
+    if (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const auto &obstacle) {
+          return obstacle.motion != nullptr;
+        }))
+      moving_obstacles = std::make_unique<ObstacleSeries<dim>>(
+        scene.output_directory, scene.obstacles, mesh.communicator());
   }
 
 

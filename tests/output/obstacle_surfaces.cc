@@ -4,12 +4,13 @@
 // The drawn surface of an obstacle lies on the obstacle, and all of it that is in the box is there:
 // a plane has the area of its section of the box, also where it passes through vertices of the
 // grid, and a sphere or circle its own up to the error of facets (relative, of second order in the
-// size of the grid). Where an expression has no value or no gradient nothing is drawn, and the rest
-// is.
+// size of the grid); what has facets is drawn with these. Where an expression has no value or no
+// gradient nothing is drawn, and the rest is. Obstacles that move are drawn where they are.
 
 #include "scratch.h"
 
 #include <signorini/obstacles/level_set.h>
+#include <signorini/obstacles/mesh_obstacle.h>
 #include <signorini/obstacles/plane.h>
 #include <signorini/obstacles/round_obstacle.h>
 #include <signorini/output/obstacle_surfaces.h>
@@ -76,7 +77,7 @@ namespace
   void expect_surfaces(const std::vector<NamedObstacle<dim>> &obstacles,
                        const std::vector<double>             &areas)
   {
-    const ObstacleSurfaces<dim> surfaces(obstacles, box<dim>());
+    const ObstacleSurfaces<dim> surfaces(shown_obstacles(obstacles, false), box<dim>());
     std::vector<double>         found(areas.size(), 0.);
     for (const auto &patch : surfaces.get_patches())
       {
@@ -123,11 +124,48 @@ TEST(ObstacleSurfaces, AFileWithAllOfThem)
   MPI_Barrier(MPI_COMM_WORLD);
 }
 
+TEST(ObstacleSurfaces, ObstaclesThatMoveAreWhereTheyAre)
+{
+  ObstacleMotion<2>::Description description;
+  description.velocity          = {{"t", "0"}};
+  description.angular_velocity  = "1";
+  const auto             motion = std::make_shared<ObstacleMotion<2>>("any", description);
+  const FacetMesh<2>     triangle{{{0., 0.}, {1., 0.}, {0., 1.}}, {{{0, 1}}, {{1, 2}}, {{2, 0}}}};
+  const NamedObstacle<2> rests = sphere<2>(0.5),
+                         turns{"plane", plane<2>(Point<2>(0., 1.)).shape, motion},
+                         facets{"mesh",
+                                std::make_shared<MeshObstacle<2>>(
+                                  std::make_shared<FacetedSurface<2>>(triangle, false)),
+                                motion};
+  const std::vector<NamedObstacle<2>> all    = {rests, turns, facets};
+  const double                        time   = 0.7;
+  const auto                          moving = shown_obstacles(all, true, time);
+  ASSERT_EQ(moving.size(), 2u);
+  EXPECT_EQ(moving[1].index, 2u);
+  EXPECT_EQ(shown_obstacles(all, false, time).size(), 1u);
+
+  const ObstacleSurfaces<2> surfaces(moving, box<2>());
+  double                    length   = 0.;
+  unsigned int              n_facets = 0;
+  for (const auto &patch : surfaces.get_patches())
+    for (unsigned int v = 0; v < 2; ++v)
+      {
+        const Point<2>          start = motion->place(time).back(patch.vertices[v]);
+        const NamedObstacle<2> &shown = all.at(patch.data(0, 0));
+        EXPECT_LT(std::abs(shown.shape->project(start).gap), 1e-12);
+        n_facets += patch.data(0, 0) == 2.;
+        length += patch.data(0, 0) == 2. ? 0.5 * measure(patch) : 0.;
+      }
+  EXPECT_EQ(n_facets, 6u);
+  EXPECT_NEAR(length, 2. + std::sqrt(2.), 1e-14); // all of it, also out of the box
+}
+
 TEST(ObstacleSurfaces, TheSurroundingsReachTheObstacle)
 {
   const NamedObstacle<2> floor{"floor",
                                std::make_shared<Plane<2>>(Point<2>(0., -9.), Point<2>(0., 1.))};
-  const auto             corners = surroundings<2>({box<2>()}, {floor}).get_boundary_points();
+  const auto             corners =
+    surroundings<2>({box<2>()}, shown_obstacles<2>({floor}, false)).get_boundary_points();
   EXPECT_LT(corners.first[1], -9.);
   EXPECT_GT(corners.second[1], 1.);
 }
@@ -141,7 +179,8 @@ TEST(ObstacleSurfaces, TheSurroundingsOfABodyInAHole)
        {std::vector<NamedObstacle<2>>{function<2>("2 - sqrt(x^2 + y^2)")},
         {function<2>("y + log(x - 3)"), function<2>("2 - sqrt(x^2 + y^2)")}})
     {
-      const auto corners = surroundings<2>({body}, obstacles).get_boundary_points();
+      const auto corners =
+        surroundings<2>({body}, shown_obstacles<2>(obstacles, false)).get_boundary_points();
       for (unsigned int c = 0; c < 2; ++c)
         {
           EXPECT_LT(corners.first[c], -2.);

@@ -22,9 +22,11 @@ namespace signorini
     double               gap = std::numeric_limits<double>::infinity(); ///< at the start of the step
     MotionCondition<dim> condition = {};
     const PairCondition<dim> *opposite = nullptr; ///< of a body: null if it is not opposite now
+    static constexpr unsigned int whole = -1, absent = -2;
+    unsigned int side = whole; ///< of an obstacle; `whole`, or `absent` for no side at all
 
     /** Whether there is any condition at all. */
-    bool is_there() const { return !of_body || opposite != nullptr; }
+    bool is_there() const { return of_body ? opposite != nullptr : side != absent; }
 
     /** Take the condition of a body over. */
     void set_opposite(const PairCondition<dim> *new_opposite);

@@ -21,8 +21,9 @@ namespace signorini
    * follow() until mismatch() is small. At flat obstacles, and far from any, there is nothing to
    * repeat.
    *
-   * All functions that look at obstacles are collective, and throw a UserError on all processes
-   * where one has no distance or no normal.
+   * All functions that look at obstacles are collective. Where an obstacle has no distance or no
+   * normal, a node is far from it, but for a node that it holds: then they throw a UserError on all
+   * processes.
    */
   template <int dim>
   class FollowedContact
@@ -100,6 +101,15 @@ namespace signorini
     }
     /** Whether a motion is so large that what faces the node may be in its way. */
     bool is_in_reach(const Facing<dim> &facing, const dealii::Tensor<1, dim> &motion) const;
+    /** The obstacle that a node faces, or one of its sides. */
+    const MovedObstacle<dim> &obstacle(const Facing<dim> &facing) const;
+    /**
+     * In inner corners of one obstacle let the node face its sides, each with a condition of its
+     * own.
+     */
+    void face_sides(Site &site, const dealii::Tensor<1, dim> &expected_motion) const;
+    /** Whether a motion ends in an obstacle, but in none of the sides that the node faces. */
+    bool misses_a_side(const Site &site, const dealii::Tensor<1, dim> &motion) const;
     /** Look where the obstacles of a node are when the step begins. */
     void look_around(Site &site) const;
     /** Let the node be bounded by what it would enter, as far as it has rows. */

@@ -124,6 +124,9 @@ namespace signorini
     bool wait_for_other_normals(const typename DirichletConditions<dim>::Components &conditions,
                                 ContactNode<dim> &contact_node) const;
 
+    /** At the start; where contact follows the motion, far if the obstacle has no value there. */
+    ObstacleProjection<dim> projection_at_start(unsigned int              pair,
+                                                const dealii::Point<dim> &position) const;
     /** Enter the nodes of a pair that have no closer obstacle yet. */
     void add_closest(unsigned int pair, std::map<unsigned int, ContactNode<dim>> &closest);
     /**

@@ -30,6 +30,12 @@ namespace signorini
       "Write the mesh with straight edges; in Gmsh: `Mesh.ElementOrder = 1`.";
   };
 
+  /** The end of the name of a file, with its dot, in small letters. */
+  std::string extension_of(const std::string &path);
+
+  /** All bytes of a file. @throws MeshFileError if it cannot be read or has none */
+  std::string read_mesh_content(const std::string &path);
+
   /** The content of a mesh file in a form that deal.II reads. */
   struct MeshText
   {

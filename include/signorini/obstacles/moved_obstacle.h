@@ -33,12 +33,36 @@ namespace signorini
       return turned(shape->project(before.back(p)), before);
     }
     std::optional<ObstacleProjection<dim>> try_project(const dealii::Point<dim> &p) const override;
+    std::optional<ObstacleProjection<dim>> try_project_before(const dealii::Point<dim> &p) const;
 
     bool has_end() const override { return shape->has_end(); }
     bool is_flat() const override { return shape->is_flat() && !(motion && motion->turns()); }
 
+    /** The number of conditions that may hold one point: more than one in inner corners. */
+    unsigned int most_conditions() const { return parts.empty() ? 1 : dim; }
+
+    /** One of its sides, see RigidObstacle::sides(). */
+    const MovedObstacle &side(const unsigned int k) const { return parts[k]; }
+
+    /** Through the step. */
+    std::vector<unsigned int> sides_near(const dealii::Point<dim> &start,
+                                         const dealii::Point<dim> &end,
+                                         const double              reach) const override
+    {
+      return shape->sides_near(before.back(start), after.back(end), reach);
+    }
+
+    /** At the end of the step. */
+    std::vector<std::array<dealii::Point<dim>, dim>> facets() const override;
+
     /** Whether it does not move. */
     bool is_at_rest() const { return motion == nullptr; }
+
+    /** The length of a motion through the step, as seen from the obstacle. */
+    double relative_motion(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const
+    {
+      return motion ? before.back(start).distance(after.back(end)) : start.distance(end);
+    }
 
     /** By which it turns in the step: radians. */
     double turn() const { return std::abs(after.angle - before.angle); }
@@ -62,6 +86,7 @@ namespace signorini
     std::shared_ptr<const RigidObstacle<dim>>  shape;
     std::shared_ptr<const ObstacleMotion<dim>> motion; ///< null: at rest
     ObstaclePlace<dim>                         before, after;
+    std::vector<MovedObstacle>                 parts; ///< its sides
 
     static ObstacleProjection<dim> turned(ObstacleProjection<dim>   way,
                                           const ObstaclePlace<dim> &place)

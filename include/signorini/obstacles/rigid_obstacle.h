@@ -7,11 +7,13 @@
 #include <deal.II/base/point.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -39,6 +41,16 @@ namespace signorini
     /** Distance to what is inside, whichever way; 0 there. */
     double distance() const { return std::hypot(std::max(0., gap), std::max(0., beyond)); }
   };
+
+  /** For a point that is far, or of which an obstacle knows nothing. */
+  template <int dim>
+  ObstacleProjection<dim> far_projection()
+  {
+    constexpr double       infinity = std::numeric_limits<double>::infinity();
+    dealii::Tensor<1, dim> any;
+    any[dim - 1] = 1.;
+    return {infinity, any, infinity};
+  }
 
   /**
    * A linear condition on the motion d of a point that says what its gap g at the end of the motion
@@ -84,6 +96,31 @@ namespace signorini
     /** Whether projections may be past an end. */
     virtual bool has_end() const { return false; }
 
+    /**
+     * Smooth parts of its surface, each as an obstacle of its own, if some of them meet in inner
+     * corners: there more than one of them holds a point.
+     */
+    virtual std::vector<std::shared_ptr<const RigidObstacle<dim>>> sides() const { return {}; }
+
+    /**
+     * Where several sides hold a point in a motion: that of the closest point at the start, and up
+     * to dim - 1 others that meet it in inner corners, nearest first. Otherwise none, also where a
+     * motion leads past them.
+     * @param reach sides that are farther away do not count (length)
+     */
+    virtual std::vector<unsigned int> sides_near(const dealii::Point<dim> & /*start*/,
+                                                 const dealii::Point<dim> & /*end*/,
+                                                 double /*reach*/) const
+    {
+      return {};
+    }
+
+    /** Its surface, if it consists of flat facets. */
+    virtual std::vector<std::array<dealii::Point<dim>, dim>> facets() const { return {}; }
+
+    /** The path of the file that it comes from; empty if there is none. */
+    virtual std::string file() const { return {}; }
+
     /** Whether all normals are the same, at all times. */
     virtual bool is_flat() const { return false; }
 
@@ -95,7 +132,8 @@ namespace signorini
      * scaled to a unit vector; its bound is then g(start), scaled alike, whatever the motion turns
      * out to be (Gonzalez, Comput. Methods Appl. Mech. Engrg. 190 (2000) 1763-1783, equation (24)).
      * It is the normal in the middle, tilted along the motion. Where that takes more than
-     * `largest_tilt`, at edges, it is not exact.
+     * `largest_tilt`, at edges, or where the motion leads to where the obstacle has no value, it is
+     * not exact.
      */
     virtual MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
                                                      const dealii::Point<dim> &end) const;

@@ -5,6 +5,7 @@
 #define signorini_simulation_simulation_h
 
 #include <signorini/output/field_output.h>
+#include <signorini/output/obstacle_series.h>
 #include <signorini/output/run_log.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/mesh_control.h>
@@ -62,8 +63,9 @@ namespace signorini
     MeshControl<dim>                  mesh_control;
     MeshChange                        flags; ///< what the latest step wants of the mesh
     bool                              mesh_has_just_changed = true; ///< since the latest step
-    int latest_interval = -1;                 ///< of time, in which fields were written
-    std::unique_ptr<FieldOutput<dim>> fields; ///< none if the scene wants none
+    int latest_interval = -1;                    ///< of time, in which fields were written
+    std::unique_ptr<FieldOutput<dim>>    fields; ///< none if the scene wants none
+    std::unique_ptr<ObstacleSeries<dim>> moving_obstacles; ///< none if there are none
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();
@@ -84,8 +86,8 @@ namespace signorini
     StepReport advance_on_this_mesh(TimeStepping &stepping);
     /** Carry out the flags of the mesh. */
     void adapt_mesh(TimeStepping &stepping, Observation<dim> &observation);
-    /** Their surfaces, if the scene wants fields of them. */
-    void write_obstacles() const;
+    /** Their surfaces, if the scene wants fields of them: of those that move with the fields. */
+    void write_obstacles();
     /** Whether it is time to. @param fraction of the run that is done */
     bool        writes_fields(double fraction);
     std::string description() const;
