@@ -362,10 +362,10 @@ namespace signorini
           const Facing             &facing   = site.facings[site.bounding[row]];
           const MovedObstacle<dim> &obstacle = at_obstacles.obstacle(facing.pair);
           const bool                is_held  = matters[site.first + row];
-          if (facing.gap == infinity || obstacle.is_flat() || was_inside(facing)
-              || (!is_held && !is_in_reach(facing, d)))
+          if (facing.gap == infinity || obstacle.is_flat() || (!is_held && !is_in_reach(facing, d)))
             continue;
-          const double gap = obstacle.project(site.start + d).gap;
+          const double admitted = was_inside(facing) ? facing.gap : 0.;
+          const double gap      = obstacle.project(site.start + d).gap - admitted;
           if ((is_held && facing.condition.is_exact) || gap < 0.)
             largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
         }

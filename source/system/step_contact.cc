@@ -31,6 +31,16 @@ namespace signorini
 
 
   template <int dim>
+  void StepContact<dim>::arrive(const Vector &displacement, const double time)
+  {
+    Vector nothing;
+    nothing.reinit(displacement);
+    geometry.begin_step(displacement, nothing, time, time);
+    take_over_geometry();
+  }
+
+
+  template <int dim>
   void StepContact<dim>::begin_step(const State &start, const double step_size)
   {
     geometry.begin_step(

@@ -31,6 +31,7 @@ namespace signorini
                 ContactCoordinates<dim>                  &coordinates,
                 const std::function<std::vector<bool>()> &held);
 
+    void                      arrive(const Vector &displacement, double time) override;
     void                      begin_step(const State &start, double step_size) override;
     void                      follow(const Vector &increment) override;
     double                    mismatch(const Vector &increment) const override;

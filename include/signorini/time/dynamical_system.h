@@ -201,6 +201,9 @@ namespace signorini
   public:
     virtual ~MovingContact() = default;
 
+    /** The bodies are here, and no step has begun: on a new mesh. */
+    virtual void arrive(const Vector &displacement, double time) = 0;
+
     /** Look around at the start of a step; normals are those of the motion that is expected. */
     virtual void begin_step(const State &start, double step_size) = 0;
 
