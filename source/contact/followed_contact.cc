@@ -29,6 +29,9 @@ namespace signorini
     constexpr double deep_on_way = 0.1;
     /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
     constexpr double largest_turn = 1.;
+    /** Of a unit normal at the end of a load step: forces of an equilibrium are found to as much.
+     */
+    constexpr double normals_agree = 1e-9;
     /** Of a unit normal, across those of the other obstacles at a node. */
     constexpr double independent = 0.1;
     constexpr double infinity    = std::numeric_limits<double>::infinity();
@@ -113,11 +116,13 @@ namespace signorini
 
 
   template <int dim>
-  void FollowedContact<dim>::begin_step(const Vector &displacement,
-                                        const Vector &expected,
-                                        const double  start,
-                                        const double  end)
+  void FollowedContact<dim>::begin_step(const Vector     &displacement,
+                                        const Vector     &expected,
+                                        const double      start,
+                                        const double      end,
+                                        const StepNormals normals)
   {
+    normals_of_step = normals;
     surface.move_obstacles(start, end);
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
       if (at_obstacles.obstacle(pair).turn() > largest_turn)
@@ -240,12 +245,16 @@ namespace signorini
       for (Facing &facing : site.facings)
         {
           // What cannot get there needs no more than the plane at the start.
+          const auto &obstacle = at_obstacles.obstacle(facing.pair);
+          const bool  at_end   = normals_of_step == StepNormals::at_end;
           if (std::isfinite(facing.gap) && is_in_reach(facing, d))
-            facing.condition =
-              at_obstacles.obstacle(facing.pair).condition_of_motion(site.start, site.start + d);
+            facing.condition = at_end ? obstacle.condition_at_end(site.start, site.start + d)
+                                      : obstacle.condition_of_motion(site.start, site.start + d);
           // What has come in past an end, or where no row was left, is not pushed out at once.
           if (was_inside(facing))
-            facing.condition.bound = facing.condition.normal * facing.condition.obstacle_motion;
+            facing.condition.bound = at_end
+                                       ? facing.condition.bound - facing.gap
+                                       : facing.condition.normal * facing.condition.obstacle_motion;
         }
       if (site.facings.size() > 1)
         bound_by_what_is_entered(site, d);
@@ -365,9 +374,13 @@ namespace signorini
           if (facing.gap == infinity || obstacle.is_flat() || (!is_held && !is_in_reach(facing, d)))
             continue;
           const double admitted = was_inside(facing) ? facing.gap : 0.;
-          const double gap      = obstacle.project(site.start + d).gap - admitted;
+          const auto   way      = obstacle.project(site.start + d);
+          const double gap      = way.gap - admitted;
           if ((is_held && facing.condition.is_exact) || gap < 0.)
             largest = std::max(largest, std::abs(gap - facing.condition.gap_after(d)));
+          if (is_held && normals_of_step == StepNormals::at_end)
+            largest = std::max(
+              largest, (way.normal - facing.condition.normal).norm() / normals_agree * accepted);
         }
       if (site.facings.size() > 1)
         for (unsigned int f = 0; f < site.facings.size(); ++f)

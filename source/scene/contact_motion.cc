@@ -67,13 +67,6 @@ namespace signorini
         in.fail("Motion",
                 head + "knows rigid obstacles only, and `" + pair.name
                   + "` are two bodies. Remove the pair" + or_linearised);
-    if (scene.time.start == StartKind::equilibrium)
-      for (const PairDescription &pair : scene.pairs)
-        if (!scene.obstacles[pair.obstacle].shape->is_flat()
-            || scene.obstacles[pair.obstacle].motion)
-          in.fail("Motion",
-                  head + "finds no equilibrium to start from at curved or moving obstacles, as in `"
-                    + pair.name + "`. Set `Time/Start = given`" + or_linearised);
     return motion;
   }
 

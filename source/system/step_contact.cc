@@ -41,10 +41,15 @@ namespace signorini
 
 
   template <int dim>
-  void StepContact<dim>::begin_step(const State &start, const double step_size)
+  void StepContact<dim>::begin_step(const State      &start,
+                                    const double      step_size,
+                                    const StepNormals normals)
   {
-    geometry.begin_step(
-      start.displacement, expected_increment(start, step_size), start.time, start.time + step_size);
+    geometry.begin_step(start.displacement,
+                        expected_increment(start, step_size),
+                        start.time,
+                        start.time + step_size,
+                        normals);
     take_over_geometry();
     is_repetition = false;
   }

@@ -31,11 +31,11 @@ namespace signorini
                 ContactCoordinates<dim>                  &coordinates,
                 const std::function<std::vector<bool>()> &held);
 
-    void                      arrive(const Vector &displacement, double time) override;
-    void                      begin_step(const State &start, double step_size) override;
-    void                      follow(const Vector &increment) override;
-    double                    mismatch(const Vector &increment) const override;
-    bool                      passes_through(const Vector &increment) const override;
+    void   arrive(const Vector &displacement, double time) override;
+    void   begin_step(const State &start, double step_size, StepNormals normals) override;
+    void   follow(const Vector &increment) override;
+    double mismatch(const Vector &increment) const override;
+    bool   passes_through(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
     const Vector             *obstacle_motion() const override;
 
@@ -44,6 +44,9 @@ namespace signorini
      * coordinates: what increments have beyond the slip. Empty where nothing moves.
      */
     Vector drag() const;
+
+    /** Per contact node of this process. */
+    NormalGap gaps_at_start() const { return geometry.gaps_at_start(); }
 
     /** Whether the next problem is that of the latest one with other normals. */
     bool repeats() const { return is_repetition; }
