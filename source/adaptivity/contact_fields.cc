@@ -37,6 +37,18 @@ namespace signorini
       return result;
     }
 
+    /** What a node presses on all that bounds it, the first contact node of which is k. */
+    template <int dim>
+    Tensor<1, dim> pressing_force(const ContactSurface<dim> &surface,
+                                  const std::vector<double> &forces,
+                                  const std::size_t          k)
+    {
+      Tensor<1, dim> result;
+      for (std::size_t row = k; row < k + surface.nodes()[k].n_bounds; ++row)
+        result += forces[row] * surface.nodes()[row].normal();
+      return result;
+    }
+
     /** Areas of the nodes of the selected outer faces, in the first component. Collective. */
     template <int dim, typename Selects>
     Vector areas_of_nodes(const StressVectors<dim> &stress, const Selects &selects)
@@ -108,6 +120,15 @@ namespace signorini
     std::vector<bool> closed;
     for (const double force : forces)
       closed.push_back(force > negligible_force * largest);
+    // What closes one of several obstacles at a node closes the node.
+    const auto &nodes = surface.nodes();
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+      if (nodes[k].row > 0 && closed[k])
+        for (std::size_t first = k; first-- > 0 && nodes[first].node == nodes[k].node;)
+          closed[first] = true;
+    for (std::size_t k = 1; k < nodes.size(); ++k)
+      if (nodes[k].row > 0)
+        closed[k] = closed[k - 1];
     return closed;
   }
 
@@ -140,13 +161,18 @@ namespace signorini
     double                    largest = 0.;
     for (std::size_t k = 0; k < forces.size(); ++k)
       {
-        const ContactNode<dim> &node  = surface.nodes()[k];
-        const Tensor<1, dim>    force = node_value<dim>(balance.contact_force, node.node);
-        const double            s     = std::max(0., forces[k]) / node.weight;
-        largest                       = std::max(largest, s);
-        set_node_value<dim>(fields.normal, node.node, node.normal());
-        set_node_value<dim>(
-          fields.traction, node.node, (force + forces[k] * node.normal()) / node.weight);
+        const ContactNode<dim> &node = surface.nodes()[k];
+        if (node.row > 0)
+          continue;
+        const Tensor<1, dim> force = node_value<dim>(balance.contact_force, node.node);
+        const Tensor<1, dim> press = pressing_force(surface, forces, k);
+        // Several obstacles at a node are one whose normal is that of what they press.
+        const Tensor<1, dim> normal =
+          node.is_shared() && press.norm() > 0. ? press / press.norm() : node.normal();
+        const double s = std::max(0., press * normal) / node.weight;
+        largest        = std::max(largest, s);
+        set_node_value<dim>(fields.normal, node.node, normal);
+        set_node_value<dim>(fields.traction, node.node, (force + press) / node.weight);
         fields.pressure.local_element(dim * node.node) = s;
         fields.gap.local_element(dim * node.node) = closed[k] ? 0. : std::max(0., balance.gap[k]);
       }

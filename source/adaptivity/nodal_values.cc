@@ -17,10 +17,11 @@ namespace signorini
     Vector stress;
     stress.reinit(forces);
     for (const ContactNode<dim> &node : surface.nodes())
-      for (unsigned int row = 0; row < dim; ++row)
-        stress.local_element(dim * node.node + row) =
-          forces.local_element(dim * node.node + row) / node.weight;
-    coordinates.rotate_from_frames(stress);
+      for (unsigned int row = node.row; row < (node.row == 0 ? dim : node.row + 1); ++row)
+        if (node.row == 0 || node.is_bounded()) // each obstacle at a node has an area of its own
+          stress.local_element(dim * node.node + row) =
+            forces.local_element(dim * node.node + row) / node.weight;
+    coordinates.force_from_frames(stress);
     return stress;
   }
 
@@ -31,14 +32,16 @@ namespace signorini
                          const Vector                  &stress)
   {
     Vector local = stress;
-    coordinates.rotate_to_frames(local);
+    coordinates.force_to_frames(local);
     Vector forces;
     forces.reinit(stress);
     for (std::size_t k = 0; k < surface.nodes().size(); ++k)
       {
         const ContactNode<dim> &node   = surface.nodes()[k];
         const unsigned int      normal = coordinates.normal_entries()[k];
-        forces.local_element(normal)   = node.weight * std::min(0., local.local_element(normal));
+        if (!node.is_bounded())
+          continue;
+        forces.local_element(normal) = node.weight * std::min(0., local.local_element(normal));
         for (const unsigned int entry : coordinates.tangential_entries()[k])
           forces.local_element(entry) = node.weight * local.local_element(entry);
       }
@@ -61,6 +64,8 @@ namespace signorini
     values.reinit(friction.slip);
     for (std::size_t k = 0; k < surface.nodes().size(); ++k)
       {
+        if (surface.nodes()[k].row > 0)
+          continue; // friction is that of the first obstacle
         const unsigned int node        = dim * surface.nodes()[k].node;
         const char         status      = friction.status[k];
         values.local_element(node)     = friction.slip_path[k];
@@ -79,6 +84,12 @@ namespace signorini
   {
     for (const ContactNode<dim> &node : surface.nodes())
       {
+        if (node.row > 0)
+          {
+            friction.slip_path.push_back(0.);
+            friction.status.push_back(contact_status::open);
+            continue;
+          }
         friction.slip_path.push_back(values.local_element(dim * node.node));
         const double status = values.local_element(dim * node.node + 1);
         friction.status.push_back(std::abs(status - stick_mark) < 1e-6  ? contact_status::stick

@@ -26,6 +26,8 @@ namespace signorini
 
     /** Of energies. */
     constexpr double round_off = 1e-14;
+    /** Of a displacement, each with the normals of what the last one changed. */
+    constexpr unsigned int most_projections = 6;
 
 
     /** With the potential of the load. @param load null: none */
@@ -99,17 +101,8 @@ namespace signorini
       return std::move(result.field);
     };
 
-    auto &displacement = *next++;
-    surface.admit(displacement.field);
-    state.displacement = displacement.field;
-    if (!displacement.lost_moments.empty())
-      state.displacement += project_in_energy(discretization,
-                                              coordinates,
-                                              displacement.lost_moments[0],
-                                              displacement.lost_moments[1],
-                                              surface.normal_gap(state.displacement),
-                                              elastic_size,
-                                              limits);
+    state.displacement = displacement_after(
+      *next++, discretization, surface, coordinates, system.capabilities().moving_contact, limits);
     state.velocity      = in_mass(*next++);
     state.contact_force = forces_of_nodes(surface, coordinates, (next++)->field);
     if (has_acceleration)
@@ -133,6 +126,40 @@ namespace signorini
     system.apply_stiffness(state.internal_force, state.displacement);
     keep_energy(discretization, coordinates, system, state);
     return state;
+  }
+
+
+  template <int dim>
+  Vector StateTransfer<dim>::displacement_after(const typename FieldTransfer<dim>::Result &result,
+                                                const Discretization<dim>     &discretization,
+                                                ContactSurface<dim>           &surface,
+                                                const ContactCoordinates<dim> &coordinates,
+                                                MovingContact                 *contact,
+                                                const ActiveSetLimits         &limits) const
+  {
+    if (contact != nullptr)
+      contact->arrive(result.field, clock.time);
+    surface.admit(result.field);
+    if (result.lost_moments.empty())
+      return result.field;
+    Vector correction;
+    for (unsigned int repetition = 0; repetition < most_projections; ++repetition)
+      {
+        correction = project_in_energy(discretization,
+                                       coordinates,
+                                       result.lost_moments[0],
+                                       result.lost_moments[1],
+                                       surface.normal_gap(result.field),
+                                       elastic_size,
+                                       limits);
+        if (contact == nullptr || contact->mismatch(correction) <= 1.)
+          break;
+        contact->follow(correction);
+      }
+    correction += result.field;
+    if (contact != nullptr)
+      contact->arrive(correction, clock.time);
+    return correction;
   }
 
 

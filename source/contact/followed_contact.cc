@@ -28,6 +28,9 @@ namespace signorini
     constexpr double deep_on_way = 0.1;
     /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
     constexpr double largest_turn = 1.;
+    /** Of a unit normal at the end of a load step: forces of an equilibrium are found to as much.
+     */
+    constexpr double normals_agree = 1e-9;
     /**
      * Motions of a step that bodies are followed by, at most: where they meet with edges there may
      * be none that belongs to its own geometry. And from which on the geometry is that between two
@@ -128,11 +131,13 @@ namespace signorini
 
 
   template <int dim>
-  void FollowedContact<dim>::begin_step(const Vector &displacement,
-                                        const Vector &expected,
-                                        const double  start,
-                                        const double  end)
+  void FollowedContact<dim>::begin_step(const Vector     &displacement,
+                                        const Vector     &expected,
+                                        const double      start,
+                                        const double      end,
+                                        const StepNormals normals)
   {
+    normals_of_step = normals;
     surface.move_obstacles(start, end);
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
       if (!surface.pairs()[pair].of_two_bodies()
@@ -142,7 +147,7 @@ namespace signorini
           + ": the obstacle turns by more than 1 radian in a step. Take smaller steps, "
             "or let `Time/Step size control` choose them.");
     if (pairs.any())
-      pairs.begin_step(displacement, expected);
+      pairs.begin_step(displacement, expected, normals);
     double largest_coordinate = 0.;
     for_each_site(sites, discretization.communicator(), [&](Site &site) {
       site.displacement = motion(site, displacement);
@@ -289,14 +294,19 @@ namespace signorini
       update_opposite(site);
       for (Facing<dim> &facing : site.facings)
         {
-          if (facing.of_body)
+          if (facing.of_body || !facing.is_there())
             continue;
           // What cannot get there needs no more than the plane at the start.
+          const auto &faced  = obstacle(facing);
+          const bool  at_end = normals_of_step == StepNormals::at_end;
           if (std::isfinite(facing.gap) && is_in_reach(facing, d))
-            facing.condition = obstacle(facing).condition_of_motion(site.start, site.start + d);
+            facing.condition = at_end ? faced.condition_at_end(site.start, site.start + d)
+                                      : faced.condition_of_motion(site.start, site.start + d);
           // What has come in past an end, or where no row was left, is not pushed out at once.
           if (was_inside(facing))
-            facing.condition.bound = facing.condition.normal * facing.condition.obstacle_motion;
+            facing.condition.bound = at_end
+                                       ? facing.condition.bound - facing.gap
+                                       : facing.condition.normal * facing.condition.obstacle_motion;
         }
       site.drop_what_is_gone();
       if (site.facings.size() > 1)
@@ -398,14 +408,19 @@ namespace signorini
         return std::abs(opposite->missed()) / (bodies_by_obstacles * accepted);
       }
     const MovedObstacle<dim> &faced = obstacle(facing);
-    if (facing.gap == infinity || faced.is_flat() || was_inside(facing)
-        || (!is_held && !is_in_reach(facing, d)))
+    if (facing.gap == infinity || faced.is_flat() || (!is_held && !is_in_reach(facing, d)))
       return 0.;
     const Point<dim> end = site.start + d;
     const auto       way = is_held ? std::optional(faced.project(end)) : faced.try_project(end);
-    if (way && ((is_held && facing.condition.is_exact) || way->gap < 0.))
-      return std::abs(way->gap - facing.condition.gap_after(d)) / accepted;
-    return 0.;
+    if (!way)
+      return 0.;
+    const double gap    = way->gap - (was_inside(facing) ? facing.gap : 0.);
+    double       result = 0.;
+    if ((is_held && facing.condition.is_exact) || gap < 0.)
+      result = std::abs(gap - facing.condition.gap_after(d)) / accepted;
+    if (is_held && normals_of_step == StepNormals::at_end)
+      result = std::max(result, (way->normal - facing.condition.normal).norm() / normals_agree);
+    return result;
   }
 
 

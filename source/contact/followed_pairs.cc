@@ -75,18 +75,26 @@ namespace signorini
 
 
   template <int dim>
-  void FollowedPairs<dim>::begin_step(const Vector &displacement, const Vector &expected)
+  void FollowedPairs<dim>::begin_step(const Vector     &displacement,
+                                      const Vector     &expected,
+                                      const StepNormals normals)
   {
+    at_end    = normals == StepNormals::at_end;
     start     = displacement;
     looked_at = Vector();
     search_middle(expected);
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
-        {
-          // The mean gap of a curved surface may be negative though nothing touches.
-          condition.bound      = std::max(0., condition.gap_at_start);
-          condition.is_clipped = condition.gap_at_start < 0.;
-        }
+        bound(condition, condition.gap_at_start);
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::bound(PairCondition<dim> &condition, const double gap) const
+  {
+    // The mean gap of a curved surface may be negative though nothing touches.
+    condition.is_clipped = gap < 0. && !at_end;
+    condition.bound      = condition.is_clipped ? 0. : gap;
   }
 
 
@@ -103,8 +111,7 @@ namespace signorini
           const double moved = condition.geometry.normal() * condition.motion;
           const double gap   = std::isnan(condition.gap_at_end) ? condition.gap_at_start
                                                                 : condition.gap_at_end + moved;
-          condition.bound      = std::max(0., gap);
-          condition.is_clipped = gap < 0.;
+          bound(condition, gap);
         }
   }
 
@@ -140,7 +147,7 @@ namespace signorini
   void FollowedPairs<dim>::search_middle(const Vector &increment)
   {
     Vector middle = start;
-    middle.add(0.5, increment);
+    middle.add(at_end ? 1. : 0.5, increment);
     std::vector<bool> excluded(discretization.matrices().pattern.n_owned, false);
     conditions.clear();
     for (const unsigned int pair : order)
@@ -166,7 +173,8 @@ namespace signorini
             condition.displacement = displacement[k];
             condition.motion       = motion[k++];
             condition.gap_at_start =
-              condition.geometry.gap + 0.5 * (condition.geometry.normal() * condition.motion);
+              condition.geometry.gap
+              + (at_end ? 1. : 0.5) * (condition.geometry.normal() * condition.motion);
           }
       }
   }

@@ -71,6 +71,14 @@ namespace signorini
        "Steps are too long for these vibrations: velocities and stresses near the contact are "
        "wrong, forces and energies are not. Choose a scheme that damps what steps do not resolve "
        "(`Time/Spectral radius` of about 0.6, doc/schemes.md), or much smaller steps."},
+      {&ValidityReading::turning,
+       false,
+       rotation_limit(),
+       degree,
+       " degrees round an obstacle, by the normals of nodes that stay in contact",
+       "`Time/Scheme = contact-stabilized` leaves these nodes the velocity with which they "
+       "approached, so that the body slides too slowly, by some per cent in a turn of 1 radian. "
+       "Take `contact-stabilized-projected`."},
       {&ValidityReading::sliding,
        true,
        1.,

@@ -87,6 +87,18 @@ namespace signorini
 
 
   template <int dim>
+  MotionCondition<dim> MovedObstacle<dim>::condition_at_end(const Point<dim> &start,
+                                                            const Point<dim> &end) const
+  {
+    const ObstacleProjection<dim> way = project(end);
+    MotionCondition<dim>          condition{way.normal, way.gap + way.normal * (end - start)};
+    if (motion)
+      condition.obstacle_motion = end - before.forth(after.back(end));
+    return condition;
+  }
+
+
+  template <int dim>
   double MovedObstacle<dim>::depth_on_way(const Point<dim> &start, const Point<dim> &end) const
   {
     const Point<dim>     first  = motion ? before.back(start) : start;

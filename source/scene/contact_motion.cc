@@ -8,11 +8,23 @@
 
 #include <deal.II/base/parameter_handler.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   namespace
   {
     const std::string or_linearised = ", or set `Motion = linearised`.";
+
+    /** Whether no normal ever turns and no obstacle moves. */
+    template <int dim>
+    bool only_flat_obstacles_at_rest(const Scene<dim> &scene)
+    {
+      return std::all_of(scene.pairs.begin(), scene.pairs.end(), [&](const PairDescription &pair) {
+        return !pair.of_two_bodies() && scene.obstacles[pair.obstacle].shape->is_flat()
+               && !scene.obstacles[pair.obstacle].motion;
+      });
+    }
   } // namespace
 
 
@@ -42,30 +54,14 @@ namespace signorini
         return motion;
       }
     const std::string head = name_of(motion) + std::string(" ");
-    if (!scheme_info(scene.time.scheme).moving_contact)
+    if (const SchemeInfo &scheme = scheme_info(scene.time.scheme);
+        !scheme.moving_contact && (scheme.penetrates || !only_flat_obstacles_at_rest(scene)))
       in.fail(
         "Motion",
-        head + "needs one of the schemes "
+        head + "does not go with Time/Scheme = " + scheme.name + ", which " + scheme.why_linearised
+          + ". Take one of the schemes "
           + join(schemes_where([](const SchemeInfo &info) { return info.moving_contact; }), ", ")
-          + ", whose energy is proved for gaps at the end of a step, and Time/Scheme is "
-          + scene.time.scheme + ". Take one of them" + or_linearised);
-    if (scene.time.mass.has_massless_contact_nodes())
-      in.fail("Motion",
-              head
-                + "does not know contact nodes without mass: every node of the surface may be "
-                  "one. Set `Time/Mass = consistent`"
-                + or_linearised);
-    if (scene.adaptivity.any())
-      in.fail("Motion",
-              head + "does not know meshes that change. Set `Adaptivity/Indicator = none`"
-                + or_linearised);
-    if (scene.time.start == StartKind::equilibrium)
-      for (const PairDescription &pair : scene.pairs)
-        if (pair.of_two_bodies() || !scene.obstacles[pair.obstacle].shape->is_flat()
-            || scene.obstacles[pair.obstacle].motion)
-          in.fail("Motion",
-                  head + "finds no equilibrium to start from at curved or moving obstacles, as in `"
-                    + pair.name + "`. Set `Time/Start = given`" + or_linearised);
+           + or_linearised);
     return motion;
   }
 

@@ -23,7 +23,8 @@ namespace signorini
     r /= tau * tau;
     StepReport report;
     report.corrector      = solution.effort;
-    report.work_contact   = r * d;
+    report.work_obstacles = obstacle_work(system, r);
+    report.work_contact   = r * d - report.work_obstacles;
     report.work_dirichlet = solution.dirichlet_reaction * d / (tau * tau);
     add_support_force(system, 1. / (tau * tau), solution.dirichlet_reaction, report);
 
@@ -36,6 +37,7 @@ namespace signorini
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / (tau * tau), r);
     report.work_friction    = friction.work;
+    report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     State end =
       end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
 

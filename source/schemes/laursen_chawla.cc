@@ -10,10 +10,14 @@ namespace signorini
   StepReport LaursenChawla::advance(DynamicalSystem &system, State &state, const double tau)
   {
     // A node that is held at zero gap must not drop out by round-off.
-    const double touching = touching_distance(system.length());
-    NormalGap    bounds   = system.normal_gap(state.displacement);
-    for (double &bound : bounds)
-      bound = bound <= touching ? 0. : std::numeric_limits<double>::infinity();
+    const double    touching = touching_distance(system.length());
+    NormalGap       bounds   = system.normal_gap(state.displacement);
+    const NormalGap gaps     = gaps_at_start(system, bounds);
+    for (std::size_t k = 0; k < bounds.size(); ++k)
+      if (gaps[k] > touching)
+        bounds[k] = std::numeric_limits<double>::infinity();
+      else
+        bounds[k] -= gaps[k]; // the motion of the obstacle
 
     const Vector            b        = rule.right_hand_side(system, state, tau);
     const IncrementSolution solution = rule.solve(system, state, tau, b, bounds);

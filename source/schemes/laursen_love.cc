@@ -58,7 +58,8 @@ namespace signorini
 
     StepReport report;
     report.corrector      = solution.effort;
-    report.work_contact   = r * d;
+    report.work_obstacles = obstacle_work(system, r);
+    report.work_contact   = r * d - report.work_obstacles;
     report.work_dirichlet = rule.dirichlet_work(solution, tau);
     add_support_force(system, weight, solution.dirichlet_reaction, report);
 
@@ -66,14 +67,23 @@ namespace signorini
       {
         Vector velocity = state.velocity; // v*, without impulses
         velocity += velocity_change;
-        const Vector impulses =
-          separate_nodes ? impulses_per_node(system, solution, gap, velocity, r, weight, report)
-                         : r; // up to a factor
+        Vector approach = velocity;
+        if (const Vector *motion = obstacle_motion(system))
+          approach.add(-1. / tau, *motion);
+        const Vector impulses = separate_nodes ? impulses_per_node(system,
+                                                                   solution,
+                                                                   gaps_at_start(system, gap),
+                                                                   approach,
+                                                                   r,
+                                                                   weight,
+                                                                   report)
+                                               : r; // up to a factor
 
-        // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*
+        // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*, d and v*
+        // relative to obstacles that move
         const Vector response = system.solve_mass(impulses);
         const double kappa    = impulses * response;
-        const double omega    = -(impulses * velocity);
+        const double omega    = -(impulses * approach);
         const double lost     = std::max(0., -report.work_contact);
         double       alpha    = 0.;
         if (kappa > 0. && (omega > 0. || lost > 0.))
@@ -88,10 +98,12 @@ namespace signorini
 
         velocity_change.add(alpha, response);
         report.work_contact += alpha * (alpha * kappa / 2. - omega);
+        report.work_obstacles += alpha / tau * obstacle_work(system, impulses);
         r.add(alpha / tau, impulses);
       }
     FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
     report.work_friction    = friction.work;
+    report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     State end =
       end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
     rule.book_dissipation(system, state, end, d, report);

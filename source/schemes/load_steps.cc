@@ -24,16 +24,23 @@ namespace signorini
     const Vector support = dirichlet_part(system, unbalanced);
     unbalanced -= support;
 
-    Vector       r                 = solution.contact_reaction;
-    const double friction_at_start = state.friction.any() ? state.friction.force * d : 0.;
-    StepReport   report;
+    Vector       r                  = solution.contact_reaction;
+    const double obstacles_at_start = obstacle_work(system, state.contact_force);
+    const double friction_at_start =
+      state.friction.any()
+        ? state.friction.force * d - work_of_obstacles_by_friction(system, state.friction)
+        : 0.;
+    StepReport report;
     report.corrector      = solution.effort;
-    report.work_contact   = 0.5 * (state.contact_force * d - friction_at_start + r * d);
+    report.work_obstacles = 0.5 * (obstacles_at_start + obstacle_work(system, r));
+    report.work_contact =
+      0.5 * (state.contact_force * d - friction_at_start + r * d) - report.work_obstacles;
     report.work_dirichlet = 0.5 * (support * d + solution.dirichlet_reaction * d);
     add_support_force(system, 1., solution.dirichlet_reaction, report);
     FrictionOfStep friction = friction_of_step(state.friction, solution, 1., r);
     report.work_friction    = friction.work;
-    report.work_scheme      = 0.5 * (friction_at_start - friction.work + unbalanced * d)
+    report.work_obstacles += 0.5 * work_of_obstacles_by_friction(system, friction.state);
+    report.work_scheme = 0.5 * (friction_at_start - friction.work + unbalanced * d)
                          - 0.5 * (state.velocity * state.momentum);
 
     Vector stop = state.velocity;

@@ -37,15 +37,18 @@ namespace signorini
 
   void print_schemes(std::ostream &out)
   {
-    out << "| scheme | energy at contact | friction | massless contact nodes | predictor | contact "
-           "force belongs to | penetrates | changing mesh | variable step | in one sentence |\n"
-           "|---|---|---|---|---|---|---|---|---|---|\n";
+    out
+      << "| scheme | energy at contact | friction | massless contact nodes | predictor | contact "
+         "force belongs to | penetrates | changing mesh | variable step | contact may follow | in "
+         "one sentence |\n"
+         "|---|---|---|---|---|---|---|---|---|---|---|\n";
     for (const SchemeInfo &info : scheme_table())
       out << "| `" << info.name << "` | " << name_of(info.energy) << " | "
           << yes_or_no(info.friction) << " | " << name_of(info.massless) << " | "
           << yes_or_no(info.predictor) << " | " << instant(info) << " | "
           << yes_or_no(info.penetrates) << " | " << yes_or_no(info.changing_mesh) << " | "
-          << yes_or_no(info.variable_step()) << " | " << info.summary << " |\n";
+          << yes_or_no(info.variable_step()) << " | " << yes_or_no(info.moving_contact) << " | "
+          << info.summary << " |\n";
   }
 
 

@@ -44,6 +44,7 @@ namespace signorini
       info.changing_mesh    = true;
       info.moving_dirichlet = true;
       info.inertia          = true;
+      info.moving_contact   = true;
       return info;
     }
 
@@ -89,8 +90,20 @@ namespace signorini
       info.changing_mesh = false;
     }
 
+    void refuse_moving_contact(SchemeInfo &info, const std::string &why)
+    {
+      info.moving_contact = false;
+      info.why_linearised = why;
+    }
+
     constexpr const char *needs_accelerations =
       ", which needs accelerations or velocities of contact nodes that follow from forces";
+    constexpr const char *keeps_old_forces =
+      "takes forces of the last step along, whose normals have turned since: they bring energy in "
+      "proportion to the step size";
+    constexpr const char *drifts =
+      "lets nodes that slide along curved obstacles drift into them, deeper with every step, and "
+      "asks how deep they are, where contact that follows takes any depth for touching";
 
 
     SchemeInfo contact_stabilized()
@@ -99,7 +112,7 @@ namespace signorini
         "contact-stabilized",
         EnergyLaw::dissipates,
         "Newmark with a predictor that respects the contact condition; smooth contact forces");
-      info.friction = info.predictor = info.moving_contact = true;
+      info.friction = info.predictor = true;
       refuse_massless_nodes(info,
                             ": its predictor stops the mass of contact nodes, and they have none");
       info.make = [](const SchemeParameters &parameters) -> Made {
@@ -131,8 +144,8 @@ namespace signorini
         with_trapezoidal_rule("contact-implicit",
                               EnergyLaw::dissipates,
                               "Newmark without a predictor; contact forces oscillate");
-      info.friction = info.moving_contact = true;
-      info.make                           = make_with_rule<ContactImplicitNewmark>;
+      info.friction = true;
+      info.make     = make_with_rule<ContactImplicitNewmark>;
       return info;
     }
 
@@ -178,6 +191,7 @@ namespace signorini
         return std::make_unique<KhenousLabordeRenard>(parameters.newmark_beta,
                                                       parameters.newmark_gamma);
       };
+      refuse_moving_contact(info, keeps_old_forces);
       return info;
     }
 
@@ -202,6 +216,7 @@ namespace signorini
       info.balance          = StepBalance::both_ends;
       info.force_before_end = "0"; // forces of both ends act, each with its own elastic forces
       info.make             = make_with_rule<Newmark>;
+      refuse_moving_contact(info, keeps_old_forces);
       return info;
     }
 
@@ -217,6 +232,7 @@ namespace signorini
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<GeneralizedAlpha>(GeneralizedAlpha::hht(parameters.hht_alpha));
       };
+      refuse_moving_contact(info, keeps_old_forces);
       return info;
     }
 
@@ -233,6 +249,7 @@ namespace signorini
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<GeneralizedAlpha>(alpha_rule(parameters));
       };
+      refuse_moving_contact(info, keeps_old_forces);
       return info;
     }
 
@@ -249,6 +266,7 @@ namespace signorini
       info.make       = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<NonsmoothGeneralizedAlpha>(alpha_rule(parameters));
       };
+      refuse_moving_contact(info, drifts);
       return info;
     }
 
@@ -291,6 +309,7 @@ namespace signorini
       refuse_massless_nodes(info, needs_accelerations);
       info.penetrates = true;
       info.make       = make_with_rule<MoreauJean>;
+      refuse_moving_contact(info, drifts);
       return info;
     }
 
@@ -311,6 +330,10 @@ namespace signorini
       info.make             = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<ReferenceIntegration>(parameters.reference_tolerance);
       };
+      refuse_moving_contact(
+        info,
+        "measures errors of the integration in time, and normals of whole steps "
+        "would add one of the step size to its own");
       return info;
     }
   } // namespace

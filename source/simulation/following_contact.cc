@@ -38,7 +38,8 @@ namespace signorini
         , step_size(step_size)
         , entries(contact.entries())
       {
-        contact.begin_step(start, step_size);
+        contact.begin_step(
+          start, step_size, scheme.needs().statics ? StepNormals::at_end : StepNormals::of_motion);
       }
 
       /** Make the step with the normals of now. @return MovingContact::mismatch() */

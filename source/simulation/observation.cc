@@ -147,6 +147,10 @@ namespace signorini
                       std::sqrt(2. * run_summary.largest_energy_of_motion() / body_motion.mass()),
                       scene.bodies.size(),
                       discretization.communicator());
+    const SchemeInfo &scheme = scheme_info(scene.time.scheme);
+    if (meshed->surface.follows() && scheme.predictor && !scheme.projects_velocity)
+      reading.turning = turning_normals.add(
+        meshed->surface, state.contact_force, scene.bodies.size(), discretization.communicator());
     return reading;
   }
 

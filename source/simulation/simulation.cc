@@ -14,10 +14,10 @@
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/expectations.h>
 #include <signorini/simulation/following_contact.h>
+#include <signorini/simulation/initial_equilibrium.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
-#include <signorini/system/start_equilibrium.h>
 
 #include <algorithm>
 #include <cmath>
@@ -345,14 +345,8 @@ namespace signorini
     state = initial_state(meshed->discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == StartKind::equilibrium)
-      equilibrium = naming_file<RunError>(scene.file_name, [&] {
-        return start_in_equilibrium(meshed->discretization,
-                                    meshed->surface,
-                                    meshed->coordinates,
-                                    scene.solver,
-                                    meshed->load(0.),
-                                    state);
-      });
+      equilibrium = naming_file<RunError>(
+        scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
     start_remarks = Remarks();
     if (scheme_info(scene.time.scheme).inertia)
       start_remarks = start_with_conditions(

@@ -4,7 +4,6 @@
 // What a simulation says about itself before its first step.
 
 #include <signorini/base/spelling.h>
-#include <signorini/obstacles/obstacle_motion.h>
 #include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/simulation.h>
 
@@ -15,21 +14,6 @@
 namespace signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    /** Whether normals may turn under a predictor that does not project velocities. */
-    template <int dim>
-    bool is_late(const Scene<dim> &scene)
-    {
-      const SchemeInfo &info = scheme_info(scene.time.scheme);
-      return info.predictor && !info.projects_velocity
-             && std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const auto &named) {
-                  return !named.shape->is_flat() || (named.motion && named.motion->turns());
-                });
-    }
-  } // namespace
-
 
   template <int dim>
   std::string Simulation<dim>::description() const
@@ -94,13 +78,6 @@ namespace signorini
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
                        "its obstacle, or all of them are prescribed.");
-    if (scene.motion == ContactMotion::follow && is_late(scene))
-      result.push_back(
-        "With `Contact/Motion = follow`, `Time/Scheme = " + scene.time.scheme
-        + "` lets the mass of contact nodes keep the velocity with which they approach, so that "
-          "bodies slide too slowly along curved obstacles, by some percent in a turn of 1 radian. "
-          "Not so "
-        + join(schemes_where([](const SchemeInfo &info) { return info.projects_velocity; })) + ".");
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
         && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
              return body.is_round();

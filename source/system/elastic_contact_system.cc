@@ -8,8 +8,6 @@
 #include <signorini/system/scales.h>
 #include <signorini/variational_inequality/make_solver.h>
 
-#include <deal.II/base/patterns.h>
-
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -247,40 +245,6 @@ namespace signorini
     extract(friction_of_nodes, residual, problem.further_reaction != nullptr, drag, solution);
     coordinates.force_to_cartesian(residual);
     matrix.forecast.remember(problem.right_hand_side, increment, residual);
-  }
-
-
-  template <int dim>
-  void ElasticContactSystem<dim>::equilibrate(const LoadStep &step, IncrementSolution &solution)
-  {
-    if (!static_equilibrium)
-      {
-        dealii::TimerOutput::Scope scope(timer, "step: preconditioner set-up");
-        static_equilibrium = std::make_unique<StaticEquilibrium<dim>>(
-          discretization, coordinates, parameters.solver, friction.any());
-      }
-    dealii::TimerOutput::Scope scope(timer, "step: inequality");
-    const std::vector<double>  prescribed = prescribed_increments(step.start, step.step_size);
-    const Friction             laws =
-      friction.any() ? friction.of_step(
-        1., step.bounds, touching_distance(discretization.mesh().body_size()), nullptr)
-                                 : Friction();
-    guess_status(step.start);
-
-    StaticProblem problem{step.force, step.bounds, prescribed, laws};
-    problem.energy             = energy_scale;
-    const StaticSolution found = static_equilibrium->find_held(problem, active);
-    if (!found.is_held)
-      throw RunError("There is no static equilibrium at time "
-                     + dealii::Patterns::Tools::to_string(step.start.time + step.step_size)
-                     + ": neither Dirichlet conditions nor contact hold what the loads move: "
-                     + static_equilibrium->unheld_motion(found)
-                     + ". Prescribe a displacement against this motion, let loads balance, give "
-                       "the contact more friction or pressure, or take a scheme with inertia.");
-    active             = found.status;
-    solution.increment = found.increment;
-    solution.effort    = found.effort;
-    extract(laws, found.residual, false, {}, solution);
   }
 
 

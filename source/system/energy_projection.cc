@@ -5,7 +5,7 @@
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/energy_projection.h>
-#include <signorini/system/rigid_modes.h>
+#include <signorini/system/rigid_springs.h>
 #include <signorini/system/scales.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
@@ -30,10 +30,15 @@ namespace signorini
     }
 
 
-    /** Minimise 1/2 c'A c - r'c + a little of c'M c. @return c, Cartesian */
+    /**
+     * Minimise 1/2 c'A c - r'c + a little of c'M c, with springs at the free rigid motions: else a
+     * body would turn far, at no cost, where two nodes side by side are in the way.
+     * @return c, Cartesian
+     */
     template <int dim>
     Vector minimise(const Discretization<dim>     &discretization,
                     const ContactCoordinates<dim> &coordinates,
+                    const RigidModes<dim>         &rigid,
                     Vector                         right_hand_side,
                     const std::vector<double>     &bounds,
                     const double                   size,
@@ -41,8 +46,12 @@ namespace signorini
                     ActiveSet                     &active)
     {
       // Far below the lowest frequency of any body that keeps its shape.
-      const double mass_factor = std::pow(1e-4 * discretization.mesh().lowest_frequency(), 2);
-      const StepOperator<dim> matrix(discretization.matrices(), coordinates, {mass_factor, 1.});
+      const double            frequency   = discretization.mesh().lowest_frequency();
+      const double            mass_factor = std::pow(1e-4 * frequency, 2);
+      const Eigen::MatrixXd   loose       = rigid.free_amplitudes(coordinates.dirichlet_entries());
+      const StepOperator<dim> stiffness(discretization.matrices(), coordinates, {mass_factor, 1.});
+      RigidSprings<dim>       matrix(stiffness, rigid);
+      matrix.set(frequency * frequency * loose * loose.transpose());
       const std::unique_ptr<MaskedPreconditioner> preconditioner = make_preconditioner(
         PreconditionerKind::jacobi, discretization.matrices(), coordinates, {mass_factor, 1.});
       PrimalDualActiveSet solver(limits);
@@ -106,7 +115,7 @@ namespace signorini
     for (const Motion &mode : rigid.free_of(coordinates.dirichlet_entries()))
       moments.add(-dot(mode.displacement, moments), mode.momentum);
     Vector correction =
-      minimise(discretization, coordinates, std::move(moments), left, size, limits, active);
+      minimise(discretization, coordinates, rigid, std::move(moments), left, size, limits, active);
     for (const Motion &mode : rigid.free_of(held_entries(coordinates, bounds, active, touching)))
       correction.add(-dot(mode.momentum, correction), mode.displacement);
     correction += shift;

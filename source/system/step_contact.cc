@@ -48,10 +48,25 @@ namespace signorini
 
 
   template <int dim>
-  void StepContact<dim>::begin_step(const State &start, const double step_size)
+  void StepContact<dim>::arrive(const Vector &displacement, const double time)
   {
-    geometry->begin_step(
-      start.displacement, expected_increment(start, step_size), start.time, start.time + step_size);
+    Vector nothing;
+    nothing.reinit(displacement);
+    geometry->begin_step(displacement, nothing, time, time);
+    take_over_geometry();
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::begin_step(const State      &start,
+                                    const double      step_size,
+                                    const StepNormals normals)
+  {
+    geometry->begin_step(start.displacement,
+                         expected_increment(start, step_size),
+                         start.time,
+                         start.time + step_size,
+                         normals);
     take_over_geometry();
     is_repetition = false;
   }

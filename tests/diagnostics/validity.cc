@@ -66,6 +66,20 @@ TEST(Validity, DepthAndStrain)
   expect_parts(news[1], {"'ball' is 5.1 % strained", "Hooke"});
 }
 
+TEST(Validity, NormalsThatTurnInContact)
+{
+  Validity        validity({"ball"}, {});
+  ValidityReading now = reading(0.5, 0., 0.);
+  now.turning         = {0.05};
+  EXPECT_TRUE(validity.judge(now).empty());
+  now.turning     = {0.06};
+  const auto news = validity.judge(now);
+  ASSERT_EQ(news.size(), 1u);
+  expect_parts(
+    news[0],
+    {"at time 0.5", "'ball' is 3.44 degrees round", "Take `contact-stabilized-projected`"});
+}
+
 TEST(BodyMotion, RotationIsThatOfTheBodyItself)
 {
   const Assembled<3>  assembled(two_bodies());

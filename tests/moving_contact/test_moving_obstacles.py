@@ -117,6 +117,20 @@ end
 """
 
 
+def work_of_punch(history):
+    """Force times motion of the punch that moves by 0.05 t; -0.1 sin(pi t/4)."""
+    places = [(0.05 * t, -0.1 * math.sin(math.pi * t / 4)) for t in history["time"]]
+    return sum(
+        fx * (there[0] - here[0]) + fy * (there[1] - here[1])
+        for here, there, fx, fy in zip(
+            places,
+            places[1:],
+            history["contact_force_x"][1:],
+            history["contact_force_y"][1:],
+        )
+    )
+
+
 class MovingObstacles(check_history.unittest.TestCase):
     """See the beginning of the file."""
 
@@ -134,16 +148,7 @@ class MovingObstacles(check_history.unittest.TestCase):
                 scene = PUNCH.format(scheme=scheme, motion=motion, friction=friction)
                 history = check_history.Run(scene, "punch").history
                 energy = max(history["total_energy"])
-                places = [(0.05 * t, -0.1 * math.sin(math.pi * t / 4)) for t in history["time"]]
-                work = sum(
-                    fx * (there[0] - here[0]) + fy * (there[1] - here[1])
-                    for here, there, fx, fy in zip(
-                        places,
-                        places[1:],
-                        history["contact_force_x"][1:],
-                        history["contact_force_y"][1:],
-                    )
-                )
+                work = work_of_punch(history)
                 self.assertAlmostEqual(work, sum(history["work_external"]), delta=1e-11 * energy)
                 for column in ("work_contact", "work_predictor", "work_friction"):
                     self.assertLess(max(history[column]), 1e-10 * energy, column)

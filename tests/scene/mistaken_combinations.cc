@@ -33,6 +33,23 @@ TEST(Combinations, OfSolverAndFriction)
          {"Inequality = truncated-newton-multigrid", "no friction", "Remove"});
 }
 
+TEST(Combinations, OfSchemesAndContactThatFollows)
+{
+  const std::vector<std::pair<std::string, std::string>> refused = {
+    {"newmark", "forces of the last step"},
+    {"generalized-alpha", "forces of the last step"},
+    {"moreau-jean", "drift"},
+    {"khenous-laborde-renard", "forces of the last step"}};
+  for (const auto &[scheme, reason] : refused)
+    expect({{"Contact/Motion", "follow"},
+            {"Time/Scheme", scheme},
+            {"Obstacles/floor/Shape", "sphere"},
+            {"Obstacles/floor/Centre", "0, 0, -5"}},
+           {"Motion = follow", scheme, reason, "contact-implicit", "linearised"});
+  expect({{"Contact/Motion", "follow"}, {"Time/Scheme", "moreau-jean"}}, // the floor is flat
+         {"Motion = follow", "how deep"});
+}
+
 TEST(Combinations, OfSchemes)
 {
   expect({{"Time/Scheme", "newmark"}, {"Time/Predictor mass", "lumped"}},

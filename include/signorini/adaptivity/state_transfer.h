@@ -59,6 +59,18 @@ namespace signorini
     const double       energy; ///< of the old state, with the potential of the load
     FieldTransfer<dim> fields;
 
+    /**
+     * What a displacement becomes on the new mesh. Where contact follows the motion, its normals
+     * are those of what the projection changes.
+     * @param contact null: linearised
+     */
+    Vector displacement_after(const typename FieldTransfer<dim>::Result &,
+                              const Discretization<dim> &,
+                              ContactSurface<dim> &,
+                              const ContactCoordinates<dim> &,
+                              MovingContact *contact,
+                              const ActiveSetLimits &) const;
+
     /** Take what the state has gained out of its vibration. */
     void keep_energy(const Discretization<dim> &,
                      const ContactCoordinates<dim> &,

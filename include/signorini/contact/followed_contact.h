@@ -4,6 +4,7 @@
 #ifndef signorini_contact_followed_contact_h
 #define signorini_contact_followed_contact_h
 
+#include <signorini/base/step_normals.h>
 #include <signorini/contact/contact_site.h>
 #include <signorini/contact/contact_surface.h>
 
@@ -38,9 +39,14 @@ namespace signorini
      * Look what every node faces at the start of a step.
      * @param expected   increment of the step
      * @param start, end times of the step
+     * @param normals    that follow() gives; at_end are exact where the last two motions agree
      * @throws StepError if an obstacle turns too far
      */
-    void begin_step(const Vector &displacement, const Vector &expected, double start, double end);
+    void begin_step(const Vector &displacement,
+                    const Vector &expected,
+                    double        start,
+                    double        end,
+                    StepNormals   normals = StepNormals::of_motion);
 
     /** The conditions of the same step with the normals of this motion. */
     void follow(const Vector &increment);
@@ -62,6 +68,16 @@ namespace signorini
 
     /** The motion of the obstacles at the contact nodes in the step, zero elsewhere. */
     Vector obstacle_motion() const;
+
+    /** Per contact node at the start of the step; infinite where nothing bounds it. */
+    std::vector<double> gaps_at_start() const
+    {
+      std::vector<double> gaps(surface.nodes().size(), std::numeric_limits<double>::infinity());
+      for (const Site &site : sites)
+        for (unsigned int row = 0; row < site.bounding.size(); ++row)
+          gaps[site.first + row] = site.facings[site.bounding[row]].gap;
+      return gaps;
+    }
 
     /** Whether any obstacle moves. */
     bool obstacles_move() const { return some_move; }
@@ -85,10 +101,11 @@ namespace signorini
     const ObstacleContact<dim>     &at_obstacles;
     FollowedPairs<dim>             &pairs;
     std::vector<Site>               sites;
-    bool                            some_move  = false;
-    double                          accepted   = 0.; ///< length
-    unsigned int                    n_followed = 0;  ///< motions of this step
-    Vector                          latest;          ///< motion of this step
+    bool                            some_move       = false;
+    double                          accepted        = 0.; ///< length
+    unsigned int                    n_followed      = 0;  ///< motions of this step
+    StepNormals                     normals_of_step = StepNormals::of_motion;
+    Vector                          latest; ///< motion of this step
 
     /** The laws of friction of all facings. Collective. */
     void find_friction();

@@ -4,6 +4,7 @@
 #ifndef signorini_contact_followed_pairs_h
 #define signorini_contact_followed_pairs_h
 
+#include <signorini/base/step_normals.h>
 #include <signorini/contact/facing_pair.h>
 #include <signorini/contact/node_coupling.h>
 
@@ -68,8 +69,14 @@ namespace signorini
     /** Owned nodes on whose motion the conditions depend, ascending. */
     std::vector<unsigned int> nodes() const;
 
-    /** The conditions of a motion that is expected from here. Collective. */
-    void begin_step(const Vector &displacement, const Vector &expected);
+    /**
+     * The conditions of a motion that is expected from here. With StepNormals::at_end they are
+     * those of the geometry at its end, and bounds may be negative: there is no energy to keep.
+     * Collective.
+     */
+    void begin_step(const Vector &displacement,
+                    const Vector &expected,
+                    StepNormals   normals = StepNormals::of_motion);
 
     /**
      * The conditions of a motion from the same start. Their true gap at the end is that of the
@@ -106,12 +113,15 @@ namespace signorini
     std::map<unsigned int, Conditions>                        conditions; ///< by pair
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
     Vector                                                    start; ///< displacement
+    bool                                                      at_end = false;
     Vector looked_at;                                                ///< the latest motion, if any
     std::map<unsigned int, std::map<unsigned int, double>> end_gaps; ///< of it, by pair and node
     std::map<unsigned int, double> end_depths; ///< of it, by pair, of this process
 
     /** Masters before slaves, as far as there is no ring of bodies. */
     void find_order();
+    /** Set the bound of a condition whose raw value is this. */
+    void bound(PairCondition<dim> &condition, double gap) const;
     /** Geometry in the middle of a motion, with [u] and [d]; bounds are of no end yet. */
     void search_middle(const Vector &increment);
     /** True gaps at the end of a motion. */

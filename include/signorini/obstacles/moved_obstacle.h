@@ -76,6 +76,13 @@ namespace signorini
                                              const dealii::Point<dim> &end) const override;
 
     /**
+     * The plane that touches the obstacle where a motion ends: its normal is that of the end, and
+     * the gap that it tells is exact there, and of second order in distances from there.
+     */
+    MotionCondition<dim> condition_at_end(const dealii::Point<dim> &start,
+                                          const dealii::Point<dim> &end) const;
+
+    /**
      * How deep a point gets on its way through the step, by conservative advancement: it goes as
      * far as it is away from the surface, but at least a sixteenth of the way. Length, 0: never
      * inside.

@@ -96,6 +96,7 @@ namespace signorini
     bool        changing_mesh; ///< the mesh may change between steps
     bool        moving_dirichlet; ///< prescribed displacements may change in time
     bool        moving_contact;   ///< contact may follow the motion
+    std::string why_linearised;   ///< it may not: the reason, a clause whose subject is the scheme
     bool        inertia;          ///< moves masses; else velocities, damping and waves mean nothing
     std::string own_tolerance; ///< the key with which a scheme controls its own error; then steps
                                ///< have equal sizes

@@ -8,6 +8,7 @@
 #include <signorini/diagnostics/body_motion.h>
 #include <signorini/diagnostics/missing_pairs.h>
 #include <signorini/diagnostics/oscillation.h>
+#include <signorini/diagnostics/turning_normals.h>
 #include <signorini/diagnostics/validity.h>
 #include <signorini/output/history.h>
 #include <signorini/output/run_summary.h>
@@ -78,6 +79,7 @@ namespace signorini
     double                  energy_of_strains = 0.; ///< elastic, at that time
     std::vector<Zigzag>     velocity_zigzags;
     Alternation<dim>        alternation;
+    TurningNormals<dim>     turning_normals;
     dealii::Timer           clock;
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count

@@ -83,6 +83,9 @@ namespace signorini
     /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
 
+    /** Contact is where the state has it; the next problem begins with that. */
+    void expect_contact_as_in(const State &state) { guess_status(state); }
+
     /** The largest energy of the motion so far. */
     double energy() const { return energy_scale; }
 
@@ -104,6 +107,7 @@ namespace signorini
     StepMatrices<dim>                         step_matrices;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
     std::unique_ptr<StaticEquilibrium<dim>>   static_equilibrium;
+    unsigned int                              turns_of_statics = 0; ///< of the coordinates, then
     MassProblems<dim>                         mass_problems;
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
@@ -134,6 +138,10 @@ namespace signorini
     equilibrate_massless(Vector &displacement, const Vector &load, Vector &contact_force) override;
 
     void equilibrate(const LoadStep &step, IncrementSolution &solution) override;
+
+    /** The solver of static problems, in the contact coordinates of now. */
+    StaticEquilibrium<dim> &statics();
+    Friction                laws_of_load_step(const NormalGap &bounds) const;
 
     void   stop_at_dirichlet(Vector &velocity) const override;
     Vector dirichlet_part(const Vector &forces) const override;

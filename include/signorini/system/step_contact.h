@@ -35,10 +35,11 @@ namespace signorini
                 const std::function<std::vector<bool>()> &held);
     ~StepContact() override;
 
-    void                      begin_step(const State &start, double step_size) override;
-    void                      follow(const Vector &increment) override;
-    double                    mismatch(const Vector &increment) override;
-    bool                      passes_through(const Vector &increment) const override;
+    void   arrive(const Vector &displacement, double time) override;
+    void   begin_step(const State &start, double step_size, StepNormals normals) override;
+    void   follow(const Vector &increment) override;
+    double mismatch(const Vector &increment) override;
+    bool   passes_through(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
     const Vector             *obstacle_motion() const override;
     double                    geometry_work(const Vector &contact_force) const override;
@@ -48,6 +49,9 @@ namespace signorini
      * coordinates: what increments have beyond the slip. Empty where nothing moves.
      */
     Vector drag() const;
+
+    /** Per contact node of this process. */
+    NormalGap gaps_at_start() const { return geometry.gaps_at_start(); }
 
     /** Whether the next problem is that of the latest one with other normals. */
     bool repeats() const { return is_repetition; }

@@ -6,6 +6,7 @@
 
 #include <signorini/base/contact_status.h>
 #include <signorini/base/solve_report.h>
+#include <signorini/base/step_normals.h>
 #include <signorini/base/types.h>
 #include <signorini/time/state.h>
 
@@ -201,8 +202,11 @@ namespace signorini
   public:
     virtual ~MovingContact() = default;
 
+    /** The bodies are here, and no step has begun: on a new mesh. */
+    virtual void arrive(const Vector &displacement, double time) = 0;
+
     /** Look around at the start of a step; normals are those of the motion that is expected. */
-    virtual void begin_step(const State &start, double step_size) = 0;
+    virtual void begin_step(const State &start, double step_size, StepNormals normals) = 0;
 
     /** Take the normals of a motion of the same step. */
     virtual void follow(const Vector &increment) = 0;

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/simulation/initial_equilibrium.h>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Times that the equilibrium is found, each with the normals of the last. */
+    constexpr unsigned int most_solutions = 40;
+  } // namespace
+
+
+  template <int dim>
+  StartReport initial_equilibrium(const Scene<dim> &scene, MeshedScene<dim> &meshed, State &state)
+  {
+    const auto solve = [&] {
+      return start_in_equilibrium(meshed.discretization,
+                                  meshed.surface,
+                                  meshed.coordinates,
+                                  scene.solver,
+                                  meshed.load(0.),
+                                  state);
+    };
+    MovingContact *const contact = meshed.system.capabilities().moving_contact;
+    if (contact == nullptr)
+      return solve();
+
+    State undeformed;
+    undeformed.displacement = undeformed.velocity = meshed.discretization.make_vector();
+    contact->begin_step(undeformed, 0., StepNormals::at_end);
+    StartReport all;
+    for (unsigned int n_solutions = 0; n_solutions < most_solutions; ++n_solutions)
+      {
+        const StartReport report = solve();
+        all.n_products += report.n_products;
+        all.unheld = report.unheld;
+        meshed.system.expect_contact_as_in(state);
+        if (contact->mismatch(state.displacement) <= 1.)
+          return all;
+        contact->follow(state.displacement);
+      }
+    throw RunError("Time/Start = equilibrium: no equilibrium was found whose normals of contact "
+                   "are its own. Set `Start = given` to begin with undeformed bodies, or `Contact/"
+                   "Motion = linearised`.");
+  }
+
+
+  template StartReport initial_equilibrium(const Scene<2> &, MeshedScene<2> &, State &);
+  template StartReport initial_equilibrium(const Scene<3> &, MeshedScene<3> &, State &);
+} // namespace signorini

@@ -1,0 +1,100 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Equilibria at curved obstacles: the normals of contact are those of the place that is found. So a
+body that starts in equilibrium stays at rest, its forces carry its weight, and load steps come to
+the same state however many they are.
+"""
+
+import check_history
+import test_moving_obstacles as punches
+
+LYING = """
+set Dimension = 2
+subsection Time
+  set Start     = equilibrium
+  set Step size = 0.01
+  set End time  = 0.5
+end
+subsection Bodies
+  set Names = disc
+  subsection disc
+    set Shape           = ball
+    set Centre          = 0, -1.495
+    set Radius          = 0.5
+    set Refinements     = 5
+    set Young's modulus = 300
+    set Poisson's ratio = 0.3
+    set Density         = 1
+    set Body force      = 0; -5
+  end
+end
+subsection Obstacles
+  set Names = bowl
+  subsection bowl
+    set Shape         = sphere
+    set Radius        = 2
+    set Bodies inside = true
+    {motion}
+  end
+end
+subsection Contact
+  set Pairs  = disc : bowl
+  set Motion = follow
+  subsection disc : bowl
+    set Friction coefficient = 0.3
+  end
+end
+"""
+
+
+class Equilibria(check_history.unittest.TestCase):
+    """See the beginning of the file."""
+
+    def test_disc_lies_in_a_bowl(self):
+        """At rest for 50 steps, and outside: with the normals of where it was without load its nodes
+        would end inside of the bowl. The bowl carries its weight, also one that is told how
+        to move and does not."""
+        for motion in ("", "set Velocity = 0; 0"):
+            with self.subTest(motion=motion):
+                history = check_history.Run(LYING.format(motion=motion), "lying").history
+                energy = max(history["elastic_energy"])
+                self.assertLess(max(history["kinetic_energy"]), 1e-15 * energy)
+                mass = 0.25 * 3.14159265358979
+                self.assertAlmostEqual(history["contact_force_y"][0] / (5 * mass), 1, delta=1e-3)
+                for row in (0, -1):
+                    self.assertAlmostEqual(
+                        history["contact_force_y"][row], history["contact_force_y"][1], delta=1e-8
+                    )
+                    self.assertLess(abs(history["contact_force_x"][row]), 1e-8)
+                self.assertLess(max(history["geometric_penetration"]), 1e-12)
+
+    def test_load_steps_come_to_the_same_state_however_many_they_are(self):
+        """A round punch is pressed into a block and drawn aside. Without friction the state depends
+        on its place alone, and with friction as well once all nodes slip."""
+        for friction in (0, 0.3):
+            states = []
+            for step in (0.25, 0.125, 0.0625):
+                scene = punches.PUNCH.format(
+                    scheme="static", motion="Motion = 0.2*t; -0.1*sin(pi*t/4)", friction=friction
+                )
+                overrides = [f"Time/Step size={step}", "Time/End time=2"]
+                history = check_history.Run(scene, "static", overrides).history
+                self.assertEqual(history["stick_nodes"][-1] if friction else 0, 0)
+                self.assertLess(max(history["geometric_penetration"]), 1e-12)
+                energy = max(history["elastic_energy"])
+                self.assertLess(max(map(abs, history["energy_residual"])), 1e-10 * energy)
+                states.append(
+                    [
+                        history[column][-1]
+                        for column in ("contact_force_x", "contact_force_y", "elastic_energy")
+                    ]
+                )
+            for state in states[1:]:
+                for here, there in zip(state, states[0]):
+                    self.assertAlmostEqual(here, there, delta=1e-7 * max(map(abs, states[0])))
+
+
+if __name__ == "__main__":
+    check_history.main()
