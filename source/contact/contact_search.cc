@@ -100,7 +100,8 @@ namespace signorini
   FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
                                            const std::vector<SurfaceFace<dim>> &masters,
                                            const std::vector<Sweep<dim>>       &sweeps,
-                                           const MPI_Comm                       communicator)
+                                           const MPI_Comm                       communicator,
+                                           const MayMeet<dim>                  &may_meet)
   {
     AssertDimension(sweeps.size(), slaves.size());
     FacingSurfaces<dim> result;
@@ -119,7 +120,8 @@ namespace signorini
         double                  size  = slave.diameter();
         for (const std::size_t m : sweeps[f].meets(tree))
           {
-            if (!sweeps[f].reaches(result.masters[m]))
+            if (!sweeps[f].reaches(result.masters[m])
+                || (may_meet && !may_meet(slave, result.masters[m])))
               continue;
             Segment<dim> segment = intersect(slave, result.masters[m]);
             if (segment.points.empty() || segment.gap < -sweeps[f].depth()
@@ -142,9 +144,11 @@ namespace signorini
   template FacingSurfaces<2> find_facing_surfaces(std::vector<SurfaceFace<2>>,
                                                   const std::vector<SurfaceFace<2>> &,
                                                   const std::vector<Sweep<2>> &,
-                                                  MPI_Comm);
+                                                  MPI_Comm,
+                                                  const MayMeet<2> &);
   template FacingSurfaces<3> find_facing_surfaces(std::vector<SurfaceFace<3>>,
                                                   const std::vector<SurfaceFace<3>> &,
                                                   const std::vector<Sweep<3>> &,
-                                                  MPI_Comm);
+                                                  MPI_Comm,
+                                                  const MayMeet<3> &);
 } // namespace signorini

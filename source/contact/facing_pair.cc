@@ -27,6 +27,8 @@ namespace signorini
      * is not deep inside when it ends.
      */
     constexpr double behind = 0.1, ahead = 0.5;
+    /** How deep a face looks into its own body. */
+    constexpr double part_of_thickness = 0.3;
     /** Largest change of a weight of P, as a part of it. */
     constexpr double largest_shift = 0.5;
 
@@ -37,6 +39,32 @@ namespace signorini
       const double x =
         std::clamp((cosine - begins_to_face) / (faces_fully - begins_to_face), 0., 1.);
       return x * x * (3. - 2. * x);
+    }
+
+
+    template <int dim>
+    bool share_no_node(const SurfaceFace<dim> &face, const SurfaceFace<dim> &other)
+    {
+      for (const NodeWeights &weights : face.nodes)
+        for (const auto &[node, weight] : weights)
+          for (const NodeWeights &other_weights : other.nodes)
+            for (const auto &[other_node, other_weight] : other_weights)
+              if (node == other_node)
+                return false;
+      return true;
+    }
+
+
+    /** Of a body that meets itself. */
+    template <int dim>
+    bool may_meet_itself(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
+    {
+      const Tensor<1, dim> apart = slave.place - master.place;
+      unsigned int         widest = 0;
+      for (unsigned int c = 1; c < dim; ++c)
+        if (std::abs(apart[c]) > std::abs(apart[widest]))
+          widest = c;
+      return apart[widest] > 0. && share_no_node(slave, master);
     }
 
 
@@ -87,6 +115,23 @@ namespace signorini
     , owned_master_nodes(owned_nodes(masters, discretization))
   {
     measure_slave();
+    if (is_of_one_body())
+      measure_thickness();
+  }
+
+
+  template <int dim>
+  void FacingPair<dim>::measure_thickness()
+  {
+    const double            size = discretization.mesh().body_size(pairs[pair].slave);
+    std::vector<Sweep<dim>> sweeps;
+    for (const SurfaceFace<dim> &face : slaves)
+      sweeps.emplace_back(face, size, 0.);
+    const auto surfaces = find_facing_surfaces(
+      slaves, masters, sweeps, discretization.communicator(), MayMeet<dim>(share_no_node<dim>));
+    for (std::size_t f = 0; f < slaves.size(); ++f)
+      for (const Segment<dim> &segment : surfaces.segments[f])
+        slaves[f].thickness = std::min(slaves[f].thickness, -segment.gap);
   }
 
 
@@ -215,17 +260,52 @@ namespace signorini
     const auto              near = displaced(slaves, ghosted, master_box);
     std::vector<Sweep<dim>> sweeps;
     for (const SurfaceFace<dim> &face : near)
-      sweeps.emplace_back(face, reach + behind * face.diameter(), reach + ahead * face.diameter());
-    const auto surfaces = find_facing_surfaces(
-      near, displaced(masters, ghosted, slave_box), sweeps, discretization.communicator());
+      sweeps.emplace_back(
+        face,
+        std::min(reach + behind * face.diameter(), part_of_thickness * face.thickness),
+        reach + ahead * face.diameter());
+    const auto surfaces =
+      find_facing_surfaces(near,
+                           displaced(masters, ghosted, slave_box),
+                           sweeps,
+                           discretization.communicator(),
+                           is_of_one_body() ? MayMeet<dim>(may_meet_itself<dim>) : nullptr);
+    std::vector<ContactNode<dim>> nodes = couple(surfaces, excluded);
+    align(nodes, displacement);
+    return nodes;
+  }
+
+
+  template <int dim>
+  std::vector<ContactNode<dim>> FacingPair<dim>::couple(const FacingSurfaces<dim> &surfaces,
+                                                        const std::vector<bool>   *excluded) const
+  {
     MortarRules rules;
     rules.facing    = facing_weight;
     rules.bluntness = &bluntness;
     rules.excluded  = excluded;
-    std::vector<ContactNode<dim>> nodes =
-      MortarCoupling<dim>(discretization, dirichlet, pairs, pair, surfaces, rules).nodes();
-    align(nodes, displacement);
-    return nodes;
+    const auto nodes_by_these_rules = [&] {
+      return MortarCoupling<dim>(discretization, dirichlet, pairs, pair, surfaces, rules).nodes();
+    };
+    std::vector<ContactNode<dim>> nodes = nodes_by_these_rules();
+    if (!is_of_one_body())
+      return nodes;
+
+    // A node that others follow follows none.
+    std::vector<bool> followed(discretization.matrices().pattern.n_owned, false);
+    if (excluded != nullptr)
+      followed = *excluded;
+    bool any = false;
+    for (const unsigned int node :
+         NodeCoupling<dim>(nodes, discretization.matrices().pattern.partitioner, true)
+           .owned_partners())
+      followed[node] = true;
+    for (const ContactNode<dim> &node : nodes)
+      any = any || followed[node.node];
+    if (Utilities::MPI::max(static_cast<unsigned int>(any), discretization.communicator()) == 0)
+      return nodes;
+    rules.excluded = &followed;
+    return nodes_by_these_rules();
   }
 
 

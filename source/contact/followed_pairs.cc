@@ -45,7 +45,7 @@ namespace signorini
       {
         const auto waits = [&](const unsigned int pair) {
           return std::any_of(left.begin(), left.end(), [&](const unsigned int other) {
-            return descriptions[other].slave == descriptions[pair].master;
+            return other != pair && descriptions[other].slave == descriptions[pair].master;
           });
         };
         auto next = std::find_if_not(left.begin(), left.end(), waits);
@@ -248,6 +248,8 @@ namespace signorini
     bool             any  = false;
     for (const auto &[pair, geometry] : geometries)
       {
+        if (descriptions[pair].slave == descriptions[pair].master)
+          continue; // it does not fly past itself
         const double relative = geometry->relative_motion(increment);
         any                   = any
               || (relative > large_motion

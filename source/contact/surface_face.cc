@@ -133,6 +133,7 @@ namespace signorini
             }
           if (result.unit_normal() * (result.centre() - cell->center()) < 0.)
             result.orientation = -1.;
+          result.place = result.centre();
           faces.push_back(result);
         }
     return faces;

@@ -51,6 +51,11 @@ namespace signorini
             in.fail("Motion",
                     "linearised contact does not know that the obstacle '" + obstacle.name
                       + "' moves. Set `Motion = follow`, or let the obstacle rest.");
+        for (const PairDescription &pair : scene.pairs)
+          if (pair.slave == pair.master)
+            in.fail("Motion",
+                    "linearised contact knows no contact of a body with itself, as in `" + pair.name
+                      + "`. Set `Motion = follow`, or remove the pair.");
         return motion;
       }
     const std::string head = name_of(motion) + std::string(" ");

@@ -88,11 +88,6 @@ namespace signorini
       if (!contains(bodies, pair.slave))
         in.fail("Pairs",
                 head + "there is no body `" + pair.slave + "`. " + suggestion(pair.slave, bodies));
-      if (pair.partner == pair.slave)
-        in.fail(
-          "Pairs",
-          head
-            + "contact of a body with itself is not available. Name another body or an obstacle.");
       if (contains(obstacles, pair.partner) && !pair.partner_ids.empty())
         in.fail("Pairs", head + "an obstacle has no boundary ids. Remove them.");
       if (!contains(bodies, pair.partner) && !contains(obstacles, pair.partner))

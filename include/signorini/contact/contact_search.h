@@ -7,6 +7,8 @@
 #include <signorini/contact/face_segments.h>
 #include <signorini/contact/sweep.h>
 
+#include <functional>
+
 namespace signorini
 {
   /**
@@ -35,15 +37,21 @@ namespace signorini
   FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
                                            const PairDescription     &pair);
 
+  template <int dim>
+  using MayMeet = std::function<bool(const SurfaceFace<dim> &, const SurfaceFace<dim> &)>;
+
   /**
    * The same with faces in any configuration, and for each slave face how far it looks.
    * @param slaves, masters owned faces
+   * @param may_meet whether a slave face (the first one) and a master face may face each other at
+   * all; null: any
    */
   template <int dim>
   FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
                                            const std::vector<SurfaceFace<dim>> &masters,
                                            const std::vector<Sweep<dim>>       &sweeps,
-                                           MPI_Comm                             communicator);
+                                           MPI_Comm                             communicator,
+                                           const MayMeet<dim>                  &may_meet = {});
 } // namespace signorini
 
 #endif

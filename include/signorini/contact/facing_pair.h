@@ -25,6 +25,10 @@ namespace signorini
    * @f]
    *
    * so that forces of contact have no moment. Weights still add up to one.
+   *
+   * A body may be a pair with itself. Then faces that share no node may meet; of two that do, that
+   * is the slave which in the reference configuration lies farther along the axis on which they are
+   * farthest apart. Behind itself a face looks no farther than a part of the body's thickness there.
    */
   template <int dim>
   class FacingPair
@@ -78,6 +82,12 @@ namespace signorini
 
     /** Area and bluntness of the slave's nodes. Collective. */
     void measure_slave();
+    /** A body with itself: how thick it is behind each face. Collective. */
+    void measure_thickness();
+    bool is_of_one_body() const { return pairs[pair].slave == pairs[pair].master; }
+    /** The coupling of faces that face each other. Collective. */
+    std::vector<ContactNode<dim>> couple(const FacingSurfaces<dim> &surfaces,
+                                         const std::vector<bool>   *excluded) const;
     /** Around the owned nodes of a surface on all processes. Collective. */
     dealii::BoundingBox<dim> box_of(const std::vector<unsigned int> &nodes,
                                     const Vector                    &displacement) const;

@@ -13,6 +13,8 @@
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
+#include <limits>
+
 namespace signorini
 {
   /** A linear combination of nodes: global node and weight. */
@@ -32,6 +34,8 @@ namespace signorini
     std::array<NodeWeights, n_vertices>
            nodes;           ///< one node of weight 1, or the parents of a hanging vertex
     double orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
+    dealii::Point<dim> place; ///< centre in the reference configuration
+    double thickness = std::numeric_limits<double>::infinity(); ///< of the body behind it, if known
 
     /** Values of the (bi)linear shape functions. */
     static std::array<double, n_vertices> shape_values(const dealii::Point<dim - 1> &xi);
@@ -55,7 +59,7 @@ namespace signorini
     template <class Archive>
     void serialize(Archive &archive, const unsigned int /*version*/)
     {
-      archive &vertices &nodes &orientation;
+      archive &vertices &nodes &orientation &place &thickness;
     }
   };
 
