@@ -71,7 +71,17 @@ namespace signorini
     dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
     if (mass_parameters.predictor == PredictorMass::lumped)
       return project_node_by_node(left, correction, mass_correction);
+    return project_at_once(problem, left, continues, correction, mass_correction);
+  }
 
+
+  template <int dim>
+  SolveReport MassProblems<dim>::project_at_once(const ProjectionProblem &problem,
+                                                 const NormalGap         &left,
+                                                 const bool               continues,
+                                                 Vector                  &correction,
+                                                 Vector                  &mass_correction)
+  {
     prepare();
     correction = last_correction;
     coordinates.displacement_to_contact(correction);
@@ -83,23 +93,20 @@ namespace signorini
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.dirichlet_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const double              accepted_error =
-      tolerance * problem.step_size * std::sqrt(problem.energy_scale / 2.);
-    const SolveReport report = solver.solve({*mass,
-                                             *preconditioner,
-                                             zero,
-                                             coordinates.normal_entries(),
-                                             left,
-                                             coordinates.dirichlet_entries(),
-                                             nothing,
-                                             accepted_error,
-                                             bound_length,
-                                             ConstrainedProblem::no_friction,
-                                             continues,
-                                             problem.is_trial},
-                                            projected,
-                                            correction,
-                                            mass_correction);
+    const ConstrainedProblem  constrained{
+      *mass,
+      *preconditioner,
+      zero,
+      coordinates.normal_entries(),
+      left,
+      coordinates.dirichlet_entries(),
+      nothing,
+      tolerance * problem.step_size * std::sqrt(problem.energy_scale / 2.),
+      bound_tolerance(problem.free_increment, discretization.mesh().body_size()),
+      ConstrainedProblem::no_friction,
+      continues,
+      problem.is_trial};
+    const SolveReport report = solver.solve(constrained, projected, correction, mass_correction);
     last_residual            = mass_correction;
     coordinates.force_to_cartesian(last_residual);
     for (unsigned int k = 0; k < projected.size(); ++k)

@@ -63,12 +63,8 @@ namespace signorini
         ++report.active_set_iterations;
         set_mask(problem, status);
         linearise(problem, status, solution, residual);
-        const auto linear = step(problem,
-                                 solution,
-                                 residual,
-                                 precision,
-                                 last_norm,
-                                 report.linear_iterations == 0 && !problem.continues);
+        const bool is_guess = report.linear_iterations == 0 && !problem.continues;
+        const auto linear   = step(problem, solution, residual, precision, last_norm, is_guess);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;

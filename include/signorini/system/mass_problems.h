@@ -74,6 +74,15 @@ namespace signorini
     Vector    last_correction, last_residual; ///< c and -M c of the latest that was no identity
 
     void prepare();
+    /**
+     * The projection. @param left bounds of the correction @param continues whether the latest one
+     * is nearly this one
+     */
+    SolveReport project_at_once(const ProjectionProblem &problem,
+                                const NormalGap         &left,
+                                bool                     continues,
+                                Vector                  &correction,
+                                Vector                  &mass_correction);
     /** The projection node by node with the lumped mass: obstacles only. */
     SolveReport
     project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);
