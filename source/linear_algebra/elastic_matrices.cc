@@ -16,15 +16,21 @@ namespace signorini
      * The blocks of a row of A add up to zero, as a translation has no stress. So A acts on
      * differences of displacements, and its diagonal blocks are not needed: a body that has moved
      * far has forces with the round-off of its strains, not of its way.
+     *
+     * @param moved per local node whether x is not zero there, if few nodes are: blocks that act on
+     *              zeros are not read
+     * @return number of blocks that were read
      */
-    template <int dim, bool with_mass, bool with_stiffness, typename Weight>
-    void multiply(const ElasticMatrices<dim> &matrices,
-                  const double               *mass,
-                  const Weight               &weight_of,
-                  const double               *x,
-                  double                     *y)
+    template <int dim, bool with_mass, bool with_stiffness, bool is_sparse, typename Weight>
+    std::size_t multiply(const ElasticMatrices<dim> &matrices,
+                         const double               *mass,
+                         const Weight               &weight_of,
+                         const std::vector<char>    &moved,
+                         const double               *x,
+                         double                     *y)
     {
       const NodePattern &pattern = matrices.pattern;
+      std::size_t        n_read  = is_sparse ? 0 : pattern.row_start[pattern.n_owned];
       for (unsigned int row = 0; row < pattern.n_owned; ++row)
         {
           if (pattern.is_empty(row))
@@ -34,7 +40,13 @@ namespace signorini
           Lanes<double>       sum         = load(y + 4 * row);
           for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
             {
-              const unsigned int  column   = pattern.columns[k];
+              const unsigned int column = pattern.columns[k];
+              if constexpr (is_sparse)
+                {
+                  if (!moved[row] && !moved[column])
+                    continue;
+                  ++n_read;
+                }
               const Lanes<double> x_column = load(x + 4 * column);
               if constexpr (with_stiffness)
                 prefetch(matrices.stiffness[k].data());
@@ -57,7 +69,12 @@ namespace signorini
             }
           std::memcpy(y + 4 * row, &sum, sizeof(sum));
         }
+      return n_read;
     }
+
+
+    /** Of the nodes of a process; where fewer are moved a product looks which blocks it needs. */
+    constexpr double few = 0.25;
   } // namespace
 
 
@@ -91,6 +108,7 @@ namespace signorini
     for (unsigned int node = 0; node < pattern.n_local; ++node)
       for (unsigned int c = 0; c < dim; ++c)
         padded_source[4 * node + c] = source.local_element(dim * node + c);
+    find_moved_nodes();
     if (!had_ghosts)
       source.zero_out_ghost_values();
     padded_destination.assign(4 * pattern.n_owned, 0.);
@@ -109,38 +127,67 @@ namespace signorini
 
 
   template <int dim>
+  void ElasticMatrices<dim>::find_moved_nodes() const
+  {
+    unsigned int n_moved = 0;
+    moved.resize(pattern.n_local);
+    for (unsigned int node = 0; node < pattern.n_local; ++node)
+      {
+        const double *x        = padded_source.data() + 4 * node;
+        n_moved += moved[node] = (x[0] != 0. || x[1] != 0. || (dim == 3 && x[2] != 0.));
+      }
+    if (n_moved > few * pattern.n_local)
+      moved.clear();
+  }
+
+
+  template <int dim>
   void ElasticMatrices<dim>::multiply_padded(const std::vector<double> &mass_values,
                                              const MatrixSum           &sum) const
   {
-    const auto run = [&](auto with_mass, auto with_stiffness, const auto &weight_of) {
-      multiply<dim, with_mass, with_stiffness>(
-        *this, mass_values.data(), weight_of, padded_source.data(), padded_destination.data());
-    };
     const std::true_type  yes;
     const std::false_type no;
+    const auto            run = [&](auto          with_mass,
+                         auto          with_stiffness,
+                         const auto   &weight_of,
+                         unsigned long ProductCount::*kind) {
+      const auto multiply_with = [&](auto is_sparse) {
+        return multiply<dim, with_mass, with_stiffness, is_sparse>(*this,
+                                                                   mass_values.data(),
+                                                                   weight_of,
+                                                                   moved,
+                                                                   padded_source.data(),
+                                                                   padded_destination.data());
+      };
+      // Blocks that are read make up products.
+      n_read.*kind += moved.empty() ? multiply_with(no) : multiply_with(yes);
+      if (const std::size_t all = pattern.row_start[pattern.n_owned]; n_read.*kind >= all)
+        {
+          n_read.*kind -= all;
+          ++(count.*kind);
+        }
+    };
     if (sum.stiffness == 0.)
-      {
-        run(yes, no, [](unsigned int) { return 1.; });
-        ++count.mass;
-      }
+      run(
+        yes, no, [](unsigned int) { return 1.; }, &ProductCount::mass);
     else if (is_damped(sum))
-      {
-        run(yes, yes, [&](const unsigned int row) {
+      run(
+        yes,
+        yes,
+        [&](const unsigned int row) {
           const MatrixSum here = at_node(row, sum);
           return here.mass / here.stiffness;
-        });
-        ++count.combined;
-      }
+        },
+        &ProductCount::combined);
     else if (sum.mass == 0.)
-      {
-        run(no, yes, [](unsigned int) { return 0.; });
-        ++count.stiffness;
-      }
+      run(
+        no, yes, [](unsigned int) { return 0.; }, &ProductCount::stiffness);
     else
-      {
-        run(yes, yes, [weight = sum.mass / sum.stiffness](unsigned int) { return weight; });
-        ++count.combined;
-      }
+      run(
+        yes,
+        yes,
+        [weight = sum.mass / sum.stiffness](unsigned int) { return weight; },
+        &ProductCount::combined);
   }
 
 

@@ -5,13 +5,13 @@
 
 namespace signorini
 {
-  State end_of_step(const DynamicalSystem &system,
-                    const State           &start,
-                    const double           step_size,
-                    const Vector          &increment,
-                    const Vector          &velocity_change,
-                    Vector               &&contact_force,
-                    FrictionState        &&friction)
+  State end_of_step(DynamicalSystem &system,
+                    const State     &start,
+                    const double     step_size,
+                    const Vector    &increment,
+                    const Vector    &velocity_change,
+                    Vector         &&contact_force,
+                    FrictionState  &&friction)
   {
     State end;
     end.step         = start.step + 1;
@@ -21,10 +21,13 @@ namespace signorini
     end.velocity = start.velocity;
     end.velocity += velocity_change;
     end.contact_force.swap(contact_force);
-    end.momentum.reinit(start.momentum, true);
-    end.internal_force.reinit(start.internal_force, true);
-    system.apply_mass(end.momentum, end.velocity);
-    system.apply_stiffness(end.internal_force, end.displacement);
+    end.momentum       = start.momentum;
+    end.internal_force = start.internal_force;
+    if (!is_trial(system))
+      {
+        system.apply_mass(end.momentum, end.velocity);
+        system.apply_stiffness(end.internal_force, end.displacement);
+      }
     std::swap(end.friction, friction);
     return end;
   }
@@ -33,7 +36,7 @@ namespace signorini
   double damping_work(DynamicalSystem &system, const Vector &increment, const double step_size)
   {
     const ViscousDamping *damping = system.capabilities().damping;
-    if (damping == nullptr)
+    if (damping == nullptr || is_trial(system))
       return 0.;
     Vector force = system.make_vector();
     damping->apply_damping(force, increment);

@@ -13,11 +13,14 @@ namespace signorini
   ProjectedContactStabilized::Motion ProjectedContactStabilized::move(DynamicalSystem &system,
                                                                       const State     &state,
                                                                       const double     tau,
-                                                                      const NormalGap &gap) const
+                                                                      const NormalGap &gap)
   {
-    Motion       motion;
-    NormalGap    bounds = gap;
-    SolveReport  predictors, correctors;
+    Motion      motion;
+    SolveReport predictors, correctors;
+    // What was in vain is so with normals that are a little different, too, or is looked at anew.
+    if (!is_repetition(system))
+      lifted.assign(gap.size(), false);
+    NormalGap    bounds               = lift_bounds(gap, lifted);
     const Vector free_right_hand_side = rule.right_hand_side(system, state, tau);
     do
       {
@@ -31,8 +34,11 @@ namespace signorini
         motion.solution = rule.solve(system, state, tau, b, gap, &projection_reaction);
         correctors.add(motion.solution.effort);
       }
-    while (lift_bounds_stopped_in_vain(
-      system, motion.predictor, motion.solution.increment, gap, bounds));
+    while (lower_bounds_lifted_in_vain(system, motion.solution.increment, gap, lifted, bounds)
+           || lift_bounds_stopped_in_vain(
+             system, motion.predictor, motion.solution.increment, gap, bounds));
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      lifted[k] = bounds[k] != gap[k];
     motion.predictor.effort = predictors;
     motion.solution.effort  = correctors;
     return motion;

@@ -10,6 +10,16 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Whether a node is left open by more than it moves along its normal. */
+    bool is_left_open(const double gap, const double motion, const double touching)
+    {
+      return gap - motion > std::abs(motion) + touching;
+    }
+  } // namespace
+
+
   ProjectedPredictor project_predictor(DynamicalSystem &system,
                                        const State     &state,
                                        const double     step_size,
@@ -38,11 +48,41 @@ namespace signorini
                     moved    = system.relative_normal(increment);
     unsigned int n_lifted    = 0;
     for (std::size_t k = 0; k < gap.size(); ++k)
-      if (stopped[k] >= bounds[k] - touching && gap[k] - moved[k] > std::abs(moved[k]) + touching)
+      if (stopped[k] >= bounds[k] - touching && is_left_open(gap[k], moved[k], touching))
         {
           bounds[k] = std::numeric_limits<double>::infinity();
           ++n_lifted;
         }
     return dealii::Utilities::MPI::sum(n_lifted, increment.get_mpi_communicator()) > 0;
+  }
+
+
+  NormalGap lift_bounds(const NormalGap &gap, const std::vector<bool> &lifted)
+  {
+    AssertDimension(lifted.size(), gap.size());
+    NormalGap bounds = gap;
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      if (lifted[k])
+        bounds[k] = std::numeric_limits<double>::infinity();
+    return bounds;
+  }
+
+
+  bool lower_bounds_lifted_in_vain(const DynamicalSystem &system,
+                                   const Vector          &increment,
+                                   const NormalGap       &gap,
+                                   std::vector<bool>     &lifted,
+                                   NormalGap             &bounds)
+  {
+    const double    touching  = touching_distance(system.length());
+    const NormalGap moved     = system.relative_normal(increment);
+    unsigned int    n_in_vain = 0;
+    for (std::size_t k = 0; k < gap.size(); ++k)
+      n_in_vain += lifted[k] && !is_left_open(gap[k], moved[k], touching);
+    if (dealii::Utilities::MPI::sum(n_in_vain, increment.get_mpi_communicator()) == 0)
+      return false;
+    lifted.assign(gap.size(), false);
+    bounds = gap;
+    return true;
   }
 } // namespace signorini

@@ -36,6 +36,8 @@ namespace signorini
                          Vector          &contact_force,
                          StepReport      &report)
   {
+    if (is_trial(system))
+      return 0.;
     Vector new_velocity = velocity, correction, impulses;
     new_velocity += velocity_change;
     Vector relative_velocity = new_velocity;

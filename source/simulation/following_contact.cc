@@ -5,6 +5,8 @@
 #include <signorini/schemes/fixed_point.h>
 #include <signorini/simulation/following_contact.h>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace signorini
@@ -13,6 +15,12 @@ namespace signorini
   {
     /** Times that a step is made again, and with what acceleration. */
     constexpr unsigned int most_repetitions = 24, few_differences = 3;
+    /** Contraction beyond which it is not for want of repetitions that a trial is not right. */
+    constexpr double slow = 0.5;
+    /** Contraction that is better than what can be relied on. */
+    constexpr double lucky = 1e-3;
+    /** Mismatch that a step is expected to have when it is no trial any more. */
+    constexpr double aim = 0.3;
 
 
     std::string which_step(const State &state, const double step_size)
@@ -42,41 +50,50 @@ namespace signorini
           start, step_size, scheme.needs().statics ? StepNormals::at_end : StepNormals::of_motion);
       }
 
-      /** Make the step with the normals of now. @return MovingContact::mismatch() */
-      double make()
+      ~RepeatedStep() { contact.let_steps_be_trials(false); }
+
+      /**
+       * Make the step with the normals of now. @param is_trial see
+       * MovingContact::let_steps_be_trials()
+       */
+      void make(const bool is_trial)
       {
-        end    = start;
+        end = start;
+        contact.let_steps_be_trials(is_trial);
         report = scheme.advance(system, end, step_size);
         correctors.add(report.corrector);
         predictors.add(report.predictor);
         increment = end.displacement;
         increment -= start.displacement;
-        return contact.mismatch(increment);
+        latest_mismatch = contact.mismatch(increment);
       }
 
-      /** The same with the normals of the motion `current` of the entries. */
-      double make_again(const Vector &current, Vector &image)
+      /**
+       * Make it with the normals of its own motion until they agree.
+       * @param difference of the latest step from what is wanted, at most 1 at the end
+       * @return whether it came to that
+       */
+      bool repeat(const bool is_trial, const std::function<double()> &difference)
       {
-        Vector motion = increment;
-        for (std::size_t i = 0; i < entries.size(); ++i)
-          motion.local_element(entries[i]) = current.local_element(i);
-        contact.follow(motion);
-        const double mismatch = make();
-        copy_increment(image);
-        return mismatch;
+        Vector motion = FixedPoint::make_unknowns(entries.size(), increment.get_mpi_communicator());
+        copy_increment(motion);
+        FixedPoint fixed_point(
+          [&](const Vector &current, Vector &image) {
+            follow(current);
+            make(is_trial);
+            copy_increment(image);
+            return difference();
+          },
+          motion,
+          {1., 1., most_repetitions});
+        for (const unsigned int depth : {few_differences, 0U})
+          if (!fixed_point.converged())
+            fixed_point.run(depth);
+        return fixed_point.converged();
       }
 
-      /** The motion of the entries on which normals depend. */
-      void copy_increment(Vector &motion) const
-      {
-        for (std::size_t i = 0; i < entries.size(); ++i)
-          motion.local_element(i) = increment.local_element(entries[i]);
-      }
-
-      Vector make_unknowns() const
-      {
-        return FixedPoint::make_unknowns(entries.size(), increment.get_mpi_communicator());
-      }
+      /** MovingContact::mismatch() of the latest step. */
+      double mismatch() const { return latest_mismatch; }
 
       bool passes_through() const { return contact.passes_through(increment); }
 
@@ -95,11 +112,26 @@ namespace signorini
       MovingContact                  &contact;
       const State                    &start;
       const double                    step_size;
-      const std::vector<unsigned int> entries;
+      const std::vector<unsigned int> entries; ///< on which normals depend
       State                           end;
       Vector                          increment;
+      double                          latest_mismatch = 0.;
       StepReport                      report;
       SolveReport                     correctors, predictors;
+
+      void follow(const Vector &motion_of_entries)
+      {
+        Vector motion = increment;
+        for (std::size_t i = 0; i < entries.size(); ++i)
+          motion.local_element(entries[i]) = motion_of_entries.local_element(i);
+        contact.follow(motion);
+      }
+
+      void copy_increment(Vector &motion_of_entries) const
+      {
+        for (std::size_t i = 0; i < entries.size(); ++i)
+          motion_of_entries.local_element(i) = increment.local_element(entries[i]);
+      }
     };
   } // namespace
 
@@ -108,27 +140,33 @@ namespace signorini
   FollowingContact::advance(DynamicalSystem &system, State &state, const double step_size)
   {
     RepeatedStep step(*scheme, system, state, step_size);
-    if (step.make() > 1.)
-      {
-        Vector first = step.make_unknowns();
-        step.copy_increment(first);
-        FixedPoint fixed_point(
-          [&](const Vector &current, Vector &image) { return step.make_again(current, image); },
-          first,
-          {1., 1., most_repetitions});
-        for (const unsigned int depth : {few_differences, 0U})
-          if (!fixed_point.converged())
-            fixed_point.run(depth);
-        if (!fixed_point.converged())
-          {
-            std::ostringstream message;
-            message << which_step(state, step_size)
-                    << " finds no motion that belongs to its own normals of contact. Take smaller "
-                       "steps, let `Time/Step size control` choose them, or set `Contact/Motion = "
-                       "linearised` if nothing slides along curved obstacles.";
-            throw StepError(message.str());
-          }
-      }
+    const bool   begins_with_trials = expects_repetitions;
+    step.make(begins_with_trials);
+    expects_repetitions = step.mismatch() > 1.;
+
+    // Normals need no more digits than what they change has wrong. A step that is made again to
+    // full accuracy should be the last one.
+    double     before = step.mismatch();
+    const auto shrink = [&] {
+      const double ratio = step.mismatch() / before;
+      contraction        = std::isfinite(ratio) ? std::clamp(ratio, lucky, slow) : slow;
+      before             = step.mismatch();
+    };
+    if (begins_with_trials && before * contraction > aim)
+      step.repeat(true, [&] {
+        shrink();
+        return contraction < slow ? before * contraction / aim : 0.;
+      });
+
+    const auto difference = [&] {
+      shrink();
+      return before;
+    };
+    if ((begins_with_trials || before > 1.) && !step.repeat(false, difference))
+      throw StepError(which_step(state, step_size)
+                      + " finds no motion that belongs to its own normals of contact. Take smaller "
+                        "steps, let `Time/Step size control` choose them, or set `Contact/Motion = "
+                        "linearised` if nothing slides along curved obstacles.");
     if (step.passes_through())
       throw StepError(which_step(state, step_size)
                       + " takes a body through an obstacle. Take smaller steps, or let `Time/Step "

@@ -40,6 +40,7 @@ namespace signorini
     , loads(loads)
     , parameters(parameters)
     , timer(timer)
+    , first_guess(coordinates, touching_distance(discretization.mesh().body_size()))
     , friction(coordinates, surface.friction_may_come(), discretization.communicator())
     , step_matrices(discretization,
                     coordinates,
@@ -124,46 +125,6 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::guess_from_start(const IncrementProblem &problem,
-                                                   const LinearOperator   &matrix,
-                                                   const Vector           &right_hand_side,
-                                                   Vector                 &increment)
-  {
-    increment.equ(problem.step_size, problem.start.velocity);
-    coordinates.displacement_to_contact(increment);
-    const double reach =
-      std::max(increment.linfty_norm(), touching_distance(discretization.mesh().body_size()));
-    // In long steps velocities are no increments: they alternate. The part of them that has the
-    // least energy is never worse than none, and as good as all of them in short steps.
-    Vector product = right_hand_side;
-    matrix.vmult(product, increment);
-    if (const double energy = dot(increment, product); energy > 0.)
-      increment *= std::clamp(dot(increment, right_hand_side) / energy, 0., 1.);
-    guess_status(problem.start);
-    // On a finer mesh forces are spread to nodes that do not touch.
-    for (unsigned int k = 0; k < active.size(); ++k)
-      if (problem.bounds[k] > reach)
-        active[k] = contact_status::open;
-  }
-
-
-  template <int dim>
-  void ElasticContactSystem<dim>::guess_status(const State &start)
-  {
-    Vector force = start.contact_force;
-    coordinates.force_to_contact(force);
-    for (unsigned int k = 0; k < active.size(); ++k)
-      {
-        // New nodes between those that stick and those that slip are under pressure, but have no
-        // status yet.
-        active[k] = start.friction.any() ? start.friction.status[k] : contact_status::open;
-        if (is_pressed(force.local_element(coordinates.normal_entries()[k])))
-          active[k] = std::max(active[k], contact_status::slip);
-      }
-  }
-
-
-  template <int dim>
   std::vector<double> ElasticContactSystem<dim>::prescribed_increments(const State &start,
                                                                        const double step_size) const
   {
@@ -179,11 +140,22 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::expect_contact(const Vector &increment, const NormalGap &bounds)
+  bool ElasticContactSystem<dim>::guess(const IncrementProblem &problem,
+                                        StepMatrix<dim>        &matrix,
+                                        const Vector           &right_hand_side,
+                                        Vector                 &increment,
+                                        Vector                 &residual)
   {
-    for (unsigned int k = 0; k < active.size(); ++k)
-      if (increment.local_element(coordinates.normal_entries()[k]) > bounds[k])
-        active[k] = std::max(active[k], contact_status::slip);
+    const bool continues = step_contact && step_contact->repeats()
+                           && matrix.forecast.repeat(problem.right_hand_side, increment, residual);
+    if (continues || matrix.forecast.guess(problem.right_hand_side, increment))
+      coordinates.displacement_to_contact(increment);
+    else
+      first_guess.from_start(problem, *matrix.product, right_hand_side, increment, active);
+    if (continues)
+      coordinates.force_to_contact(residual);
+    first_guess.expect_contact(increment, problem.bounds, active);
+    return continues;
   }
 
 
@@ -197,15 +169,9 @@ namespace signorini
 
     Vector right_hand_side = problem.right_hand_side;
     coordinates.force_to_contact(right_hand_side);
-    Vector &increment = solution.increment;
-    increment         = discretization.make_vector();
-    if (step_contact && step_contact->repeats())
-      matrix.forecast.repeat();
-    if (matrix.forecast.guess(problem.right_hand_side, increment))
-      coordinates.displacement_to_contact(increment);
-    else
-      guess_from_start(problem, *matrix.product, right_hand_side, increment);
-    expect_contact(increment, problem.bounds);
+    Vector &increment = solution.increment, residual = discretization.make_vector();
+    increment            = residual;
+    const bool continues = guess(problem, matrix, right_hand_side, increment, residual);
 
     Friction friction_of_nodes;
     Vector   drag;
@@ -227,7 +193,6 @@ namespace signorini
       }
 
     const std::vector<double> prescribed = prescribed_increments(problem.start, problem.step_size);
-    Vector                    residual   = discretization.make_vector();
     const ConstrainedProblem  constrained{
       *matrix.product,
       *matrix.preconditioner,
@@ -238,7 +203,9 @@ namespace signorini
       prescribed,
       solver_tolerance(matrix, problem.step_size, right_hand_side, prescribed),
       bound_tolerance(increment, discretization.mesh().body_size()),
-      friction_of_nodes};
+      friction_of_nodes,
+      continues,
+      step_contact && step_contact->steps_are_trials()};
     solution.effort = solver->solve(constrained, active, increment, residual);
     matrix.effort.add(solution.effort);
 

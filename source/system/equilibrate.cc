@@ -45,7 +45,7 @@ namespace signorini
     dealii::TimerOutput::Scope scope(timer, "step: inequality");
     const std::vector<double>  prescribed = prescribed_increments(step.start, step.step_size);
     const Friction             laws       = laws_of_load_step(step.bounds);
-    guess_status(step.start);
+    first_guess.status(step.start, active);
 
     Vector force = step.force, drag;
     if (step_contact && friction.any())

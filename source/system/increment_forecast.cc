@@ -25,7 +25,7 @@ namespace signorini
 
     // b - s with s from the last two steps
     Vector force = right_hand_side;
-    if (residuals.size() == 2 && !repeats)
+    if (residuals.size() == 2)
       force.add(-2., residuals[0], 1., residuals[1]);
     else
       force -= residuals[0];
@@ -51,6 +51,18 @@ namespace signorini
   }
 
 
+  bool IncrementForecast::repeat(const Vector &right_hand_side, Vector &increment, Vector &residual)
+  {
+    repeats = !increments.empty();
+    if (!repeats)
+      return false;
+    increment = increments[0];
+    residual  = right_hand_side;
+    residual -= product;
+    return true;
+  }
+
+
   void IncrementForecast::remember(const Vector &right_hand_side,
                                    const Vector &increment,
                                    const Vector &residual)
@@ -61,7 +73,7 @@ namespace signorini
            dealii::ExcMessage("The mesh has changed: clear() what was remembered."));
     if (repeats)
       drop_latest();
-    Vector product = right_hand_side;
+    product = right_hand_side;
     product -= residual;
     if (increments.size() == n_kept) // reuse the memory of the oldest
       {

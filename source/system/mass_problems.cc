@@ -43,55 +43,72 @@ namespace signorini
 
 
   template <int dim>
-  SolveReport MassProblems<dim>::project(const Vector    &free_increment,
-                                         const NormalGap &bounds,
-                                         const double     step_size,
-                                         const double     energy_scale,
-                                         Vector          &correction,
-                                         Vector          &mass_correction)
+  SolveReport MassProblems<dim>::project(const ProjectionProblem &problem,
+                                         Vector                  &correction,
+                                         Vector                  &mass_correction)
   {
-    AssertDimension(bounds.size(), surface.nodes().size());
-    Assert(step_size > 0., dealii::ExcMessage("A step goes forward in time."));
-    Assert(energy_scale >= 0., dealii::ExcMessage("The scale is an energy of motion."));
+    AssertDimension(problem.bounds.size(), surface.nodes().size());
+    Assert(problem.step_size > 0., dealii::ExcMessage("A step goes forward in time."));
+    Assert(problem.energy_scale >= 0., dealii::ExcMessage("The scale is an energy of motion."));
     correction      = discretization.make_vector();
     mass_correction = correction;
 
     // The bound of the correction is what is left of the gap after the free increment.
-    NormalGap  left         = surface.relative_normal(free_increment);
-    const auto bound_length = bound_tolerance(free_increment, discretization.mesh().body_size());
-    bool       admissible   = true;
+    NormalGap  left = surface.relative_normal(problem.free_increment);
+    const auto bound_length =
+      bound_tolerance(problem.free_increment, discretization.mesh().body_size());
+    bool admissible = true;
     for (unsigned int k = 0; k < left.size(); ++k)
       {
-        left[k]    = bounds[k] - left[k];
+        left[k]    = problem.bounds[k] - left[k];
         admissible = admissible && left[k] >= -bound_length;
       }
-    is_identity = dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible),
+    const bool continues = problem.repeats && !is_identity;
+    is_identity          = dealii::Utilities::MPI::min(static_cast<unsigned int>(admissible),
                                               discretization.communicator());
     if (is_identity)
       return SolveReport();
     dealii::TimerOutput::Scope scope(timer, "step: projection of the predictor");
     if (mass_parameters.predictor == PredictorMass::lumped)
       return project_node_by_node(left, correction, mass_correction);
+    return project_at_once(problem, left, continues, correction, mass_correction);
+  }
 
+
+  template <int dim>
+  SolveReport MassProblems<dim>::project_at_once(const ProjectionProblem &problem,
+                                                 const NormalGap         &left,
+                                                 const bool               continues,
+                                                 Vector                  &correction,
+                                                 Vector                  &mass_correction)
+  {
     prepare();
     correction = last_correction;
     coordinates.displacement_to_contact(correction);
+    if (continues)
+      {
+        mass_correction = last_residual;
+        coordinates.force_to_contact(mass_correction);
+      }
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.dirichlet_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const double              accepted_error = tolerance * step_size * std::sqrt(energy_scale / 2.);
-    const SolveReport         report         = solver.solve({*mass,
-                                                             *preconditioner,
-                                                             zero,
-                                                             coordinates.normal_entries(),
-                                                             left,
-                                                             coordinates.dirichlet_entries(),
-                                                             nothing,
-                                                             accepted_error,
-                                                             bound_length},
-                                            projected,
-                                            correction,
-                                            mass_correction);
+    const ConstrainedProblem  constrained{
+      *mass,
+      *preconditioner,
+      zero,
+      coordinates.normal_entries(),
+      left,
+      coordinates.dirichlet_entries(),
+      nothing,
+      tolerance * problem.step_size * std::sqrt(problem.energy_scale / 2.),
+      bound_tolerance(problem.free_increment, discretization.mesh().body_size()),
+      ConstrainedProblem::no_friction,
+      continues,
+      problem.is_trial};
+    const SolveReport report = solver.solve(constrained, projected, correction, mass_correction);
+    last_residual            = mass_correction;
+    coordinates.force_to_cartesian(last_residual);
     for (unsigned int k = 0; k < projected.size(); ++k)
       if (projected[k])
         held.push_back(coordinates.normal_entries()[k]);

@@ -130,6 +130,13 @@ namespace signorini
 
 
   template <int dim>
+  NormalGap StepContact<dim>::gaps_at_start() const
+  {
+    return geometry->gaps_at_start();
+  }
+
+
+  template <int dim>
   const Vector *StepContact<dim>::obstacle_motion() const
   {
     return geometry->obstacles_move() ? &motion_of_obstacles : nullptr;

@@ -15,24 +15,26 @@ namespace signorini
 {
   namespace
   {
-    /** Move the entries of node k that its status holds to their values. @return whether any moved
-     */
-    bool move_to_values(const ConstrainedProblem &problem,
-                        const ActiveSet          &status,
-                        const std::size_t         k,
-                        Vector                   &solution)
+    /** Move fixed entries, and those that statuses hold, to their values. @return how many moved */
+    unsigned int
+    move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution)
     {
-      bool       moved = false;
-      const auto move  = [&](const unsigned int i, const double value) {
-        moved                     = moved || solution.local_element(i) != value;
+      unsigned int n_moved = 0;
+      const auto   move    = [&](const unsigned int i, const double value) {
+        n_moved += (solution.local_element(i) != value);
         solution.local_element(i) = value;
       };
-      if (contact_status::is_closed(status[k]))
-        move(problem.bounded_entries[k], problem.upper_bounds[k]);
-      if (contact_status::sticks(status[k]))
-        for (unsigned int j = 0; j < problem.friction[k].entries.size(); ++j)
-          move(problem.friction[k].entries[j], -problem.friction[k].past[j]);
-      return moved;
+      for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+        move(problem.fixed_entries[j], problem.fixed_values[j]);
+      for (std::size_t k = 0; k < status.size(); ++k)
+        {
+          if (contact_status::is_closed(status[k]))
+            move(problem.bounded_entries[k], problem.upper_bounds[k]);
+          if (contact_status::sticks(status[k]))
+            for (unsigned int j = 0; j < problem.friction[k].entries.size(); ++j)
+              move(problem.friction[k].entries[j], -problem.friction[k].past[j]);
+        }
+      return n_moved;
     }
   } // namespace
 
@@ -61,15 +63,15 @@ namespace signorini
         ++report.active_set_iterations;
         set_mask(problem, status);
         linearise(problem, status, solution, residual);
-        const auto linear =
-          step(problem, solution, residual, precision, last_norm, report.linear_iterations == 0);
+        const bool is_guess = report.linear_iterations == 0 && !problem.continues;
+        const auto linear   = step(problem, solution, residual, precision, last_norm, is_guess);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
 
         if (update(problem, status, solution, residual) == 0)
           {
-            if (linear.iterations == 0)
+            if (linear.iterations == 0 || problem.is_rough)
               {
                 report.n_active = record.n_closed(status);
                 return report;
@@ -104,16 +106,17 @@ namespace signorini
                                Vector                   &solution,
                                Vector                   &residual)
   {
-    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
-      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
     for (std::size_t k = 0; k < status.size(); ++k)
+      if (problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
+        status[k] = contact_status::open; // a guess from elsewhere
+      else if (contact_status::sticks(status[k]) && problem.friction[k].entries.empty())
+        status[k] = contact_status::slip;
+    if (problem.continues)
       {
-        if (problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
-          status[k] = contact_status::open; // a guess from elsewhere
-        else if (contact_status::sticks(status[k]) && problem.friction[k].entries.empty())
-          status[k] = contact_status::slip;
-        move_to_values(problem, status, k, solution);
+        hold(problem, status, solution, residual);
+        return;
       }
+    move_to_values(problem, status, solution);
     problem.matrix.vmult(residual, solution);
     residual.sadd(-1., 1., problem.right_hand_side);
   }
@@ -164,10 +167,8 @@ namespace signorini
                               Vector                   &solution,
                               Vector                   &residual)
   {
-    correction           = solution;
-    unsigned int n_moved = 0;
-    for (std::size_t k = 0; k < status.size(); ++k)
-      n_moved += move_to_values(problem, status, k, solution);
+    correction                 = solution;
+    const unsigned int n_moved = move_to_values(problem, status, solution);
     if (dealii::Utilities::MPI::sum(n_moved, solution.get_mpi_communicator()) == 0)
       return; // entries were only released: the solution is as it was
     correction.sadd(-1., 1., solution);

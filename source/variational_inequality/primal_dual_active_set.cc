@@ -19,28 +19,30 @@ namespace signorini
     check_sizes(problem, active, solution, residual);
     SolveReport  report;
     StatusRecord record(solution);
-    double       reduction = rough_reduction;
+    // What continues has most likely the right set.
+    double reduction = problem.continues && !problem.is_rough ? 0. : rough_reduction;
 
     start(problem, active, solution, residual);
     set_mask(problem, active);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
-        const auto linear = conjugate_gradients.solve(problem.matrix,
-                                                      problem.preconditioner,
-                                                      solution,
-                                                      residual,
-                                                      problem.tolerance,
-                                                      reduction,
-                                                      limits.maximum_linear_iterations,
-                                                      report.linear_iterations == 0);
+        const auto linear =
+          conjugate_gradients.solve(problem.matrix,
+                                    problem.preconditioner,
+                                    solution,
+                                    residual,
+                                    problem.tolerance,
+                                    reduction,
+                                    limits.maximum_linear_iterations,
+                                    report.linear_iterations == 0 && !problem.continues);
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
 
         if (update(problem, active, solution, residual) == 0)
           {
-            if (reduction == 0.)
+            if (reduction == 0. || problem.is_rough)
               {
                 report.n_active = record.n_closed(active);
                 return report;
@@ -70,12 +72,18 @@ namespace signorini
                                   Vector                   &solution,
                                   Vector                   &residual)
   {
+    for (std::size_t k = 0; k < active.size(); ++k)
+      if (problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
+        active[k] = 0; // a guess from elsewhere
+    if (problem.continues)
+      {
+        hold(problem, active, solution, residual);
+        return;
+      }
     for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
       solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
     for (std::size_t k = 0; k < active.size(); ++k)
-      if (active[k] && problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
-        active[k] = 0; // a guess from elsewhere
-      else if (active[k])
+      if (active[k])
         solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
     problem.matrix.vmult(residual, solution);
     residual.sadd(-1., 1., problem.right_hand_side);
@@ -108,15 +116,17 @@ namespace signorini
   {
     correction.reinit(solution);
     unsigned int n_moved = 0;
+    const auto   move    = [&](const unsigned int i, const double value) {
+      const double distance = value - solution.local_element(i);
+      n_moved += (distance != 0.);
+      correction.local_element(i) = distance;
+      solution.local_element(i)   = value;
+    };
+    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
+      move(problem.fixed_entries[j], problem.fixed_values[j]);
     for (std::size_t k = 0; k < active.size(); ++k)
       if (active[k])
-        {
-          const unsigned int i        = problem.bounded_entries[k];
-          const double       distance = problem.upper_bounds[k] - solution.local_element(i);
-          n_moved += (distance != 0.);
-          correction.local_element(i) = distance;
-          solution.local_element(i)   = problem.upper_bounds[k];
-        }
+        move(problem.bounded_entries[k], problem.upper_bounds[k]);
     if (dealii::Utilities::MPI::sum(n_moved, solution.get_mpi_communicator()) == 0)
       return; // entries were only released: the solution is as it was
     product.reinit(solution, true);

@@ -102,6 +102,35 @@ TYPED_TEST(ElasticMatricesOf, ACombinedProductIsTheSumAndIsCountedOnce)
   EXPECT_EQ(after.combined - before.combined, 1u);
 }
 
+TYPED_TEST(ElasticMatricesOf, AVectorThatIsZeroNearlyEverywhereCostsAPartOfAProduct)
+{
+  // It reads what acts on one node of each process, and gives the same by linearity.
+  constexpr unsigned int dim = TypeParam::value, n_times = 200;
+  const Vector           x = this->body.some_vector(0.);
+  Vector                 e = x, x_and_e = x;
+  e = 0.;
+  for (unsigned int c = 0; c < dim; ++c)
+    e.local_element(dim * (this->matrices.pattern.n_owned / 2) + c) = 1. + c;
+  x_and_e += e;
+  for (const auto &[a, b] : {std::pair(1., 0.), std::pair(0., 1.), std::pair(2., 0.3)})
+    {
+      Vector difference = this->product(x_and_e, a, b);
+      difference -= this->product(x, a, b);
+      const ProductCount before = this->matrices.products();
+      Vector             of_e(x);
+      for (unsigned int k = 0; k < n_times; ++k)
+        of_e = this->product(e, a, b);
+      const ProductCount after = this->matrices.products();
+      EXPECT_GT(of_e.linfty_norm(), 1e-3);
+      difference -= of_e;
+      EXPECT_LT(difference.linfty_norm(), 1e-12);
+      const unsigned long counted = after.mass + after.stiffness + after.combined - before.mass
+                                    - before.stiffness - before.combined;
+      EXPECT_LT(counted, n_times);
+      EXPECT_GT(counted, 0u);
+    }
+}
+
 TYPED_TEST(ElasticMatricesOf, HangingNodesHaveNoInfluence)
 {
   constexpr int      dim       = TypeParam::value;

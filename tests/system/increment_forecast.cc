@@ -4,7 +4,8 @@
 // The first guess of an increment is the combination of the last ones that is closest to the
 // solution in the norm of K: what is left is orthogonal to all of them, and nothing is left if the
 // solution is such a combination. Forces that hold constraints are extrapolated, those that grow
-// linearly exactly.
+// linearly exactly. A step that is made again begins with its latest increment, whose residual is
+// known, and leaves one increment behind, the last one.
 
 #include <signorini/system/increment_forecast.h>
 
@@ -142,4 +143,22 @@ TEST_F(Forecast, ForgetsAtASolutionThatIsFarTooLarge)
   EXPECT_LT((guess(K * d) - d).norm(), 1e-12 * d.norm());
   remember(Eigen::VectorXd::Zero(n)); // comes to rest
   EXPECT_FALSE(forecast.guess(distributed(vector()), increment));
+}
+
+
+TEST_F(Forecast, RepeatsTheLatestStepAndForgetsWhatItWas)
+{
+  const Eigen::VectorXd first = vector(), rough = vector(), solution = vector(), b = vector();
+  Vector                increment(n), residual(n);
+  EXPECT_FALSE(forecast.repeat(distributed(b), increment, residual));
+  remember(first);
+  remember(rough, vector());
+  EXPECT_TRUE(forecast.repeat(distributed(b), increment, residual));
+  EXPECT_EQ(dense(increment), rough);
+  EXPECT_LT((dense(residual) - (b - K * rough)).norm(), 1e-12 * b.norm() * K.norm());
+  remember(solution);
+
+  // Combinations of the first and the last increment are exact, others are not.
+  EXPECT_LT((guess(K * (first + 2. * solution)) - first - 2. * solution).norm(), 1e-10);
+  EXPECT_GT((guess(K * rough) - rough).norm(), 0.1);
 }

@@ -13,7 +13,8 @@ namespace signorini
 {
   /**
    * Matrix-vector products since the start, by matrix: the currency in which the cost of a step is
-   * measured.
+   * measured. Those with vectors that are zero at nearly all nodes count by the part of the matrix
+   * that they read.
    */
   struct ProductCount
   {
@@ -101,14 +102,18 @@ namespace signorini
     }
 
   private:
-    mutable ProductCount count;
+    mutable ProductCount count, n_read; ///< products, and blocks of the next ones
     /** Four numbers per node, see Lanes. */
     mutable std::vector<double> padded_source, padded_destination;
+    /** Per local node whether the source is not zero there; empty if it is at many. */
+    mutable std::vector<char> moved;
 
     void apply_with(const std::vector<double> &mass_values,
                     Vector                    &destination,
                     const Vector              &source,
                     const MatrixSum           &sum) const;
+
+    void find_moved_nodes() const;
 
     /** The product of the padded vectors over the factor of A, or that of M without A. */
     void multiply_padded(const std::vector<double> &mass_values, const MatrixSum &sum) const;

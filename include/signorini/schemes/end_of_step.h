@@ -11,17 +11,18 @@ namespace signorini
   /**
    * The complete state at the end of a step, u + d and v + velocity_change with the products M v
    * and A u. The state at its start is not touched: schemes swap both when nothing can fail any
-   * more.
+   * more. In a trial the products are those of the start.
    */
-  State end_of_step(const DynamicalSystem &system,
-                    const State           &start,
-                    double                 step_size,
-                    const Vector          &increment,
-                    const Vector          &velocity_change,
-                    Vector               &&contact_force,
-                    FrictionState        &&friction = {});
+  State end_of_step(DynamicalSystem &system,
+                    const State     &start,
+                    double           step_size,
+                    const Vector    &increment,
+                    const Vector    &velocity_change,
+                    Vector         &&contact_force,
+                    FrictionState  &&friction = {});
 
-  /** The work of viscous damping, -d'C d/tau; zero in a system without. */
+  /** The work of viscous damping, -d'C d/tau; zero in a system without, and in a trial.
+   */
   double damping_work(DynamicalSystem &system, const Vector &increment, double step_size);
 } // namespace signorini
 

@@ -71,7 +71,10 @@ namespace signorini
       IncrementSolution  solution;
     };
     Motion
-    move(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap) const;
+    move(DynamicalSystem &system, const State &state, double step_size, const NormalGap &gap);
+
+    /** Per contact node whether the latest step has lifted its bound; for its repetitions. */
+    std::vector<bool> lifted;
   };
 } // namespace signorini
 

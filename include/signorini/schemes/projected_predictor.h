@@ -35,6 +35,21 @@ namespace signorini
                                    const Vector             &increment,
                                    const NormalGap          &gap,
                                    NormalGap                &bounds);
+
+  /** The bounds, infinite at some contact nodes. */
+  NormalGap lift_bounds(const NormalGap &gap, const std::vector<bool> &lifted);
+
+  /**
+   * If a bound was lifted although the increment does not leave its node open by more than it
+   * moves, all of them get their bounds again. Collective.
+   * @param lifted before the increment was known; none afterwards in this case
+   * @return whether it is
+   */
+  bool lower_bounds_lifted_in_vain(const DynamicalSystem &system,
+                                   const Vector          &increment,
+                                   const NormalGap       &gap,
+                                   std::vector<bool>     &lifted,
+                                   NormalGap             &bounds);
 } // namespace signorini
 
 #endif

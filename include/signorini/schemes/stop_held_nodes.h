@@ -21,7 +21,8 @@ namespace signorini
 
   /**
    * End a step with the velocity that is closest in M and without relative motion at some nodes,
-   * see MassProjections::stop_relative_motion(). It can only take kinetic energy.
+   * see MassProjections::stop_relative_motion(). It can only take kinetic energy. In a trial
+   * nothing is done.
    * @param velocity        at the start of the step
    * @param velocity_change of the step, corrected
    * @param contact_force   gets the impulses over the step size

@@ -16,6 +16,11 @@ namespace signorini
    * own motion are found by a fixed point: make the step, take the normals of its motion, make it
    * again. Where nothing turns, the first time is the last. MovingContact says what the normals
    * are.
+   *
+   * As in inexact Newton methods, a step that will be made again is solved roughly (Dembo,
+   * Eisenstat, Steihaug, SIAM J. Numer. Anal. 19 (1982) 400-408): it is a trial. The last one is
+   * solved to the full accuracy. What is expected of a step is what the latest one took; that
+   * decides about effort only.
    */
   class FollowingContact : public TimeScheme
   {
@@ -32,6 +37,8 @@ namespace signorini
 
   private:
     const std::unique_ptr<TimeScheme> scheme;
+    bool   expects_repetitions = false; ///< the latest step had to be made again
+    double contraction         = 0.05;  ///< of the mismatch, by the latest repetition
   };
 } // namespace signorini
 

@@ -5,6 +5,7 @@
 #define signorini_system_elastic_contact_system_h
 
 #include <signorini/discretization/loads.h>
+#include <signorini/system/first_guess.h>
 #include <signorini/system/mass_problems.h>
 #include <signorini/system/massless_equilibrium.h>
 #include <signorini/system/static_equilibrium.h>
@@ -84,7 +85,7 @@ namespace signorini
     void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
 
     /** Contact is where the state has it; the next problem begins with that. */
-    void expect_contact_as_in(const State &state) { guess_status(state); }
+    void expect_contact_as_in(const State &state) { first_guess.status(state, active); }
 
     /** The largest energy of the motion so far. */
     double energy() const { return energy_scale; }
@@ -103,6 +104,7 @@ namespace signorini
       &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
     double                                    energy_scale = 0.;
+    const FirstGuess<dim>                     first_guess;
     const StepFriction<dim>                   friction;
     StepMatrices<dim>                         step_matrices;
     std::unique_ptr<MasslessEquilibrium<dim>> massless_equilibrium;
@@ -120,8 +122,14 @@ namespace signorini
                         Vector          &correction,
                         Vector          &mass_correction) override
     {
-      return mass_problems.project(
-        free_increment, bounds, step_size, energy_scale, correction, mass_correction);
+      return mass_problems.project({free_increment,
+                                    bounds,
+                                    step_size,
+                                    energy_scale,
+                                    step_contact && step_contact->repeats(),
+                                    step_contact && step_contact->steps_are_trials()},
+                                   correction,
+                                   mass_correction);
     }
     SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
@@ -148,19 +156,15 @@ namespace signorini
     void   apply_damping(Vector &destination, const Vector &velocity) const override;
 
     /**
-     * The velocity goes on, and contact is where it was: where no increments are known, on a new
-     * mesh or with a new size of steps.
+     * The first guess of an increment in contact coordinates, and where it is active.
+     * @param residual b - K increment, if it is known without a product
+     * @return whether it is: the step is made again
      */
-    void guess_from_start(const IncrementProblem &problem,
-                          const LinearOperator   &matrix,
-                          const Vector           &right_hand_side,
-                          Vector                 &increment);
-
-    /** Contact is where it was. */
-    void guess_status(const State &start);
-
-    /** A node that the first guess drives into the obstacle is expected to touch. */
-    void expect_contact(const Vector &increment, const NormalGap &bounds);
+    bool guess(const IncrementProblem &problem,
+               StepMatrix<dim>        &matrix,
+               const Vector           &right_hand_side,
+               Vector                 &increment,
+               Vector                 &residual);
 
     /** What is left to go to the prescribed displacements, per prescribed entry. */
     std::vector<double> prescribed_increments(const State &start, double step_size) const;

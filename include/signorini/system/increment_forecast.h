@@ -32,16 +32,18 @@ namespace signorini
     bool guess(const Vector &right_hand_side, Vector &increment);
 
     /**
+     * The latest increment for the right-hand side b of the same step with other conditions of
+     * contact; what is remembered next will take its place.
+     * @param residual b - K increment, known without a product
+     * @return false if nothing is known, or not any more
+     */
+    bool repeat(const Vector &right_hand_side, Vector &increment, Vector &residual);
+
+    /**
      * Remember a solved step: K increment = right_hand_side - residual. One that is larger or
      * smaller by far than the last ones makes forget everything.
      */
     void remember(const Vector &right_hand_side, const Vector &increment, const Vector &residual);
-
-    /**
-     * The next problem is that of the latest step once more, with other conditions of contact: its
-     * increment is near, and its solution will take its place.
-     */
-    void repeat() { repeats = !increments.empty(); }
 
     /** Forget everything: the next step has another size or another mesh. */
     void clear();
@@ -51,6 +53,7 @@ namespace signorini
 
     std::deque<Vector> increments; ///< latest first
     std::deque<Vector> residuals;  ///< the two latest
+    Vector             product;    ///< K d of the latest
     Eigen::MatrixXd    gram;       ///< d_i'K d_j
     bool               repeats = false;
 

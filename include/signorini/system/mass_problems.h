@@ -13,6 +13,18 @@
 
 namespace signorini
 {
+  /** What MassProjections::project() is given, and what the system knows about it. */
+  struct ProjectionProblem
+  {
+    const Vector    &free_increment;
+    const NormalGap &bounds;
+    double           step_size;
+    double
+         energy_scale; ///< of the motion: the kinetic energy of an error is small compared with it
+    bool repeats;      ///< the latest projection once more, with other normals
+    bool is_trial;     ///< see MovingContact::let_steps_be_trials()
+  };
+
   /**
    * Everything that is solved with the mass matrix alone: projections of increments and velocities,
    * and accelerations. Operator and preconditioner are made when they are first needed, and live as
@@ -30,15 +42,11 @@ namespace signorini
                  const MassParameters          &mass_parameters,
                  dealii::TimerOutput           &timer);
 
+    SolveReport
+    project(const ProjectionProblem &problem, Vector &correction, Vector &mass_correction);
+
     /** @param energy_scale of the motion: the kinetic energy of an error is small compared with it
      */
-    SolveReport project(const Vector    &free_increment,
-                        const NormalGap &bounds,
-                        double           step_size,
-                        double           energy_scale,
-                        Vector          &correction,
-                        Vector          &mass_correction);
-
     SolveReport stop_relative_motion(const Vector    &velocity,
                                      const ActiveSet &held,
                                      double           energy_scale,
@@ -63,9 +71,18 @@ namespace signorini
     PrimalDualActiveSet                   solver;
     ActiveSet projected;          ///< nodes that the last projection held that was no identity
     bool      is_identity = true; ///< the latest one
-    Vector    last_correction;
+    Vector    last_correction, last_residual; ///< c and -M c of the latest that was no identity
 
     void prepare();
+    /**
+     * The projection. @param left bounds of the correction @param continues whether the latest one
+     * is nearly this one
+     */
+    SolveReport project_at_once(const ProjectionProblem &problem,
+                                const NormalGap         &left,
+                                bool                     continues,
+                                Vector                  &correction,
+                                Vector                  &mass_correction);
     /** The projection node by node with the lumped mass: obstacles only. */
     SolveReport
     project_node_by_node(const NormalGap &left, Vector &correction, Vector &mass_correction);

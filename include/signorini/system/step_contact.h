@@ -38,6 +38,9 @@ namespace signorini
     void   arrive(const Vector &displacement, double time) override;
     void   begin_step(const State &start, double step_size, StepNormals normals) override;
     void   follow(const Vector &increment) override;
+    void   let_steps_be_trials(bool they_are) override { is_tried = they_are; }
+    bool   steps_are_trials() const override { return is_tried; }
+    bool   repeats() const override { return is_repetition; }
     double mismatch(const Vector &increment) override;
     bool   passes_through(const Vector &increment) const override;
     std::vector<unsigned int> entries() const override;
@@ -51,17 +54,14 @@ namespace signorini
     Vector drag() const;
 
     /** Per contact node of this process. */
-    NormalGap gaps_at_start() const { return geometry.gaps_at_start(); }
-
-    /** Whether the next problem is that of the latest one with other normals. */
-    bool repeats() const { return is_repetition; }
+    NormalGap gaps_at_start() const;
 
   private:
     ContactCoordinates<dim>                 &coordinates;
     const ContactSurface<dim>               &surface;
     std::unique_ptr<FollowedContact<dim>>    geometry;
     const std::function<std::vector<bool>()> held;
-    bool                                     is_repetition = false;
+    bool                                     is_repetition = false, is_tried = false;
     Vector                                   motion_of_obstacles;
 
     /** Where the contact nodes were when the latest steps began, latest first. */

@@ -208,8 +208,18 @@ namespace signorini
     /** Look around at the start of a step; normals are those of the motion that is expected. */
     virtual void begin_step(const State &start, double step_size, StepNormals normals) = 0;
 
-    /** Take the normals of a motion of the same step. */
+    /** Take the normals of a motion of the same step, which will be made again with them. */
     virtual void follow(const Vector &increment) = 0;
+
+    /** Whether the step that is made now is the latest one with other normals. */
+    virtual bool repeats() const = 0;
+
+    /**
+     * Whether steps are trials from now on: they will be made again, so that nothing but their
+     * motion is wanted, and that with a hundredth of the error of its first guess.
+     */
+    virtual void let_steps_be_trials(bool they_are) = 0;
+    virtual bool steps_are_trials() const           = 0;
 
     /**
      * How far the true gaps at the end of the step just made are from what its normals say, where
@@ -317,6 +327,20 @@ namespace signorini
   {
     const MovingContact *contact = system.capabilities().moving_contact;
     return contact != nullptr ? contact->obstacle_motion() : nullptr;
+  }
+
+  /** Whether the step that is made now is the latest one with other conditions of contact. */
+  inline bool is_repetition(DynamicalSystem &system)
+  {
+    const MovingContact *contact = system.capabilities().moving_contact;
+    return contact != nullptr && contact->repeats();
+  }
+
+  /** Whether of the step that is made now nothing but its motion is wanted, and that roughly. */
+  inline bool is_trial(DynamicalSystem &system)
+  {
+    const MovingContact *contact = system.capabilities().moving_contact;
+    return contact != nullptr && contact->steps_are_trials();
   }
 
   /** What moving obstacles do in the step by forces with which they act on the bodies. */

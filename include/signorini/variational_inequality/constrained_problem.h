@@ -54,6 +54,14 @@ namespace signorini
      */
     const Friction &friction = no_friction;
 
+    /**
+     * The solution on entry is the latest iterate of nearly this problem, and the residual on entry
+     * is b - K x for it; a solver may do without.
+     */
+    bool continues = false;
+    /** A solution may have a hundredth of the error of the guess, but none in what it holds. */
+    bool is_rough = false;
+
     static inline const Friction no_friction = {};
   };
 } // namespace signorini

@@ -53,7 +53,7 @@ namespace signorini
                         ActiveSet                &active,
                         const Vector             &solution,
                         const Vector             &residual) const;
-    /** Move entries that have just become active to their bounds and update the residual. */
+    /** Move fixed and active entries to their values and update the residual. */
     void hold(const ConstrainedProblem &problem,
               const ActiveSet          &active,
               Vector                   &solution,
