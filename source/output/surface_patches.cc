@@ -6,6 +6,7 @@
 #include <signorini/output/surface_patches.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini
 {
@@ -41,9 +42,10 @@ namespace signorini
                           const State               &state)
     {
       const std::vector<double> gaps    = surface.distance(state.displacement);
-      const double              largest = Utilities::MPI::max(
-        gaps.empty() ? 0. : std::max(0., *std::max_element(gaps.begin(), gaps.end())),
-        discretization.communicator());
+      double largest = 0.;
+      for (const double gap : gaps) // infinite where nothing is opposite
+        largest = std::isfinite(gap) ? std::max(largest, gap) : largest;
+      largest = Utilities::MPI::max(largest, discretization.communicator());
 
       Vector values = discretization.make_vector();
       for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
@@ -56,7 +58,8 @@ namespace signorini
           pressure =
             std::max(pressure, // of a node in a corner that of the harder side
                      -contact_node.normal_force(state.contact_force) / contact_node.weight);
-          gap = contact_node.row == 0 ? gaps[i] : std::min(gap, gaps[i]);
+          const double seen = std::min(gaps[i], largest);
+          gap               = contact_node.row == 0 ? seen : std::min(gap, seen);
         }
       return values;
     }

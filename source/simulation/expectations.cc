@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/user_error.h>
 #include <signorini/diagnostics/body_motion.h>
 #include <signorini/diagnostics/expected_impact.h>
 #include <signorini/diagnostics/resolution.h>
@@ -77,6 +78,40 @@ namespace signorini
   } // namespace
 
 
+  namespace
+  {
+    /**
+     * Contact of bodies that follows the motion sees no farther than a step; the straight way to the
+     * other body is that of linearised contact.
+     */
+    template <int dim>
+    std::vector<FirstTouch>
+    all_first_touches(const Scene<dim> &scene, const MeshedScene<dim> &meshed, const State &state)
+    {
+      const MPI_Comm communicator = meshed.discretization.communicator();
+      auto           touches =
+        first_touches(meshed.surface, state.displacement, state.velocity, communicator);
+      if (!meshed.surface.follows())
+        return touches;
+      for (std::size_t p = 0; p < touches.size(); ++p)
+        if (const PairDescription &pair = meshed.surface.pairs()[p];
+            pair.of_two_bodies() && pair.slave != pair.master)
+          try
+            {
+              const ContactSurface<dim> ahead(
+                meshed.discretization, meshed.dirichlet, scene.obstacles, {pair});
+              touches[p] =
+                first_touches(ahead, state.displacement, state.velocity, communicator)[0];
+            }
+          catch (const UserError &)
+            {
+              // They do not look at each other now, and may do so later.
+            }
+      return touches;
+    }
+  } // namespace
+
+
   template <int dim>
   Remarks expectations(const Scene<dim> &scene, const MeshedScene<dim> &meshed, const State &state)
   {
@@ -86,8 +121,7 @@ namespace signorini
     const Collider            rigid{infinite, infinite, infinite, infinite, infinite};
     // A mesh that changes refines what touches before it does.
     const unsigned int enough_nodes = scene.adaptivity.any() ? 0 : few_nodes(dim);
-    const auto         touches      = first_touches(
-      meshed.surface, state.displacement, state.velocity, meshed.discretization.communicator());
+    const auto         touches      = all_first_touches(scene, meshed, state);
     for (std::size_t p = 0; p < touches.size(); ++p)
       {
         const FirstTouch &touch = touches[p];

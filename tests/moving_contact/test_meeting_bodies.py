@@ -1,0 +1,302 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Bodies that meet bodies, wherever their motion takes them: laws hold, whatever slides, tips or
+falls. The energy residual is that of the solver, no step gains energy, linear momentum stays to
+1e-11, no node penetrates; and the results are those of mechanics, where that knows them.
+"""
+
+import math
+
+import check_history
+
+HEAD = """
+set Dimension = 2
+subsection Time
+  set Scheme    = {scheme}
+  set Step size = {step}
+  set End time  = {end}
+end
+"""
+
+BODY = """
+  subsection {name}
+    set Young's modulus  = 1000
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+{keys}
+  end
+"""
+
+FLOOR = """
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Point  = 0, 0
+    set Normal = 0, 1
+  end
+end
+"""
+
+DISSIPATIVE = ("contact-implicit", "contact-stabilized-projected")
+WEIGHT = "set Body force = 0; -10"
+
+
+def body(name, *keys):
+    return name, BODY.format(name=name, keys="\n".join("    " + key for key in keys))
+
+
+def disc(name, centre, *keys, level=3):
+    return body(
+        name,
+        "set Shape = ball",
+        f"set Centre = {centre}",
+        "set Radius = 1",
+        f"set Refinements = {level}",
+        *keys,
+    )
+
+
+def box(name, lower, upper, cells, *keys):
+    return body(
+        name,
+        "set Shape = box",
+        f"set Lower corner = {lower}",
+        f"set Upper corner = {upper}",
+        f"set Repetitions = {cells}",
+        *keys,
+    )
+
+
+def scene(bodies, pairs, end, scheme="contact-implicit", step=0.01, obstacles="", laws=""):
+    """The text of a scene whose contact follows the motion."""
+    return (
+        HEAD.format(scheme=scheme, step=step, end=end)
+        + "subsection Bodies\n  set Names = "
+        + ", ".join(name for name, _ in bodies)
+        + "".join(text for _, text in bodies)
+        + "end\n"
+        + obstacles
+        + "subsection Contact\n  set Motion = follow\n  set Pairs = "
+        + ", ".join(pairs)
+        + "\n"
+        + laws
+        + "end\n"
+    )
+
+
+def table_of(run, name):
+    return check_history.read_table(run.folder / "output" / name)
+
+
+class MeetingBodies(check_history.SceneTest):
+    """See the beginning of the file."""
+
+    def expect_laws(self, run, momentum=True):
+        """Ledger, no gain, no penetration of nodes by the conditions of the steps, momentum."""
+        energy = max(k + e for k, e in zip(run["kinetic_energy"], run["elastic_energy"]))
+        for row in range(1, len(run)):
+            self.assertLess(abs(run["energy_residual"][row]), 1e-10 * energy, f"row {row}")
+            change = run["total_energy"][row] - run["total_energy"][row - 1]
+            self.assertLess(change - run["work_external"][row], 1e-10 * energy, f"row {row}")
+        self.assertLess(max(run["max_penetration"]), 1e-10)
+        if not momentum:
+            return
+        for axis in "xy":
+            values = run[f"momentum_{axis}"]
+            scale = max(map(abs, run["momentum_x"] + run["momentum_y"]))
+            self.assertLess(max(abs(v - values[0]) for v in values), 1e-10 * scale)
+
+    def test_a_block_slides_off_a_table_and_falls(self):
+        """Without friction it keeps its speed but for what tipping over the edge adds; in the air
+        the force is exactly zero and the centroid falls with g; the floor stops it."""
+        table = box("table", "0, 0", "2, 1", "8, 4", "set Dirichlet = 2: 0; 0")
+        block = box("block", "1, 1", "1.5, 1.5", "3, 3", WEIGHT, "set Initial velocity = 2; 0")
+        for scheme in DISSIPATIVE:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(
+                    scene(
+                        [table, block],
+                        ["block : table", "block : floor"],
+                        1.0,
+                        scheme,
+                        obstacles=FLOOR,
+                    ),
+                    f"table_{scheme}",
+                )
+                self.expect_laws(run, momentum=False)
+                bodies = table_of(run, "bodies.csv")
+                speed = bodies["body_block_velocity_y"]
+                air = [row for row, time in enumerate(run["time"]) if 0.6 <= time <= 0.82]
+                self.assertEqual(max(run["contact_force"][row] for row in air), 0)
+                for row in air[1:]:
+                    self.assertAlmostEqual(speed[row] - speed[row - 1], -0.1, delta=1e-9)
+                self.assertAlmostEqual(bodies["body_block_velocity_x"][air[0]], 2, delta=0.15)
+                self.assertGreater(bodies["body_block_centroid_x"][air[0]], 2.2)
+                after = [f for f, time in zip(run["contact_force"], run["time"]) if time > 0.85]
+                self.assertGreater(max(after), 1)
+                self.assertGreater(min(bodies["body_block_centroid_y"]), 0.15)
+
+    def test_cradle(self):
+        """Five discs in a row: the first one's momentum comes out at the other end, but for what
+        vibrates: the middle ones stay where they are, nearly."""
+        discs = [
+            disc(f"d{k}", f"{2 * k}, 0", f"set Initial velocity = {0.5 if k == 0 else 0}; 0")
+            for k in range(5)
+        ]
+        run = check_history.Run(
+            scene(discs, [f"d{k} : d{k + 1}" for k in range(4)], 2.0, step=0.005), "cradle"
+        )
+        self.expect_laws(run)
+        bodies = table_of(run, "bodies.csv")
+        speeds = [bodies[f"body_d{k}_velocity_x"][-1] / 0.5 for k in range(5)]
+        self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
+        self.assertGreater(speeds[4], 0.75)
+        self.assertLess(abs(speeds[0]), 0.15)
+        self.assertEqual(run["contact_force"][-1], 0)
+
+    def test_discs_that_pass_each_other_feel_nothing(self):
+        """With a clearance of 0.01: the force is exactly zero in all steps."""
+        run = check_history.Run(
+            scene(
+                [disc("p", "0, 0", "set Initial velocity = 2; 0"), disc("q", "3, 2.01")],
+                ["p : q"],
+                3.0,
+                step=0.05,
+            ),
+            "past",
+        )
+        self.assertEqual(max(run["contact_force"]), 0)
+        self.expect_laws(run)
+
+    def test_two_discs_off_centre(self):
+        """They part with opposite spins. Contact forces have no moment about anything: what is
+        left in the angular momentum is that of linear strains, which its own column tells."""
+        for scheme in DISSIPATIVE:
+            with self.subTest(scheme=scheme):
+                run = check_history.Run(
+                    scene(
+                        [
+                            disc("p", "0, 0", "set Initial velocity = 0.2; 0", level=4),
+                            disc("q", "2.0, 0.8", level=4),
+                        ],
+                        ["p : q"],
+                        4.0,
+                        scheme,
+                        step=0.02,
+                    ),
+                    f"oblique_{scheme}",
+                )
+                self.expect_laws(run)
+                self.expect_contact(run)
+                self.assertLess(max(table_of(run, "pairs.csv")["pair_0_depth"]), 0.05 * 0.1)
+
+    def test_side_by_side_on_a_floor(self):
+        """The left block pushes the right one: nodes in the corner are held by the floor and follow
+        the other body, and its nodes there are held themselves. The momentum along the floor
+        stays; the weight is on the floor."""
+        left = box("left", "0, 0", "1, 1", "4, 4", WEIGHT, "set Initial velocity = 1; 0")
+        right = box("right", "1.05, 0", "2.05, 1", "5, 5", WEIGHT)
+        for preconditioner in ("automatic", "multigrid"):
+            with self.subTest(preconditioner=preconditioner):
+                run = check_history.Run(
+                    scene(
+                        [left, right],
+                        ["left : floor", "right : floor", "left : right"],
+                        1.0,
+                        obstacles=FLOOR,
+                    ),
+                    f"side_{preconditioner}",
+                    [f"Solver/Preconditioner={preconditioner}"],
+                )
+                self.expect_laws(run, momentum=False)
+                momentum = run["momentum_x"]
+                self.assertLess(max(abs(p - 1) for p in momentum), 1e-9)
+                forces = run["contact_force_y"]
+                self.assertAlmostEqual(sum(forces) / len(forces), 20, delta=2)
+
+    def test_friction_stops_a_block_on_a_body(self):
+        """After V/(mu g) and V^2/(2 mu g), within what the vibration under the sudden weight
+        changes."""
+        table = box("table", "0, 0", "2, 0.5", "8, 2", "set Dirichlet = 2: 0; 0")
+        block = box("block", "0.3, 0.5", "0.8, 0.8", "4, 2", WEIGHT, "set Initial velocity = 2; 0")
+        run = check_history.Run(
+            scene(
+                [table, block],
+                ["block : table"],
+                1.2,
+                laws="  subsection block : table\n    set Friction coefficient = 0.4\n  end\n",
+            ),
+            "friction",
+        )
+        self.expect_laws(run, momentum=False)
+        bodies = table_of(run, "bodies.csv")
+        path = bodies["body_block_centroid_x"][-1] - bodies["body_block_centroid_x"][0]
+        self.assertAlmostEqual(path, 2**2 / (2 * 0.4 * 10), delta=0.02)
+        self.assertLess(abs(bodies["body_block_velocity_x"][-1]), 0.02)
+
+    def test_no_way_through_a_body(self):
+        """Steps in which a disc would fly through another one unseen are cut."""
+        run = check_history.Run(
+            scene(
+                [disc("p", "0, 0", "set Initial velocity = 4; 0"), disc("q", "6, 0.1")],
+                ["p : q"],
+                4.0,
+                step=1.0,
+            ),
+            "cut",
+            ["Bodies/p/Refinements=2", "Bodies/q/Refinements=2"],
+        )
+        self.assertGreater(sum(run["rejected_steps"]), 0)
+        self.expect_contact(run)
+        bodies = table_of(run, "bodies.csv")
+        self.assertGreater(bodies["body_q_velocity_x"][-1], 2)
+        self.expect_laws(run)
+
+    def test_processes(self):
+        """The same on one and two processes, with friction and three bodies that meet in an edge."""
+        bodies = [
+            box("a", "0, 0", "1, 1", "4, 4", "set Initial velocity = 0.3; -1"),
+            box("b", "-1, -1.02", "0.6, -0.02", "6, 4", "set Dirichlet = 2: 0; 0"),
+            box("c", "1.02, -1", "2, 1.5", "4, 8", "set Dirichlet = 1: 0; 0"),
+        ]
+        text = scene(
+            bodies,
+            ["a : b", "a : c"],
+            0.6,
+            "contact-stabilized-projected",
+            laws="  subsection a : b\n    set Friction coefficient = 0.2\n  end\n",
+        )
+        one = check_history.Run(text, "one")
+        two = check_history.Run(text, "two", processes=2)
+        self.expect_laws(one, momentum=False)
+        self.expect_contact(one)
+        self.expect_same_history(two, one, 1e-8)
+
+
+def ring(folder, radius=1.0, thickness=0.1, around=64, across=2):
+    """The file of a ring of quadrilaterals (UCD)."""
+    points, cells = [], []
+    for i in range(around):
+        angle = 2 * math.pi * i / around
+        for j in range(across + 1):
+            r = radius - thickness + thickness * j / across
+            points.append((r * math.cos(angle), r * math.sin(angle)))
+
+    def point(i, j):
+        return (i % around) * (across + 1) + j + 1
+
+    for i in range(around):
+        for j in range(across):
+            cells.append((point(i, j), point(i, j + 1), point(i + 1, j + 1), point(i + 1, j)))
+    lines = [f"{len(points)} {len(cells)} 0 0 0"]
+    lines += [f"{k + 1} {x!r} {y!r} 0" for k, (x, y) in enumerate(points)]
+    lines += [f"{k + 1} 0 quad {' '.join(map(str, cell))}" for k, cell in enumerate(cells)]
+    path = folder / "ring.inp"
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+if __name__ == "__main__":
+    check_history.main()
