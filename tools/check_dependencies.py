@@ -34,7 +34,8 @@ MAY_USE = {
     "variational_inequality": {"base", "linear_algebra", "friction"},
 }
 MAY_USE["finite_elements"] = MAY_USE["discretization"] | {"discretization"}
-MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles"}
+MAY_USE["surfaces"] = MAY_USE["finite_elements"]
+MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles", "surfaces"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["multigrid"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["preconditioners"] = MAY_USE["multigrid"] | {"multigrid"}
@@ -64,7 +65,8 @@ HOLDS = {
         "mesh of all bodies, degrees of freedom, mass and stiffness, loads, Dirichlet conditions"
     ),
     "finite_elements": "kernels on cells and faces: moments, stress vectors, neighbours",
-    "contact": "contact nodes, search, mortar coupling, contact coordinates",
+    "surfaces": "faces of bodies that face each other: search, segments, dual basis",
+    "contact": "contact nodes, mortar coupling, what is followed, contact coordinates",
     "mass": "the mass without entries at contact nodes: its constructions, definiteness, solution",
     "variational_inequality": (
         "the bound-constrained problem and its solvers: algebra, no mesh, no time"

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/surface_roles.h>
-#include <signorini/contact/surface_face.h>
+#include <signorini/surfaces/surface_face.h>
 
 #include <algorithm>
 

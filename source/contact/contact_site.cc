@@ -77,8 +77,8 @@ namespace signorini
     const auto closer = [](const Facing<dim> &a, const Facing<dim> &b) {
       return std::pair(!a.is_there(), a.gap) < std::pair(!b.is_there(), b.gap);
     };
-    bounding = {static_cast<unsigned int>(
-      std::min_element(facings.begin(), facings.end(), closer) - facings.begin())};
+    bounding = {static_cast<unsigned int>(std::min_element(facings.begin(), facings.end(), closer)
+                                          - facings.begin())};
   }
 
 
@@ -104,9 +104,9 @@ namespace signorini
     node.weight               = facing.area;
     node.friction             = facing.friction;
     node.n_bounds             = bounding.size();
-    node.gap          = row < node.n_bounds ? facing.condition.bound
-                                            : std::numeric_limits<double>::infinity();
-    node.partners     = {};
+    node.gap =
+      row < node.n_bounds ? facing.condition.bound : std::numeric_limits<double>::infinity();
+    node.partners        = {};
     node.transmission    = 1.;
     node.free_part       = 1.;
     node.prescribed_part = {};
@@ -139,9 +139,9 @@ namespace signorini
     if (node.is_shared())
       node.dual = dual_frame<dim>(frame);
     // The surface counts displacements from the reference configuration.
-    node.gap += node.normal() * (facing.of_body && facing.opposite != nullptr
-                                   ? facing.opposite->displacement
-                                   : displacement);
+    node.gap += node.normal()
+                * (facing.of_body && facing.opposite != nullptr ? facing.opposite->displacement
+                                                                : displacement);
     node.relative = relative_directions(node, conditions);
     return node;
   }

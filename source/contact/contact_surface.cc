@@ -4,10 +4,8 @@
 #include <signorini/base/complaints.h>
 #include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/followed_pairs.h>
-#include <signorini/contact/free_directions.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/nodal_friction.h>
 
@@ -26,26 +24,6 @@ namespace signorini
   {
     // What facets of curved surfaces that fit together may overlap, relative to the size of a face.
     constexpr double facet_overlap = 0.05;
-
-
-    template <int dim>
-    Tensor<1, dim> unit_vector(const unsigned int direction)
-    {
-      Tensor<1, dim> result;
-      result[direction] = 1.;
-      return result;
-    }
-
-
-    template <int dim>
-    std::optional<unsigned int>
-    first_free_direction(const typename DirichletConditions<dim>::Components &conditions)
-    {
-      for (unsigned int c = 0; c < dim; ++c)
-        if (conditions[c] == DirichletConditions<dim>::none)
-          return c;
-      return {};
-    }
   } // namespace
 
 
@@ -87,97 +65,6 @@ namespace signorini
     for (const ContactNode<dim> &node : contact_nodes)
       n_global += node.row == 0;
     n_global = Utilities::MPI::sum(n_global, discretization.communicator());
-  }
-
-
-  template <int dim>
-  ContactSurface<dim>::ContactSurface(ContactSurface &&) noexcept = default;
-
-
-  template <int dim>
-  ContactSurface<dim>::~ContactSurface() = default;
-
-
-  template <int dim>
-  double ContactSurface<dim>::depth(const unsigned int pair) const
-  {
-    return bodies ? bodies->depth(pair) : 0.;
-  }
-
-
-  template <int dim>
-  void ContactSurface<dim>::add_slave_nodes(const DirichletConditions<dim> &dirichlet)
-  {
-    std::map<unsigned int, ContactNode<dim>> last; // of the rows of each node
-    for (const ContactNode<dim> &node : contact_nodes)
-      last[node.node] = node;
-    for (const auto &[pair, geometry] : bodies->pairs())
-      for (const auto &[node, area] : geometry->slave_nodes())
-        {
-          const auto known      = last.find(node);
-          const auto conditions = dirichlet.nodes().find(node);
-          if (known != last.end()
-              && (known->second.row + 1 == dim || conditions != dirichlet.nodes().end()))
-            continue; // it meets one of them at a time, or three
-          ContactNode<dim> further{node,
-                                   pair,
-                                   discretization.node_positions()[node],
-                                   std::numeric_limits<double>::infinity(),
-                                   area,
-                                   {},
-                                   {}};
-          further.row    = known == last.end() ? 0 : known->second.row + 1;
-          further.frame  = contact_frame(unit_vector<dim>(0));
-          if (known != last.end())
-            further.frame = known->second.frame;
-          else if (conditions != dirichlet.nodes().end())
-            {
-              const auto free = first_free_direction<dim>(conditions->second);
-              if (!free)
-                {
-                  ++n_left_to_dirichlet;
-                  continue;
-                }
-              meet_in_free_directions<dim>(conditions->second, unit_vector<dim>(*free), further);
-            }
-          last[node] = further;
-          contact_nodes.push_back(further);
-        }
-  }
-
-
-  template <int dim>
-  void ContactSurface<dim>::complete_geometry()
-  {
-    if (bodies->any())
-      *node_coupling =
-        NodeCoupling<dim>(contact_nodes, discretization.matrices().pattern.partitioner, true);
-  }
-
-
-  template <int dim>
-  void ContactSurface<dim>::check_that_bodies_are_apart(const Vector &displacement) const
-  {
-    std::vector<Complaint> complaints;
-    for (const auto &[pair, geometry] : bodies->pairs())
-      {
-        const Mesh<dim> &mesh  = discretization.mesh();
-        const double     depth = 0.25
-                             * std::min(mesh.body_size(descriptions[pair].slave),
-                                        mesh.body_size(descriptions[pair].master));
-        for (const ContactNode<dim> &node : geometry->at(displacement, depth))
-          if (-node.clearance > facet_overlap * std::pow(node.weight, 1. / (dim - 1)))
-            {
-              std::ostringstream message;
-              message << "Contact/Pairs = " << descriptions[pair].name
-                      << ": the bodies overlap at the start, by " << -node.clearance << " at ("
-                      << node.position
-                      << "). Move one of them, or change the initial displacement.";
-              if (complaints.empty() || -node.clearance > complaints[0].first)
-                complaints = {{-node.clearance, message.str()}};
-            }
-      }
-    throw_worst(complaints, discretization.communicator());
   }
 
 
@@ -373,6 +260,8 @@ namespace signorini
                              .value_or(far_projection<dim>());
           result[k] = way.is_carried(obstacle_contact.end_tolerance()) ? way.gap : way.distance();
         }
+      else if (std::isinf(result[k]) && follows())
+        result[k] = bodies->clear_distance(node.pair);
       else
         result[k] *= node.distance_per_gap();
     return result;

@@ -23,8 +23,8 @@ namespace signorini
     /** Cosines of the angles at which faces begin to look at each other, and do so fully. */
     constexpr double begins_to_face = 0.2, faces_fully = 0.6;
     /**
-     * How far faces look beyond the motion of a step, in their diameters: what begins a step outside
-     * is not deep inside when it ends.
+     * How far faces look beyond the motion of a step, in their diameters: what begins a step
+     * outside is not deep inside when it ends.
      */
     constexpr double behind = 0.1, ahead = 0.5;
     /** How deep a face looks into its own body. */
@@ -59,7 +59,7 @@ namespace signorini
     template <int dim>
     bool may_meet_itself(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
     {
-      const Tensor<1, dim> apart = slave.place - master.place;
+      const Tensor<1, dim> apart  = slave.place - master.place;
       unsigned int         widest = 0;
       for (unsigned int c = 1; c < dim; ++c)
         if (std::abs(apart[c]) > std::abs(apart[widest]))
@@ -107,8 +107,7 @@ namespace signorini
     , dirichlet(dirichlet)
     , pairs(pairs)
     , pair(pair)
-    , slaves(
-        owned_surface_faces(discretization, pairs[pair].slave, pairs[pair].slave_boundary_ids))
+    , slaves(owned_surface_faces(discretization, pairs[pair].slave, pairs[pair].slave_boundary_ids))
     , masters(
         owned_surface_faces(discretization, pairs[pair].master, pairs[pair].master_boundary_ids))
     , owned_slave_nodes(owned_nodes(slaves, discretization))
@@ -231,11 +230,15 @@ namespace signorini
 
 
   template <int dim>
-  bool FacingPair<dim>::are_near(const Vector &displacement, const double distance) const
+  double FacingPair<dim>::distance_of_boxes(const Vector &displacement) const
   {
-    BoundingBox<dim> slave_box = box_of(owned_slave_nodes, displacement);
-    slave_box.extend(distance);
-    return boost::geometry::intersects(slave_box, box_of(owned_master_nodes, displacement));
+    const auto slave  = box_of(owned_slave_nodes, displacement).get_boundary_points(),
+               master = box_of(owned_master_nodes, displacement).get_boundary_points();
+    Tensor<1, dim> apart;
+    for (unsigned int c = 0; c < dim; ++c)
+      apart[c] =
+        std::max({0., master.first[c] - slave.second[c], slave.first[c] - master.second[c]});
+    return apart.norm();
   }
 
 
@@ -281,9 +284,9 @@ namespace signorini
                                                         const std::vector<bool>   *excluded) const
   {
     MortarRules rules;
-    rules.facing    = facing_weight;
-    rules.bluntness = &bluntness;
-    rules.excluded  = excluded;
+    rules.facing                    = facing_weight;
+    rules.bluntness                 = &bluntness;
+    rules.excluded                  = excluded;
     const auto nodes_by_these_rules = [&] {
       return MortarCoupling<dim>(discretization, dirichlet, pairs, pair, surfaces, rules).nodes();
     };

@@ -21,46 +21,13 @@ namespace signorini
     constexpr double relative_tolerance = 1e-12;
     /** Times in a step that an obstacle may take the place of another one that bounds a node. */
     constexpr unsigned int most_changes = 6;
-    /** What is passed through by a smaller part of a cell is an edge, or nothing the mesh can see.
-     */
-    constexpr double part_of_cell = 0.25;
-    /** A chord that is deeper, in its length, turns by more than 0.8 radian on a circle. */
-    constexpr double deep_on_way = 0.1;
     /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
     constexpr double largest_turn = 1.;
-    /** Of a unit normal at the end of a load step: forces of an equilibrium are found to as much.
-     */
-    constexpr double normals_agree = 1e-9;
-    /**
-     * Motions of a step that bodies are followed by, at most: where they meet with edges there may
-     * be none that belongs to its own geometry. And from which on the geometry is that between two
-     * of them.
-     */
-    constexpr unsigned int most_motions = 24, most_full_steps = 12;
-    /** What is accepted of a gap between bodies, in units of what is accepted at obstacles. */
-    constexpr double bodies_by_obstacles = 10.;
-    constexpr double infinity            = std::numeric_limits<double>::infinity();
+    /** Motions of a step from which on the geometry of bodies is that between two of them. */
+    constexpr unsigned int most_full_steps = 12;
+    constexpr double       infinity        = std::numeric_limits<double>::infinity();
 
 
-    /**
-     * Call an action for each site. Where an obstacle has no distance, all processes throw
-     * together. Collective.
-     */
-    template <typename Sites, typename Action>
-    void for_each_site(Sites &sites, const MPI_Comm communicator, const Action &action)
-    {
-      std::vector<Complaint> complaints;
-      try
-        {
-          for (auto &site : sites)
-            action(site);
-        }
-      catch (const UserError &error)
-        {
-          complaints.emplace_back(1., error.what());
-        }
-      throw_worst(complaints, communicator);
-    }
   } // namespace
 
 
@@ -92,9 +59,9 @@ namespace signorini
               sites.back().facings.push_back({pair, true, node->second, {}});
         }
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
-      some_move = some_move
-                  || (!surface.pairs()[pair].of_two_bodies()
-                      && !at_obstacles.obstacle(pair).is_at_rest());
+      some_move =
+        some_move
+        || (!surface.pairs()[pair].of_two_bodies() && !at_obstacles.obstacle(pair).is_at_rest());
     find_friction();
   }
 
@@ -168,8 +135,8 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::look_around(Site &site) const
   {
-    const double             tolerance = at_obstacles.end_tolerance();
-    std::pair<bool, double>  closest(true, infinity); // whether it does not carry; gap
+    const double            tolerance = at_obstacles.end_tolerance();
+    std::pair<bool, double> closest(true, infinity); // whether it does not carry; gap
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       {
         Facing<dim>            &facing = site.facings[f];
@@ -182,8 +149,8 @@ namespace signorini
           }
         else
           {
-            const auto way = facing.is_there() ? obstacle(facing).try_project_before(site.start)
-                                               : std::nullopt;
+            const auto way =
+              facing.is_there() ? obstacle(facing).try_project_before(site.start) : std::nullopt;
             const auto projection = way.value_or(far_projection<dim>());
             rank                  = {!projection.is_carried(tolerance), projection.gap};
             facing.gap            = rank.first ? infinity : projection.gap;
@@ -360,117 +327,6 @@ namespace signorini
         for (unsigned int c = 0; c < dim; ++c)
           result.local_element(dim * node + c) = s[c];
       }
-    return result;
-  }
-
-
-  template <int dim>
-  bool FollowedContact<dim>::passes_through(const Vector &increment) const
-  {
-    if (pairs.any() && pairs.move_too_far(increment))
-      return true;
-    bool any = false;
-    for_each_site(sites, discretization.communicator(), [&](const Site &site) {
-      const Tensor<1, dim> d = motion(site, increment);
-      for (const Facing<dim> &facing : site.facings)
-        {
-          if (facing.of_body || !facing.is_there())
-            continue;
-          const MovedObstacle<dim> &faced  = obstacle(facing);
-          const double              length = (d - facing.condition.obstacle_motion).norm();
-          const double              least  = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
-          if (any || faced.is_flat() || facing.gap > length || length < least || was_inside(facing)
-              || enters(site, facing, d))
-            continue;
-          // A chord of what slides along the surface is deep only if it turns far.
-          const double depth = faced.depth_on_way(site.start, site.start + d);
-          const auto   last  = faced.try_project(site.start + d);
-          const bool   flies = std::max(facing.gap, last ? last->gap : infinity) > depth;
-          any                = depth > least && (flies || depth > deep_on_way * length);
-        }
-    });
-    return Utilities::MPI::max(static_cast<unsigned int>(any), discretization.communicator()) > 0;
-  }
-
-
-  template <int dim>
-  double FollowedContact<dim>::mismatch_of(const Site           &site,
-                                           const Facing<dim>    &facing,
-                                           const Tensor<1, dim> &d,
-                                           const bool            is_held) const
-  {
-    if (facing.of_body)
-      {
-        const PairCondition<dim> *opposite = facing.opposite;
-        if (opposite == nullptr || opposite->is_clipped || n_followed > most_motions
-            || !(is_held || opposite->gap_at_end < 0.))
-          return 0.;
-        return std::abs(opposite->missed()) / (bodies_by_obstacles * accepted);
-      }
-    const MovedObstacle<dim> &faced = obstacle(facing);
-    if (facing.gap == infinity || faced.is_flat() || (!is_held && !is_in_reach(facing, d)))
-      return 0.;
-    const Point<dim> end = site.start + d;
-    const auto       way = is_held ? std::optional(faced.project(end)) : faced.try_project(end);
-    if (!way)
-      return 0.;
-    const double gap    = way->gap - (was_inside(facing) ? facing.gap : 0.);
-    double       result = 0.;
-    if ((is_held && facing.condition.is_exact) || gap < 0.)
-      result = std::abs(gap - facing.condition.gap_after(d)) / accepted;
-    if (is_held && normals_of_step == StepNormals::at_end)
-      result = std::max(result, (way->normal - facing.condition.normal).norm() / normals_agree);
-    return result;
-  }
-
-
-  template <int dim>
-  double FollowedContact<dim>::mismatch(const Vector &increment, const std::vector<bool> &matters)
-  {
-    AssertDimension(matters.size(), surface.nodes().size());
-    if (pairs.any())
-      pairs.look_at_end(increment);
-    double largest = 0.;
-    for_each_site(sites, discretization.communicator(), [&](const Site &site) {
-      const Tensor<1, dim> d = motion(site, increment);
-      for (unsigned int row = 0; row < site.bounding.size(); ++row)
-        largest = std::max(largest,
-                           mismatch_of(site,
-                                       site.facings[site.bounding[row]],
-                                       d,
-                                       matters[site.first + row]));
-      if (site.facings.size() > 1)
-        for (unsigned int f = 0; f < site.facings.size(); ++f)
-          if (!site.is_bounded_by(f) && enters(site, site.facings[f], d)
-              && !(site.facings[f].of_body && n_followed > most_motions))
-            largest = infinity;
-      if (misses_a_side(site, d))
-        largest = infinity;
-    });
-    return Utilities::MPI::max(largest, discretization.communicator());
-  }
-
-
-  template <int dim>
-  std::vector<unsigned int> FollowedContact<dim>::nodes() const
-  {
-    std::vector<unsigned int> result = pairs.nodes();
-    for (const Site &site : sites)
-      result.push_back(surface.nodes()[site.first].node);
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
-    return result;
-  }
-
-
-  template <int dim>
-  std::vector<double> FollowedContact<dim>::missed_gaps() const
-  {
-    std::vector<double> result(surface.nodes().size(), 0.);
-    for (const Site &site : sites)
-      for (unsigned int row = 0; row < site.bounding.size(); ++row)
-        if (const auto *opposite = site.facings[site.bounding[row]].opposite)
-          result[site.first + row] = opposite->missed();
     return result;
   }
 

@@ -31,6 +31,9 @@ namespace signorini
       if (pairs[pair].of_two_bodies())
         geometries[pair] =
           std::make_unique<FacingPair<dim>>(discretization, dirichlet, pairs, pair);
+    const Vector nothing = discretization.make_vector();
+    for (const auto &[pair, geometry] : geometries)
+      clear[pair] = geometry->distance_of_boxes(nothing);
     find_order();
   }
 
@@ -133,11 +136,10 @@ namespace signorini
         auto       next   = motion.begin();
         for (auto &[node, condition] : of_pair)
           {
-            condition.motion     = *next++;
-            const auto gap       = end_gaps[pair].find(node);
-            condition.gap_at_end = gap != end_gaps[pair].end()
-                                     ? gap->second
-                                     : std::numeric_limits<double>::quiet_NaN();
+            condition.motion = *next++;
+            const auto gap   = end_gaps[pair].find(node);
+            condition.gap_at_end =
+              gap != end_gaps[pair].end() ? gap->second : std::numeric_limits<double>::quiet_NaN();
           }
       }
   }
@@ -152,8 +154,8 @@ namespace signorini
     conditions.clear();
     for (const unsigned int pair : order)
       {
-        const auto nodes = geometries[pair]->at(
-          middle, reach(pair, increment), is_cyclic ? &excluded : nullptr);
+        const auto nodes =
+          geometries[pair]->at(middle, reach(pair, increment), is_cyclic ? &excluded : nullptr);
         auto &coupling = couplings[pair];
         coupling       = std::make_unique<NodeCoupling<dim>>(
           nodes, discretization.matrices().pattern.partitioner, true);
@@ -166,7 +168,7 @@ namespace signorini
             of_pair[node.node].geometry   = node;
             of_pair[node.node].gap_at_end = std::numeric_limits<double>::quiet_NaN();
           }
-        const auto displacement = relative(pair, start), motion = relative(pair, increment);
+        const auto  displacement = relative(pair, start), motion = relative(pair, increment);
         std::size_t k = 0;
         for (auto &[node, condition] : of_pair)
           {
@@ -193,6 +195,7 @@ namespace signorini
         for (const ContactNode<dim> &node : nodes)
           end_gaps[pair][node.node] = node.gap;
         end_depths[pair] = FacingPair<dim>::depth(nodes);
+        clear[pair]      = std::max(geometry->distance_of_boxes(end), reach(pair, increment));
       }
   }
 
@@ -253,9 +256,9 @@ namespace signorini
         const double relative = geometry->relative_motion(increment);
         any                   = any
               || (relative > large_motion
-                                 * std::min(mesh.body_size(descriptions[pair].slave),
-                                            mesh.body_size(descriptions[pair].master))
-                  && geometry->are_near(start, relative));
+                               * std::min(mesh.body_size(descriptions[pair].slave),
+                                          mesh.body_size(descriptions[pair].master))
+                  && geometry->distance_of_boxes(start) < relative);
       }
     return any;
   }

@@ -3,8 +3,8 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/contact/contact_frame.h>
-#include <signorini/contact/dual_basis.h>
 #include <signorini/contact/mortar_coupling.h>
+#include <signorini/surfaces/dual_basis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,8 @@ namespace signorini
     constexpr double held_normal = 0.3, free_normal = 0.95;
     // Of the sum of normals: below it they are no direction.
     constexpr double smallest_normal = 1e-3;
-    // What is added to the bluntness of both sides: two flat surfaces have the mean of both normals.
+    // What is added to the bluntness of both sides: two flat surfaces have the mean of both
+    // normals.
     constexpr double equally_flat = 0.01;
 
     template <int dim>
@@ -93,8 +94,7 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<CoveredFace<dim>>
-  MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
+  std::vector<CoveredFace<dim>> MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
   {
     MeanCurvature<dim>            slave_curvature, master_curvature;
     std::vector<CoveredFace<dim>> result;
@@ -120,7 +120,7 @@ namespace signorini
               const SurfaceFace<dim> &master   = surfaces.masters[segment.master];
               const Tensor<1, dim>    normal   = unit(slave.area_vector(point.slave));
               const Tensor<1, dim>    opposite = unit(master.area_vector(point.master));
-              const double weight =
+              const double            weight =
                 rules.facing ? rules.facing(-(normal * opposite)) * point.weight : point.weight;
               slave_curvature.add(weight, slave.position(point.slave), normal);
               master_curvature.add(weight, master.position(point.master), opposite);
@@ -176,8 +176,7 @@ namespace signorini
 
 
   template <int dim>
-  Tensor<1, dim> MortarCoupling<dim>::NodeIntegrals::at(const Vector      &sums,
-                                                        const unsigned int node)
+  Tensor<1, dim> MortarCoupling<dim>::NodeIntegrals::at(const Vector &sums, const unsigned int node)
   {
     Tensor<1, dim> result;
     for (unsigned int c = 0; c < dim; ++c)

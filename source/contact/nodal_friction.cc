@@ -121,16 +121,16 @@ namespace signorini
   }
 
 
-  template std::array<bool, 2>
-  relative_directions<2>(const ContactNode<2> &, const DirichletConditions<2>::Components *);
-  template std::array<bool, 3>
-  relative_directions<3>(const ContactNode<3> &, const DirichletConditions<3>::Components *);
-  template void assign_friction(const Discretization<2> &,
-                                const DirichletConditions<2> &,
-                                const std::vector<PairDescription> &,
-                                std::vector<ContactNode<2>> &);
-  template void assign_friction(const Discretization<3> &,
-                                const DirichletConditions<3> &,
-                                const std::vector<PairDescription> &,
-                                std::vector<ContactNode<3>> &);
+  template std::array<bool, 2> relative_directions<2>(const ContactNode<2> &,
+                                                      const DirichletConditions<2>::Components *);
+  template std::array<bool, 3> relative_directions<3>(const ContactNode<3> &,
+                                                      const DirichletConditions<3>::Components *);
+  template void                assign_friction(const Discretization<2> &,
+                                               const DirichletConditions<2> &,
+                                               const std::vector<PairDescription> &,
+                                               std::vector<ContactNode<2>> &);
+  template void                assign_friction(const Discretization<3> &,
+                                               const DirichletConditions<3> &,
+                                               const std::vector<PairDescription> &,
+                                               std::vector<ContactNode<3>> &);
 } // namespace signorini

@@ -131,8 +131,7 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<std::vector<Tensor<1, dim>>>
-  NodeCoupling<dim>::partner_values(const Vector &u) const
+  std::vector<std::vector<Tensor<1, dim>>> NodeCoupling<dim>::partner_values(const Vector &u) const
   {
     std::vector<std::vector<Tensor<1, dim>>> result(row_start.size() - 1);
     if (!has_partners)
@@ -140,8 +139,8 @@ namespace signorini
     fetch(u);
     for (std::size_t k = 0; k < result.size(); ++k)
       for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
-        result[k].emplace_back(make_array_view(values(u, entries[j].first),
-                                               values(u, entries[j].first) + dim));
+        result[k].emplace_back(
+          make_array_view(values(u, entries[j].first), values(u, entries[j].first) + dim));
     return result;
   }
 

@@ -119,7 +119,7 @@ namespace signorini
   void check_that_bodies_are_apart(const Mesh<dim> &mesh, const std::vector<PairDescription> &pairs)
   {
     for (const PairDescription &pair : pairs)
-      if (pair.of_two_bodies())
+      if (pair.of_two_bodies() && pair.slave != pair.master)
         if (const auto place = find_deep_overlap(mesh, pair.slave, pair.master))
           {
             std::ostringstream message;

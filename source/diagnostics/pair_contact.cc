@@ -57,7 +57,7 @@ namespace signorini
           pair.normal_force    = sum[6];
           pair.friction_force  = sum[7];
           pair.n_active        = static_cast<unsigned int>(sum[8]);
-          pair.smallest_gap    = gaps[k];
+          pair.smallest_gap    = std::isfinite(gaps[k]) ? gaps[k] : 0.;
           pair.max_penetration = std::max(0., -pair.smallest_gap);
         }
     }
@@ -113,8 +113,8 @@ namespace signorini
     PairContact none;
     none.smallest_gap = std::numeric_limits<double>::infinity();
     std::vector<PairContact>  pairs(surface.pairs().size(), none);
-    const std::vector<double> gaps = surface.distance(state.displacement);
-    const auto places = surface.follows() ? levers_at(&state.displacement) : levers;
+    const std::vector<double> gaps   = surface.distance(state.displacement);
+    const auto                places = surface.follows() ? levers_at(&state.displacement) : levers;
     for (unsigned int k = 0; k < surface.nodes().size(); ++k)
       {
         const ContactNode<dim>    &node         = surface.nodes()[k];

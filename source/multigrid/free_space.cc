@@ -92,8 +92,7 @@ namespace signorini
           {
             Number opposite = 0;
             for (unsigned int j = entry->partners_begin; j < entry->partners_end; ++j)
-              opposite +=
-                dot(partners[j].lanes(), ghosts->value(displacement, partners[j].node));
+              opposite += dot(partners[j].lanes(), ghosts->value(displacement, partners[j].node));
             const Lanes<Number> n = entry->lanes(), u = value(displacement, entry->node);
             set_value(displacement, entry->node, u - n * (dot(n, u) - opposite));
           }

@@ -49,7 +49,7 @@ namespace signorini
     , coarsest(hierarchy.matrices(0), sum, scale)
     , known_frames(coordinates.node_frames())
     , known_nodes(coordinates.coupling().changes() ? coordinates.surface_nodes()
-                                                  : std::vector<ContactNode<dim>>())
+                                                   : std::vector<ContactNode<dim>>())
     , cartesian(hierarchy.matrices(hierarchy.n_levels() - 1).pattern.partitioner)
   {
     levels.reserve(hierarchy.n_levels());

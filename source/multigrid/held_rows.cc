@@ -200,8 +200,8 @@ namespace signorini
   typename HeldRows<dim>::Row HeldRows<dim>::measure_of(const unsigned int node,
                                                         const unsigned int component) const
   {
-    const Tensor direction    = direction_of(node, component);
-    Row          result       = {{global(node), direction}};
+    const Tensor direction = direction_of(node, component);
+    Row          result    = {{global(node), direction}};
     for (const auto &[partner, weight] : relative_rows.row(node, component))
       {
         Tensor     moved = weight;

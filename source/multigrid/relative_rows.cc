@@ -54,9 +54,8 @@ namespace signorini
   unsigned int RelativeRows<dim>::level(const unsigned int node) const
   {
     const auto of_node = contact_nodes.find(node);
-    return of_node == contact_nodes.end()
-             ? 0
-             : coordinates.coupling().level(of_node->second.front());
+    return of_node == contact_nodes.end() ? 0
+                                          : coordinates.coupling().level(of_node->second.front());
   }
 
 

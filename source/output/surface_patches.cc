@@ -42,7 +42,7 @@ namespace signorini
                           const State               &state)
     {
       const std::vector<double> gaps    = surface.distance(state.displacement);
-      double largest = 0.;
+      double                    largest = 0.;
       for (const double gap : gaps) // infinite where nothing is opposite
         largest = std::isfinite(gap) ? std::max(largest, gap) : largest;
       largest = Utilities::MPI::max(largest, discretization.communicator());

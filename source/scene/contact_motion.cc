@@ -16,6 +16,14 @@ namespace signorini
   {
     const std::string or_linearised = ", or set `Motion = linearised`.";
 
+    /** What the key says; `automatic` follows where that is possible. */
+    enum class MotionChoice
+    {
+      automatic,
+      follow,
+      linearised
+    };
+
     /** Whether no normal ever turns and no obstacle moves. */
     template <int dim>
     bool only_flat_obstacles_at_rest(const Scene<dim> &scene)
@@ -25,51 +33,86 @@ namespace signorini
                && !scene.obstacles[pair.obstacle].motion;
       });
     }
+
+
+    /** Why contact of a scene cannot follow the motion; empty if it can. */
+    template <int dim>
+    std::string why_not_follow(const Scene<dim> &scene)
+    {
+      if (scene.time.mass.has_massless_contact_nodes())
+        return "contact nodes without mass, of which every node of a surface would be one";
+      const SchemeInfo &scheme = scheme_info(scene.time.scheme);
+      if (scheme.moving_contact || (!scheme.penetrates && only_flat_obstacles_at_rest(scene)))
+        return "";
+      return "Time/Scheme = " + scheme.name + ", which " + scheme.why_linearised;
+    }
+
+
+    /** Contact that does not follow needs bodies and obstacles that go with that. */
+    template <int dim>
+    void check_linearised(const SectionReader &in, const Scene<dim> &scene, const std::string &why)
+    {
+      const std::string remedy = why.empty() ? "Set `Motion = follow`" : "Take another scheme";
+      for (const NamedObstacle<dim> &obstacle : scene.obstacles)
+        if (obstacle.motion)
+          in.fail("Motion",
+                  "linearised contact does not know that the obstacle '" + obstacle.name + "' moves"
+                    + (why.empty() ? "" : ", and contact cannot follow with " + why) + ". " + remedy
+                    + ", or let the obstacle rest.");
+      for (const PairDescription &pair : scene.pairs)
+        if (pair.slave == pair.master)
+          in.fail("Motion",
+                  "linearised contact knows no contact of a body with itself, as in `" + pair.name
+                    + "`" + (why.empty() ? "" : ", and contact cannot follow with " + why) + ". "
+                    + remedy + ", or remove the pair.");
+    }
   } // namespace
+
+
+  template <>
+  struct EnumNames<MotionChoice>
+  {
+    static constexpr EnumName<MotionChoice> table[] = {{MotionChoice::automatic, "automatic"},
+                                                       {MotionChoice::follow, "follow"},
+                                                       {MotionChoice::linearised, "linearised"}};
+  };
 
 
   void declare_contact_motion(dealii::ParameterHandler &prm)
   {
     prm.declare_entry(
       "Motion",
-      name_of(ContactMotion::linearised),
-      choices_of<ContactMotion>(),
-      "What normals, gaps and obstacles of contact nodes belong to. linearised: to the initial "
-      "configuration, once for all, as in small motions; follow: to the motion of each step, so "
-      "that nodes slide along curved obstacles and from one to the next.");
+      name_of(MotionChoice::automatic),
+      choices_of<MotionChoice>(),
+      "What normals, gaps and partners of contact nodes belong to. follow: to the motion of each "
+      "step, so that bodies slide along curved obstacles and each other, and from one to the next; "
+      "linearised: to the initial configuration, once for all, as in small motions; automatic: "
+      "follow, but with schemes that cannot (a note says so).");
   }
 
 
   template <int dim>
-  ContactMotion parse_contact_motion(const SectionReader &in, const Scene<dim> &scene)
+  void parse_contact_motion(const SectionReader &in, Scene<dim> &scene)
   {
-    const ContactMotion motion = in.choice<ContactMotion>("Motion");
-    if (motion == ContactMotion::linearised)
-      {
-        for (const NamedObstacle<dim> &obstacle : scene.obstacles)
-          if (obstacle.motion)
-            in.fail("Motion",
-                    "linearised contact does not know that the obstacle '" + obstacle.name
-                      + "' moves. Set `Motion = follow`, or let the obstacle rest.");
-        for (const PairDescription &pair : scene.pairs)
-          if (pair.slave == pair.master)
-            in.fail("Motion",
-                    "linearised contact knows no contact of a body with itself, as in `" + pair.name
-                      + "`. Set `Motion = follow`, or remove the pair.");
-        return motion;
-      }
-    const std::string head = name_of(motion) + std::string(" ");
-    if (const SchemeInfo &scheme = scheme_info(scene.time.scheme);
-        !scheme.moving_contact && (scheme.penetrates || !only_flat_obstacles_at_rest(scene)))
+    const MotionChoice choice = in.choice<MotionChoice>("Motion");
+    const std::string  why    = why_not_follow(scene);
+    if (choice == MotionChoice::follow && !why.empty())
       in.fail(
         "Motion",
-        head + "does not go with Time/Scheme = " + scheme.name + ", which " + scheme.why_linearised
-          + ". Take one of the schemes "
+        "follow does not go with " + why + ". Take one of the schemes "
           + join(schemes_where([](const SchemeInfo &info) { return info.moving_contact; }), ", ")
-           + or_linearised);
-    return motion;
+          + or_linearised);
+    if (choice != MotionChoice::linearised && why.empty())
+      {
+        scene.motion = ContactMotion::follow;
+        return;
+      }
+    check_linearised(in, scene, choice == MotionChoice::automatic ? why : "");
+    scene.motion = ContactMotion::linearised;
+    if (choice == MotionChoice::automatic)
+      scene.why_linearised = why;
   }
 
-  template ContactMotion parse_contact_motion(const SectionReader &, const Scene<2> &);
-  template ContactMotion parse_contact_motion(const SectionReader &, const Scene<3> &);
+  template void parse_contact_motion(const SectionReader &, Scene<2> &);
+  template void parse_contact_motion(const SectionReader &, Scene<3> &);
 } // namespace signorini

@@ -229,8 +229,8 @@ namespace signorini
     check_damping(in.section("Bodies"), scene);
     check_dirichlet(in.section("Bodies"), scene);
     scene.adaptivity = parse_adaptivity(in.section("Adaptivity"), scene.time, scene.bodies);
-    scene.motion     = parse_contact_motion(in.section("Contact"), scene);
-    scene.mapping    = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);
+    parse_contact_motion(in.section("Contact"), scene);
+    scene.mapping = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);
     parse_probes(in.section("Probes"), names.probes, scene);
     scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);
     scene.solver         = parse_solver(in.section("Solver"), has_friction(scene.pairs));

@@ -81,8 +81,8 @@ namespace signorini
   namespace
   {
     /**
-     * Contact of bodies that follows the motion sees no farther than a step; the straight way to the
-     * other body is that of linearised contact.
+     * Contact of bodies that follows the motion sees no farther than a step; the straight way to
+     * the other body is that of linearised contact.
      */
     template <int dim>
     std::vector<FirstTouch>

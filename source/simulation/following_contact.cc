@@ -100,7 +100,7 @@ namespace signorini
       StepReport finish(State &state)
       {
         swap(state, end);
-        report.corrector = correctors;
+        report.corrector     = correctors;
         report.predictor     = predictors;
         report.work_geometry = contact.geometry_work(state.contact_force);
         return report;

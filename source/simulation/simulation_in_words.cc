@@ -56,6 +56,10 @@ namespace signorini
         && std::abs(end - scene.time.end_time) > 1e-9 * scene.time.end_time)
       text << "  note: the run ends at " << end
            << ", the multiple of `Step size` next to `End time` = " << scene.time.end_time << "\n";
+    if (!scene.why_linearised.empty())
+      text << "  note: contact is linearised about the initial configuration: it cannot follow the "
+              "motion with "
+           << scene.why_linearised << "\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
            << perturbation_of_velocities() << " of themselves\n";

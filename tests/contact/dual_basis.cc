@@ -5,8 +5,8 @@
 // contains the constants: on whole and on partly covered faces, for every choice of carriers, and
 // also on distorted faces.
 
-#include <signorini/contact/dual_basis.h>
-#include <signorini/contact/face_segments.h>
+#include <signorini/surfaces/dual_basis.h>
+#include <signorini/surfaces/face_segments.h>
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 
 #include "two_bodies.h"
 
-#include <signorini/contact/face_segments.h>
-#include <signorini/contact/polygon_clipping.h>
+#include <signorini/surfaces/face_segments.h>
+#include <signorini/surfaces/polygon_clipping.h>
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "two_bodies.h"
 
-#include <signorini/contact/mean_curvature.h>
+#include <signorini/surfaces/mean_curvature.h>
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 
 #include "two_bodies.h"
 
-#include <signorini/contact/face_segments.h>
-#include <signorini/contact/sweep.h>
+#include <signorini/surfaces/face_segments.h>
+#include <signorini/surfaces/sweep.h>
 
 #include <gtest/gtest.h>
 

@@ -39,6 +39,40 @@ subsection Obstacles
 end
 """
 
+SQUASHED = """
+set Dimension = 2
+subsection Time
+  set Step size = 0.02
+  set End time  = 2
+  set Scheme    = contact-stabilized-projected
+end
+subsection Bodies
+  set Names = ring
+  subsection ring
+    set Shape           = file
+    set File            = {file}
+    set Young's modulus = 1000
+    set Poisson's ratio = 0.3
+    set Density         = 1
+  end
+end
+subsection Obstacles
+  set Names = top, floor
+  subsection top
+    set Point  = 0, 1
+    set Normal = 0, -1
+    set Motion = 0; -min(t, 1.78)
+  end
+  subsection floor
+    set Point  = 0, -1
+    set Normal = 0, 1
+  end
+end
+subsection Contact
+  set Pairs = ring : top, ring : floor, ring : ring
+end
+"""
+
 DISSIPATIVE = ("contact-implicit", "contact-stabilized-projected")
 WEIGHT = "set Body force = 0; -10"
 
@@ -255,7 +289,8 @@ class MeetingBodies(check_history.SceneTest):
         self.expect_laws(run)
 
     def test_processes(self):
-        """The same on one and two processes, with friction and three bodies that meet in an edge."""
+        """The same on one and two processes, with friction and three bodies that meet in an
+        edge."""
         bodies = [
             box("a", "0, 0", "1, 1", "4, 4", "set Initial velocity = 0.3; -1"),
             box("b", "-1, -1.02", "0.6, -0.02", "6, 4", "set Dirichlet = 2: 0; 0"),
@@ -273,6 +308,22 @@ class MeetingBodies(check_history.SceneTest):
         self.expect_laws(one, momentum=False)
         self.expect_contact(one)
         self.expect_same_history(two, one, 1e-8)
+
+    def test_a_ring_is_squashed_until_it_touches_itself(self):
+        """Between two plates, one of which comes down by 1.78 of the height of 2: the walls of the
+        ring, 0.1 thick each, have 0.02 between them then if they do not bend, and touch. What the
+        plate brings is all that there is, and no wall goes through the other."""
+        folder = check_history.pathlib.Path(check_history.settings["folder"])
+        folder.mkdir(parents=True, exist_ok=True)
+        text = SQUASHED.format(file=ring(folder))
+        one = check_history.Run(text, "ring")
+        self.expect_laws(one, momentum=False)
+        pairs = table_of(one, "pairs.csv")
+        first = next(row for row, force in enumerate(pairs["pair_2_normal_force"]) if force > 0)
+        self.assertGreater(one["time"][first], 1.2)
+        self.assertEqual(max(pairs["pair_2_normal_force"][:first]), 0)
+        self.assertGreater(pairs["pair_2_normal_force"][-1], 10)
+        self.assertLess(max(pairs["pair_2_depth"]), 0.05 * 0.098)
 
 
 def ring(folder, radius=1.0, thickness=0.1, around=64, across=2):

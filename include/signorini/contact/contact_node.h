@@ -4,8 +4,8 @@
 #ifndef signorini_contact_contact_node_h
 #define signorini_contact_contact_node_h
 
-#include <signorini/contact/surface_face.h>
 #include <signorini/friction/friction_law.h>
+#include <signorini/surfaces/surface_face.h>
 
 namespace signorini
 {

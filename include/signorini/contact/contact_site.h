@@ -4,6 +4,7 @@
 #ifndef signorini_contact_contact_site_h
 #define signorini_contact_contact_site_h
 
+#include <signorini/base/user_error.h>
 #include <signorini/contact/followed_pairs.h>
 #include <signorini/contact/obstacle_contact.h>
 
@@ -15,13 +16,13 @@ namespace signorini
   template <int dim>
   struct Facing
   {
-    unsigned int         pair;
-    bool                 of_body;  ///< or of an obstacle
-    double               area;     ///< of the node in this pair
-    FrictionLaw          friction; ///< of the node in this pair, with all of its area
-    double               gap = std::numeric_limits<double>::infinity(); ///< at the start of the step
-    MotionCondition<dim> condition = {};
-    const PairCondition<dim> *opposite = nullptr; ///< of a body: null if it is not opposite now
+    unsigned int pair;
+    bool         of_body;  ///< or of an obstacle
+    double       area;     ///< of the node in this pair
+    FrictionLaw  friction; ///< of the node in this pair, with all of its area
+    double       gap = std::numeric_limits<double>::infinity(); ///< at the start of the step
+    MotionCondition<dim>          condition = {};
+    const PairCondition<dim>     *opposite = nullptr; ///< of a body: null if it is not opposite now
     static constexpr unsigned int whole = -1, absent = -2;
     unsigned int side = whole; ///< of an obstacle; `whole`, or `absent` for no side at all
 
@@ -36,12 +37,12 @@ namespace signorini
   template <int dim>
   struct ContactSite
   {
-    std::size_t              first;            ///< of its contact nodes
-    unsigned int             n_rows = 1;       ///< their number
-    dealii::Point<dim>       start        = {}; ///< position at the start of the step
-    dealii::Tensor<1, dim>   displacement = {}; ///< there
-    std::vector<Facing<dim>> facings      = {}; ///< one for each of its pairs
-    std::vector<unsigned int> bounding    = {}; ///< the facings that bound it, one per row
+    std::size_t               first;             ///< of its contact nodes
+    unsigned int              n_rows       = 1;  ///< their number
+    dealii::Point<dim>        start        = {}; ///< position at the start of the step
+    dealii::Tensor<1, dim>    displacement = {}; ///< there
+    std::vector<Facing<dim>>  facings      = {}; ///< one for each of its pairs
+    std::vector<unsigned int> bounding     = {}; ///< the facings that bound it, one per row
 
     bool is_bounded_by(unsigned int facing) const;
 
@@ -67,6 +68,26 @@ namespace signorini
                  ContactNode<dim>                                     node,
                  const typename DirichletConditions<dim>::Components *conditions) const;
   };
+
+  /**
+   * Call an action for each site. Where an obstacle has no distance, all processes throw
+   * together. Collective.
+   */
+  template <typename Sites, typename Action>
+  void for_each_site(Sites &sites, MPI_Comm communicator, const Action &action)
+  {
+    std::vector<Complaint> complaints;
+    try
+      {
+        for (auto &site : sites)
+          action(site);
+      }
+    catch (const UserError &error)
+      {
+        complaints.emplace_back(1., error.what());
+      }
+    throw_worst(complaints, communicator);
+  }
 } // namespace signorini
 
 #endif

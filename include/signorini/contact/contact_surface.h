@@ -145,15 +145,15 @@ namespace signorini
     void admit(const Vector &displacement);
 
   private:
-    const Discretization<dim>         &discretization;
-    const std::vector<PairDescription> descriptions;
-    const ContactMotion                motion;
-    ObstacleContact<dim>               obstacle_contact;
-    std::vector<ContactNode<dim>>      contact_nodes;
+    const Discretization<dim>          &discretization;
+    const std::vector<PairDescription>  descriptions;
+    const ContactMotion                 motion;
+    ObstacleContact<dim>                obstacle_contact;
+    std::vector<ContactNode<dim>>       contact_nodes;
     std::unique_ptr<FollowedPairs<dim>> bodies; ///< where contact follows the motion
     std::unique_ptr<NodeCoupling<dim>>  node_coupling;
-    unsigned int                       n_global = 0, n_left_to_dirichlet = 0;
-    std::vector<std::string>           assumptions;
+    unsigned int                        n_global = 0, n_left_to_dirichlet = 0;
+    std::vector<std::string>            assumptions;
 
     void add_pair_of_bodies(unsigned int pair, const DirichletConditions<dim> &dirichlet);
     /**

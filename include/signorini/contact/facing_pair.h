@@ -5,8 +5,8 @@
 #define signorini_contact_facing_pair_h
 
 #include <signorini/contact/contact_node.h>
-#include <signorini/contact/contact_search.h>
 #include <signorini/discretization/dirichlet_conditions.h>
+#include <signorini/surfaces/contact_search.h>
 
 #include <map>
 
@@ -28,7 +28,8 @@ namespace signorini
    *
    * A body may be a pair with itself. Then faces that share no node may meet; of two that do, that
    * is the slave which in the reference configuration lies farther along the axis on which they are
-   * farthest apart. Behind itself a face looks no farther than a part of the body's thickness there.
+   * farthest apart. Behind itself a face looks no farther than a part of the body's thickness
+   * there.
    */
   template <int dim>
   class FacingPair
@@ -47,12 +48,13 @@ namespace signorini
     const std::vector<unsigned int> &master_nodes() const { return owned_master_nodes; }
 
     /**
-     * The largest motion of a point of one surface relative to the other one as a whole. Collective.
+     * The largest motion of a point of one surface relative to the other one as a whole.
+     * Collective.
      */
     double relative_motion(const Vector &increment) const;
 
-    /** Whether boxes around both surfaces are closer than a length. Collective. */
-    bool are_near(const Vector &displacement, double distance) const;
+    /** Between boxes around both surfaces: they are at least as far apart. Collective. */
+    double distance_of_boxes(const Vector &displacement) const;
 
     /**
      * The owned nodes that face the master, with gap, normal, partners; the gap is minus the normal

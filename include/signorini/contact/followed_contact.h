@@ -132,9 +132,8 @@ namespace signorini
     /** Let the node be bounded by what it would enter, as far as it has rows. */
     void bound_by_what_is_entered(Site &site, const dealii::Tensor<1, dim> &motion) const;
     /** Whether a motion would end in an obstacle that does not bound the node. */
-    bool enters(const Site                   &site,
-                const Facing<dim>            &facing,
-                const dealii::Tensor<1, dim> &motion) const;
+    bool
+    enters(const Site &site, const Facing<dim> &facing, const dealii::Tensor<1, dim> &motion) const;
     /** The gap of a facing after a motion, as far as it is in the way. */
     double gap_after(const Site                   &site,
                      const Facing<dim>            &facing,

@@ -24,8 +24,8 @@ namespace signorini
      * bring energy.
      */
     double bound        = 0.;
-    double gap_at_start = 0.; ///< by the geometry in the middle
-    bool   is_clipped = false; ///< the bound is zero instead of negative
+    double gap_at_start = 0.;    ///< by the geometry in the middle
+    bool   is_clipped   = false; ///< the bound is zero instead of negative
     /** Of the motion that was looked at last. */
     dealii::Tensor<1, dim> motion;     ///< [d]
     double                 gap_at_end; ///< true gap; NaN if nothing is opposite then
@@ -97,6 +97,12 @@ namespace signorini
     double depth(unsigned int pair) const;
 
     /**
+     * What nodes of a pair that face nothing are away from the other body at least, at the end of
+     * the motion that was looked at last; length.
+     */
+    double clear_distance(const unsigned int pair) const { return clear.at(pair); }
+
+    /**
      * Whether bodies that are near each other move by so much that they may pass through each other
      * unseen: a quarter of the smaller one. Collective.
      */
@@ -105,18 +111,19 @@ namespace signorini
   private:
     using Conditions = std::map<unsigned int, PairCondition<dim>>; ///< by node
 
-    const Discretization<dim>                                &discretization;
-    const std::vector<PairDescription>                       &descriptions;
-    std::map<unsigned int, std::unique_ptr<FacingPair<dim>>>  geometries;
-    std::vector<unsigned int>                                 order; ///< of pairs
-    bool                                                      is_cyclic = false;
-    std::map<unsigned int, Conditions>                        conditions; ///< by pair
+    const Discretization<dim>                                 &discretization;
+    const std::vector<PairDescription>                        &descriptions;
+    std::map<unsigned int, std::unique_ptr<FacingPair<dim>>>   geometries;
+    std::vector<unsigned int>                                  order; ///< of pairs
+    bool                                                       is_cyclic = false;
+    std::map<unsigned int, Conditions>                         conditions; ///< by pair
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
-    Vector                                                    start; ///< displacement
-    bool                                                      at_end = false;
-    Vector looked_at;                                                ///< the latest motion, if any
-    std::map<unsigned int, std::map<unsigned int, double>> end_gaps; ///< of it, by pair and node
+    Vector                                                     start; ///< displacement
+    bool                                                       at_end = false;
+    Vector                                                 looked_at; ///< the latest motion, if any
+    std::map<unsigned int, std::map<unsigned int, double>> end_gaps;  ///< of it, by pair and node
     std::map<unsigned int, double> end_depths; ///< of it, by pair, of this process
+    std::map<unsigned int, double> clear;      ///< by pair
 
     /** Masters before slaves, as far as there is no ring of bodies. */
     void find_order();

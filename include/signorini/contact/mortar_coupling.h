@@ -5,10 +5,10 @@
 #define signorini_contact_mortar_coupling_h
 
 #include <signorini/contact/contact_node.h>
-#include <signorini/contact/contact_search.h>
-#include <signorini/contact/covered_face.h>
-#include <signorini/contact/mean_curvature.h>
 #include <signorini/discretization/dirichlet_conditions.h>
+#include <signorini/surfaces/contact_search.h>
+#include <signorini/surfaces/covered_face.h>
+#include <signorini/surfaces/mean_curvature.h>
 
 #include <functional>
 #include <map>

@@ -36,8 +36,7 @@ namespace signorini
     PairReader(const Discretization<dim> &discretization, const ContactSurface<dim> &surface);
 
     /**
-     * In the order of `Contact/Pairs`. The gap of a pair is infinite where nothing is opposite.
-     * Collective.
+     * In the order of `Contact/Pairs`. The gap of a pair without contact nodes is 0. Collective.
      */
     std::vector<PairContact> read(const State &state) const;
 

@@ -48,7 +48,10 @@ namespace signorini
     }
 
     /** The law of a node with another area: what is given as a stress changes with it. */
-    FrictionLaw with_area(const double ratio) const { return {coefficient, ratio * constant, ratio * cap}; }
+    FrictionLaw with_area(const double ratio) const
+    {
+      return {coefficient, ratio * constant, ratio * cap};
+    }
   };
 } // namespace signorini
 

@@ -18,9 +18,9 @@ namespace signorini
    *   G = I - sum_e n_e rho_e',    rho_e'u = n_e.(u_p - sum_l P_pl u_l),
    *
    * where n_e is a direction of the node p, and the sum over its partners is there if the entry is
-   * relative to another body (RelativeRows). Only what is held is relative: free nodes of two bodies
-   * move on their own, as they do apart. Partners that are held themselves come first, level by
-   * level.
+   * relative to another body (RelativeRows). Only what is held is relative: free nodes of two
+   * bodies move on their own, as they do apart. Partners that are held themselves come first, level
+   * by level.
    */
   template <int dim, typename Number>
   class FreeSpace
@@ -94,7 +94,7 @@ namespace signorini
     bool                         any_partners; ///< of any process
     std::unique_ptr<GhostValues> ghosts;
     unsigned int                 n_levels; ///< of relative entries, on all processes
-    std::vector<Entry>           absolute, relative; ///< those that are held, relative ones by level
+    std::vector<Entry> absolute, relative; ///< those that are held, relative ones by level
   };
 } // namespace signorini
 

@@ -39,9 +39,9 @@ namespace signorini
     CoarseFactor<dim>                                coarsest;
     Mask                                             mask;
     std::map<unsigned int, typename NodeFrames<dim>::Frame>
-                             known_frames; ///< of correction and space
-    std::vector<ContactNode<dim>> known_nodes; ///< where partners come and go
-    mutable Vector cartesian;
+                                  known_frames; ///< of correction and space
+    std::vector<ContactNode<dim>> known_nodes;  ///< where partners come and go
+    mutable Vector                cartesian;
 
     struct Level
     {

@@ -44,16 +44,17 @@ namespace signorini
   template <int dim>
   struct Scene
   {
-    std::string                        file_name;
-    std::string                        output_directory;
-    CellGeometry                       mapping = CellGeometry::linear; ///< as it has been chosen
-    TimeParameters                     time;
-    AdaptivityParameters               adaptivity;
-    std::vector<BodyDescription<dim>>  bodies;
-    std::vector<NamedObstacle<dim>>    obstacles;
-    std::vector<PairDescription>       pairs;
-    ContactMotion                      motion = ContactMotion::linearised;
-    std::vector<ProbeDescription<dim>> probes;
+    std::string                       file_name;
+    std::string                       output_directory;
+    CellGeometry                      mapping = CellGeometry::linear; ///< as it has been chosen
+    TimeParameters                    time;
+    AdaptivityParameters              adaptivity;
+    std::vector<BodyDescription<dim>> bodies;
+    std::vector<NamedObstacle<dim>>   obstacles;
+    std::vector<PairDescription>      pairs;
+    ContactMotion                     motion = ContactMotion::linearised;
+    std::string why_linearised; ///< why contact cannot follow the motion, if it shall where it can
+    std::vector<ProbeDescription<dim>>      probes;
     std::vector<PointProbeDescription<dim>> point_probes;
     ExactSolutionDescription<dim>           exact_solution;
     SolverParameters                        solver;

@@ -76,7 +76,7 @@ namespace signorini
   void declare_contact_motion(dealii::ParameterHandler &prm);
   /** Needs all that contact depends on: schemes, bodies, pairs, adaptivity. */
   template <int dim>
-  ContactMotion parse_contact_motion(const SectionReader &in, const Scene<dim> &scene);
+  void parse_contact_motion(const SectionReader &in, Scene<dim> &scene);
 
   void declare_adaptivity(dealii::ParameterHandler &prm);
   template <int dim>

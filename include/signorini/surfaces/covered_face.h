@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_covered_face_h
-#define signorini_contact_covered_face_h
+#ifndef signorini_surfaces_covered_face_h
+#define signorini_surfaces_covered_face_h
 
-#include <signorini/contact/face_segments.h>
+#include <signorini/surfaces/face_segments.h>
 
 #include <Eigen/Core>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_surface_face_h
-#define signorini_contact_surface_face_h
+#ifndef signorini_surfaces_surface_face_h
+#define signorini_surfaces_surface_face_h
 
 #include <signorini/discretization/discretization.h>
 #include <signorini/model/contact_description.h>
@@ -32,9 +32,9 @@ namespace signorini
 
     std::array<dealii::Point<dim>, n_vertices> vertices; ///< in the reference configuration
     std::array<NodeWeights, n_vertices>
-           nodes;           ///< one node of weight 1, or the parents of a hanging vertex
-    double orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
-    dealii::Point<dim> place; ///< centre in the reference configuration
+                       nodes; ///< one node of weight 1, or the parents of a hanging vertex
+    double             orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
+    dealii::Point<dim> place;           ///< centre in the reference configuration
     double thickness = std::numeric_limits<double>::infinity(); ///< of the body behind it, if known
 
     /** Values of the (bi)linear shape functions. */

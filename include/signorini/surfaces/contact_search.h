@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_contact_search_h
-#define signorini_contact_contact_search_h
+#ifndef signorini_surfaces_contact_search_h
+#define signorini_surfaces_contact_search_h
 
-#include <signorini/contact/face_segments.h>
-#include <signorini/contact/sweep.h>
+#include <signorini/surfaces/face_segments.h>
+#include <signorini/surfaces/sweep.h>
 
 #include <functional>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/contact/contact_search.h>
-#include <signorini/contact/sweep.h>
+#include <signorini/surfaces/contact_search.h>
+#include <signorini/surfaces/sweep.h>
 
 #include <deal.II/numerics/rtree.h>
 

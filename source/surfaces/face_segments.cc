@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/contact/contact_frame.h>
-#include <signorini/contact/face_segments.h>
-#include <signorini/contact/polygon_clipping.h>
+#include <signorini/surfaces/face_segments.h>
+#include <signorini/surfaces/polygon_clipping.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -190,7 +190,7 @@ namespace signorini
     const ProjectedFace<dim> slave_below(slave, plane), master_below(master, plane);
     const auto               slave_outline = slave_below.outline();
     const auto               common        = overlap(slave_outline, master_below.outline());
-    segment.area             = measure(common);
+    segment.area                           = measure(common);
     if (!(segment.area > 1e-12 * measure(slave_outline)))
       return segment;
 
@@ -204,8 +204,7 @@ namespace signorini
                  distance(slave_below.map_back(corner), master_below.map_back(corner)));
     for (const auto &[point, weight] : quadrature(common))
       {
-        const Point<dim - 1> xi      = slave_below.map_back(point),
-                             eta     = master_below.map_back(point);
+        const Point<dim - 1> xi = slave_below.map_back(point), eta = master_below.map_back(point);
         const Tensor<1, dim> surface = slave.area_vector(xi);
         segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
         segment.gap += weight / segment.area * distance(xi, eta);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/contact/covered_face.h>
+#include <signorini/surfaces/covered_face.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

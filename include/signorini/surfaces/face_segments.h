@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_face_segments_h
-#define signorini_contact_face_segments_h
+#ifndef signorini_surfaces_face_segments_h
+#define signorini_surfaces_face_segments_h
 
-#include <signorini/contact/surface_face.h>
+#include <signorini/surfaces/surface_face.h>
 
 namespace signorini
 {

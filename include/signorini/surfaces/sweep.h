@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_sweep_h
-#define signorini_contact_sweep_h
+#ifndef signorini_surfaces_sweep_h
+#define signorini_surfaces_sweep_h
 
-#include <signorini/contact/surface_face.h>
+#include <signorini/surfaces/surface_face.h>
 
 #include <deal.II/numerics/rtree.h>
 
