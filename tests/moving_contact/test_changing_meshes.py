@@ -136,7 +136,7 @@ class ChangingMeshes(check_history.unittest.TestCase):
         history = check_history.Run(
             check_history.scene_file("ball_in_a_bowl"),
             "ball",
-            ["Time/End time=0.13", "Adaptivity/Maximum level=3"],
+            ["Time/End time=0.15", "Adaptivity/Maximum level=3"],
         ).history
         self.expect_laws(history)
         self.assertGreater(max(history["contact_force"]), 0.1)
