@@ -76,9 +76,8 @@ namespace signorini
        rotation_limit(),
        degree,
        " degrees round an obstacle, by the normals of nodes that stay in contact",
-       "`Time/Scheme = contact-stabilized` leaves these nodes the velocity with which they "
-       "approached, so that the body slides too slowly, by some per cent in a turn of 1 radian. "
-       "Take `contact-stabilized-projected`."},
+       "The predictor of the scheme leaves these nodes the velocity with which they approached, so "
+       "that the body slides too slowly, by some per cent in a turn of 1 radian."},
       {&ValidityReading::sliding,
        true,
        1.,
@@ -98,16 +97,20 @@ namespace signorini
 
   Validity::Validity(const std::vector<std::string> &bodies,
                      const std::vector<std::string> &pairs,
-                     const bool                      contact_follows)
+                     const bool                      contact_follows,
+                     const std::string              &scheme_that_turns)
     : bodies(bodies)
     , pairs(pairs)
     , contact_follows(contact_follows)
+    , scheme_that_turns(scheme_that_turns)
   {
   }
 
 
-  const std::string &Validity::consequence(const Limit &limit) const
+  std::string Validity::consequence(const Limit &limit) const
   {
+    if (limit.values == &ValidityReading::turning)
+      return limit.consequence + " Take `Time/Scheme = " + scheme_that_turns + "`.";
     return contact_follows && !limit.consequence_if_followed.empty() ? limit.consequence_if_followed
                                                                      : limit.consequence;
   }

@@ -38,6 +38,44 @@ namespace signorini
         impulse *= -1.;
       return system.capabilities().impulses->normal_forces(nodes.impulses);
     }
+
+
+    /**
+     * Impulses, up to a factor alpha that gives back what contact has taken.
+     * @param velocity v*, without impulses
+     * @param approach the same relative to obstacles that move
+     */
+    void give_impulses(DynamicalSystem &system,
+                       const Vector    &impulses,
+                       const Vector    &velocity,
+                       const Vector    &approach,
+                       const double     tau,
+                       Vector          &r,
+                       Vector          &velocity_change,
+                       StepReport      &report)
+    {
+      // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*, d and v*
+      // relative to obstacles that move
+      const Vector response = system.solve_mass(impulses);
+      const double kappa    = impulses * response;
+      const double omega    = -(impulses * approach);
+      const double lost     = std::max(0., -report.work_contact);
+      double       alpha    = 0.;
+      if (kappa > 0. && (omega > 0. || lost > 0.))
+        alpha = (omega + std::sqrt(omega * omega + 2. * kappa * lost)) / kappa;
+      // Prescribed nodes react to the impulses; with a velocity of their own that is work from
+      // outside.
+      Vector reaction = response;
+      system.apply_mass(reaction, response);
+      const Vector dirichlet = dirichlet_part(system, reaction);
+      report.work_dirichlet += alpha * (dirichlet * velocity);
+      add_support_force(system, alpha / tau, dirichlet, report);
+
+      velocity_change.add(alpha, response);
+      report.work_contact += alpha * (alpha * kappa / 2. - omega);
+      report.work_obstacles += alpha / tau * obstacle_work(system, impulses);
+      r.add(alpha / tau, impulses);
+    }
   } // namespace
 
 
@@ -70,36 +108,11 @@ namespace signorini
         Vector approach = velocity;
         if (const Vector *motion = obstacle_motion(system))
           approach.add(-1. / tau, *motion);
-        const Vector impulses = separate_nodes ? impulses_per_node(system,
-                                                                   solution,
-                                                                   gaps_at_start(system, gap),
-                                                                   approach,
-                                                                   r,
-                                                                   weight,
-                                                                   report)
-                                               : r; // up to a factor
-
-        // kappa/2 alpha^2 - omega alpha = -r.d with the approach omega = -impulses.v*, d and v*
-        // relative to obstacles that move
-        const Vector response = system.solve_mass(impulses);
-        const double kappa    = impulses * response;
-        const double omega    = -(impulses * approach);
-        const double lost     = std::max(0., -report.work_contact);
-        double       alpha    = 0.;
-        if (kappa > 0. && (omega > 0. || lost > 0.))
-          alpha = (omega + std::sqrt(omega * omega + 2. * kappa * lost)) / kappa;
-        // Prescribed nodes react to the impulses; with a velocity of their own that is work from
-        // outside.
-        Vector reaction = response;
-        system.apply_mass(reaction, response);
-        const Vector dirichlet = dirichlet_part(system, reaction);
-        report.work_dirichlet += alpha * (dirichlet * velocity);
-        add_support_force(system, alpha / tau, dirichlet, report);
-
-        velocity_change.add(alpha, response);
-        report.work_contact += alpha * (alpha * kappa / 2. - omega);
-        report.work_obstacles += alpha / tau * obstacle_work(system, impulses);
-        r.add(alpha / tau, impulses);
+        const NormalGap start = gaps_at_start(system, gap);
+        const Vector    impulses =
+          separate_nodes ? impulses_per_node(system, solution, start, approach, r, weight, report)
+                            : r; // up to a factor
+        give_impulses(system, impulses, velocity, approach, tau, r, velocity_change, report);
       }
     FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
     report.work_friction    = friction.work;

@@ -44,7 +44,10 @@ namespace signorini
                    scheme_info(scene.time.scheme).energy == EnergyLaw::none})
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())
-    , validity(names_of(scene.bodies), names_of(scene.pairs), scene.motion == ContactMotion::follow)
+    , validity(names_of(scene.bodies),
+               names_of(scene.pairs),
+               scene.motion == ContactMotion::follow,
+               schemes_where([](const SchemeInfo &info) { return info.projects_velocity; }).front())
     , missing_pairs(scene.bodies.size(), scene.obstacles, scene.pairs)
     , velocity_zigzags(probes.size())
     , clock(meshed.discretization.communicator(), false)

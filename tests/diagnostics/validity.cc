@@ -68,16 +68,15 @@ TEST(Validity, DepthAndStrain)
 
 TEST(Validity, NormalsThatTurnInContact)
 {
-  Validity        validity({"ball"}, {});
+  Validity        validity({"ball"}, {}, true, "better");
   ValidityReading now = reading(0.5, 0., 0.);
   now.turning         = {0.05};
   EXPECT_TRUE(validity.judge(now).empty());
   now.turning     = {0.06};
   const auto news = validity.judge(now);
   ASSERT_EQ(news.size(), 1u);
-  expect_parts(
-    news[0],
-    {"at time 0.5", "'ball' is 3.44 degrees round", "Take `contact-stabilized-projected`"});
+  expect_parts(news[0],
+               {"at time 0.5", "'ball' is 3.44 degrees round", "Take `Time/Scheme = better`"});
 }
 
 TEST(BodyMotion, RotationIsThatOfTheBodyItself)

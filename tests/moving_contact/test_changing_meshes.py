@@ -131,6 +131,17 @@ class ChangingMeshes(check_history.unittest.TestCase):
             here, there = (r.probes["centre"][f"displacement_{axis}"][-1] for r in (run, fine))
             self.assertAlmostEqual(here, there, delta=1e-3)
 
+    def test_ball_in_a_bowl(self):
+        """In space, with friction, as far as the first steps in contact."""
+        history = check_history.Run(
+            check_history.scene_file("ball_in_a_bowl"),
+            "ball",
+            ["Time/End time=0.15", "Adaptivity/Maximum level=3"],
+        ).history
+        self.expect_laws(history)
+        self.assertGreater(max(history["contact_force"]), 0.1)
+        self.assertLess(max(history["geometric_penetration"]), 1e-11)
+
     def test_processes_agree(self):
         """The cells are the same on one process and on two, and so is the motion."""
         scene = changing(HILL.format(refinements=3), 5)
@@ -161,7 +172,7 @@ class ChangingMeshes(check_history.unittest.TestCase):
                 self.expect_laws(history)
 
     def test_disc_in_a_groove(self):
-        """Each side has its own friction; nodes that both hold hand on their forces and statuses."""
+        """Each side has its own friction; nodes that both hold hand on forces and statuses."""
         sine, cosine = math.sin(0.5), math.cos(0.5)
         scene = corners.GROOVE.format(sine=sine, cosine=cosine, height=1 / sine + 0.01)
         scene = scene.replace(

@@ -53,8 +53,8 @@ class Equilibria(check_history.unittest.TestCase):
     """See the beginning of the file."""
 
     def test_disc_lies_in_a_bowl(self):
-        """At rest for 50 steps, and outside: with the normals of where it was without load its nodes
-        would end inside of the bowl. The bowl carries its weight, also one that is told how
+        """At rest for 50 steps, and outside: with the normals of where it was without load its
+        nodes would end inside of the bowl. The bowl carries its weight, also one that is told how
         to move and does not."""
         for motion in ("", "set Velocity = 0; 0"):
             with self.subTest(motion=motion):

@@ -231,7 +231,7 @@ class MovingContact(check_history.unittest.TestCase):
         warning = re.search(r"at time (\S+) the body 'block' is (\S+) degrees round", run.log)
         self.assertIsNotNone(warning)
         self.assertAlmostEqual(float(warning.group(1)), 0.18, delta=0.02)
-        self.assertIn("Take `contact-stabilized-projected`", run.log)
+        self.assertIn("Take `Time/Scheme = contact-stabilized-projected`", run.log)
         self.assertIn("(the most of the run)", run.log)
 
     def test_pendulum_of_large_amplitude_has_its_period(self):

@@ -37,8 +37,8 @@ DRIVEN = {
 }
 #: Without inertia; tests/statics looks at them.
 LOAD_STEPS = ("static_hertz",)
-#: With contact that follows the motion; tests/moving_contact looks at them.
-MOVING = ("chute", "rolling_mill")
+#: Whose contact follows the motion; tests/moving_contact looks at them.
+MOVING = ("ball_in_a_bowl", "chute", "rolling_mill")
 
 
 class ShippedScenes(check_history.SceneTest):

@@ -32,10 +32,14 @@ namespace signorini
   class Validity
   {
   public:
-    /** @param contact_follows the motion, and is not linearised */
+    /**
+     * @param contact_follows   the motion, and is not linearised
+     * @param scheme_that_turns the name of one that is right where normals turn
+     */
     Validity(const std::vector<std::string> &bodies,
              const std::vector<std::string> &pairs,
-             bool                            contact_follows = false);
+             bool                            contact_follows   = false,
+             const std::string              &scheme_that_turns = "");
 
     /** @return what begins to be doubtful, a sentence each with the time */
     std::vector<std::string> judge(const ValidityReading &reading);
@@ -55,10 +59,11 @@ namespace signorini
 
     const std::vector<std::string>                       bodies, pairs;
     const bool                                           contact_follows;
+    const std::string                                    scheme_that_turns;
     std::map<std::pair<std::size_t, std::size_t>, Doubt> doubts; ///< by limit, then body or pair
 
     static const std::vector<Limit> &limits();
-    const std::string               &consequence(const Limit &limit) const;
+    std::string                      consequence(const Limit &limit) const;
     std::string sentence(const Limit &limit, std::size_t subject, double value) const;
   };
 } // namespace signorini
