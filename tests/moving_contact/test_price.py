@@ -6,8 +6,9 @@
 What that costs is counted, as times depend on the machine: products with M, which read a third of
 what one with A or M + s A reads, and iterations of the sweeps, which read as much as a product.
 Repetitions begin where the last one stopped and need no more digits than the normals have wrong,
-so that all of them together cost a part of the step only. A run with contact on something curved that
-makes each of them to full accuracy takes two to four times what it takes with normals that stay.
+so that all of them together cost a part of the step only. A run with contact on something curved
+that makes each of them to full accuracy takes two to four times what it takes with normals that
+stay.
 """
 
 import check_history
