@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <sstream>
 
 namespace signorini
@@ -15,11 +16,11 @@ namespace signorini
   {
     /** Times that a step is made again, and with what acceleration. */
     constexpr unsigned int most_repetitions = 24, few_differences = 3;
-    /** Contraction beyond which it is not for want of repetitions that a trial is not right. */
+    /** Part of a mismatch; if a trial leaves more of the last one, full accuracy must help. */
     constexpr double slow = 0.5;
-    /** Contraction that is better than what can be relied on. */
+    /** Part of a mismatch; that a repetition leaves less cannot be relied on. */
     constexpr double lucky = 1e-3;
-    /** Mismatch that a step is expected to have when it is no trial any more. */
+    /** Mismatch that a step must be expected to have, to be no trial any more. */
     constexpr double aim = 0.3;
 
 

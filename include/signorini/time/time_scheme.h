@@ -67,7 +67,9 @@ namespace signorini
    * @f$A u@f$) and admissible up to tolerance, and the system offers what the scheme needs; on exit
    * the state is the complete one of a step later. Nothing but `state` is changed, and if an
    * exception leaves advance(), the state is as it was. A StepError leaves it on all processes
-   * alike, and the next step may be a shorter one. The scheme keeps no memory between steps.
+   * alike, and the next step may be a shorter one. The scheme keeps no memory between steps, but
+   * may keep one between repetitions of a step. In a trial (is_trial()) no more than the
+   * displacement on exit has to be that of the step.
    */
   class TimeScheme
   {
