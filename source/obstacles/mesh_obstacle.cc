@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/model/placement.h>
 #include <signorini/obstacles/mesh_obstacle.h>
+#include <signorini/obstacles/surface_crossing.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/parameter_handler.h>
@@ -184,8 +185,11 @@ namespace signorini
     };
     auto mesh = refuse_user_errors("", [&] { return read_facet_mesh<dim>(path); });
     place_mesh(in, mesh);
-    const auto surface = refuse_user_errors(
-      path + ": ", [&] { return std::make_shared<FacetedSurface<dim>>(mesh, in.flag("Open")); });
+    const auto surface = refuse_user_errors(path + ": ", [&] {
+      auto built = std::make_shared<FacetedSurface<dim>>(mesh, in.flag("Open"));
+      check_that_nothing_crosses(*built);
+      return built;
+    });
     if (in.flag("Bodies inside"))
       surface->turn_inside_out();
     return std::make_shared<MeshObstacle<dim>>(surface, path);

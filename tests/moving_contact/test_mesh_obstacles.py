@@ -128,7 +128,7 @@ class MeshObstacles(check_history.SceneTest):
         self.expect_same_motion(two, run, 1e-9)  # the solver promises 1e-10
 
     def test_groove_of_one_obstacle(self):
-        """A square falls into a groove of less than a right angle with its edge ahead. One line of
+        """A square falls into a groove of 100 degrees with its edge ahead. One line of
         two segments holds it as two planes do."""
         angle = math.radians(40)
         cosine, sine = math.cos(angle), math.sin(angle)

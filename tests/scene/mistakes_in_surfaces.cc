@@ -186,6 +186,14 @@ TEST(MistakesInSurfaces, WhatIsNotTheBoundaryOfSomething)
       {"at (0 0) 3 segments share one point"}},
      {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", ".obj", 3, {"triangle 1", "degenerate", "repair"}},
      {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 3 2\n", ".obj", 3, {"encloses nothing"}},
+     {"v 0 0\nv 1 0\nv 0 1\nv 2 2\nl 1 2 3 4 1\n", ".obj", 2, {"crosses itself near ("}},
+     // A second tetrahedron, moved.
+     {tetrahedron
+        + "v .2 .2 -.2\nv 1.2 .2 -.2\nv .2 1.2 -.2\nv .2 .2 .8\nf 5 7 6\nf 5 6 8\nf 6 7 8\nf 7 5 "
+          "8\n",
+      ".obj",
+      3,
+      {"crosses itself near (", "Unite parts"}},
      // A band of Moebius, of five triangles.
      {"v 0 0 0\nv 1 0 0.3\nv 2 0 0\nv 2 1 1\nv 1 2 0.5\nf 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 1\nf 5 1 "
       "2\n",
