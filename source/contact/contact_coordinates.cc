@@ -3,7 +3,7 @@
 
 #include <signorini/base/complaints.h>
 #include <signorini/contact/contact_coordinates.h>
-#include <signorini/contact/contact_frame.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/contact_site.h>
 #include <signorini/contact/free_directions.h>
 #include <signorini/contact/nodal_friction.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <algorithm>
 

@@ -104,11 +104,9 @@ namespace signorini
     for_each_site(sites, discretization.communicator(), [&](const Site &site) {
       const Tensor<1, dim> d = motion(site, increment);
       for (unsigned int row = 0; row < site.bounding.size(); ++row)
-        largest = std::max(largest,
-                           mismatch_of(site,
-                                       site.facings[site.bounding[row]],
-                                       d,
-                                       matters[site.first + row]));
+        largest = std::max(
+          largest,
+          mismatch_of(site, site.facings[site.bounding[row]], d, matters[site.first + row]));
       if (site.facings.size() > 1)
         for (unsigned int f = 0; f < site.facings.size(); ++f)
           if (!site.is_bounded_by(f) && enters(site, site.facings[f], d)
@@ -145,14 +143,20 @@ namespace signorini
   }
 
 
-  template bool FollowedContact<2>::passes_through(const Vector &) const;
-  template double FollowedContact<2>::mismatch_of(const Site &, const Facing<2> &, const Tensor<1, 2> &, bool) const;
+  template bool   FollowedContact<2>::passes_through(const Vector &) const;
+  template double FollowedContact<2>::mismatch_of(const Site &,
+                                                  const Facing<2> &,
+                                                  const Tensor<1, 2> &,
+                                                  bool) const;
   template double FollowedContact<2>::mismatch(const Vector &, const std::vector<bool> &);
   template std::vector<unsigned int> FollowedContact<2>::nodes() const;
-  template std::vector<double> FollowedContact<2>::missed_gaps() const;
-  template bool FollowedContact<3>::passes_through(const Vector &) const;
-  template double FollowedContact<3>::mismatch_of(const Site &, const Facing<3> &, const Tensor<1, 3> &, bool) const;
+  template std::vector<double>       FollowedContact<2>::missed_gaps() const;
+  template bool                      FollowedContact<3>::passes_through(const Vector &) const;
+  template double                    FollowedContact<3>::mismatch_of(const Site &,
+                                                  const Facing<3> &,
+                                                  const Tensor<1, 3> &,
+                                                  bool) const;
   template double FollowedContact<3>::mismatch(const Vector &, const std::vector<bool> &);
   template std::vector<unsigned int> FollowedContact<3>::nodes() const;
-  template std::vector<double> FollowedContact<3>::missed_gaps() const;
+  template std::vector<double>       FollowedContact<3>::missed_gaps() const;
 } // namespace signorini

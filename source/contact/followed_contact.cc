@@ -3,9 +3,9 @@
 
 #include <signorini/base/complaints.h>
 #include <signorini/base/user_error.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/followed_contact.h>
 #include <signorini/contact/nodal_friction.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <algorithm>
 #include <cmath>

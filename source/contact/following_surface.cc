@@ -4,10 +4,10 @@
 // The part of a contact surface whose bodies are followed.
 
 #include <signorini/base/complaints.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/followed_pairs.h>
 #include <signorini/contact/free_directions.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <algorithm>
 #include <cmath>
@@ -83,8 +83,8 @@ namespace signorini
                                    area,
                                    {},
                                    {}};
-          further.row    = known == last.end() ? 0 : known->second.row + 1;
-          further.frame  = contact_frame(unit_vector<dim>(0));
+          further.row   = known == last.end() ? 0 : known->second.row + 1;
+          further.frame = contact_frame(unit_vector<dim>(0));
           if (known != last.end())
             further.frame = known->second.frame;
           else if (conditions != dirichlet.nodes().end())
@@ -141,13 +141,13 @@ namespace signorini
   template ContactSurface<2>::ContactSurface(ContactSurface &&) noexcept;
   template ContactSurface<2>::~ContactSurface();
   template double ContactSurface<2>::depth(unsigned int) const;
-  template void ContactSurface<2>::add_slave_nodes(const DirichletConditions<2> &);
-  template void ContactSurface<2>::complete_geometry();
-  template void ContactSurface<2>::check_that_bodies_are_apart(const Vector &) const;
+  template void   ContactSurface<2>::add_slave_nodes(const DirichletConditions<2> &);
+  template void   ContactSurface<2>::complete_geometry();
+  template void   ContactSurface<2>::check_that_bodies_are_apart(const Vector &) const;
   template ContactSurface<3>::ContactSurface(ContactSurface &&) noexcept;
   template ContactSurface<3>::~ContactSurface();
   template double ContactSurface<3>::depth(unsigned int) const;
-  template void ContactSurface<3>::add_slave_nodes(const DirichletConditions<3> &);
-  template void ContactSurface<3>::complete_geometry();
-  template void ContactSurface<3>::check_that_bodies_are_apart(const Vector &) const;
+  template void   ContactSurface<3>::add_slave_nodes(const DirichletConditions<3> &);
+  template void   ContactSurface<3>::complete_geometry();
+  template void   ContactSurface<3>::check_that_bodies_are_apart(const Vector &) const;
 } // namespace signorini

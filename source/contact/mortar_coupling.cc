@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/mortar_coupling.h>
+#include <signorini/surfaces/contact_frame.h>
 #include <signorini/surfaces/dual_basis.h>
 
 #include <algorithm>

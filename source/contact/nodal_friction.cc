@@ -3,8 +3,8 @@
 
 #include <signorini/base/complaints.h>
 #include <signorini/base/expressions.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/nodal_friction.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <cmath>
 #include <sstream>

@@ -3,9 +3,9 @@
 
 #include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
-#include <signorini/contact/contact_frame.h>
 #include <signorini/contact/free_directions.h>
 #include <signorini/contact/obstacle_contact.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <deal.II/base/quadrature_lib.h>
 

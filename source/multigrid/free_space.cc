@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/contact/contact_frame.h>
 #include <signorini/multigrid/free_space.h>
 #include <signorini/multigrid/relative_rows.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <Eigen/LU>
 

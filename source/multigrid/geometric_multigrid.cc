@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/contact/contact_frame.h>
 #include <signorini/linear_algebra/flush_denormals.h>
 #include <signorini/multigrid/geometric_multigrid.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -39,8 +39,6 @@ namespace signorini
     template <int dim>
     std::string why_not_follow(const Scene<dim> &scene)
     {
-      if (scene.time.mass.has_massless_contact_nodes())
-        return "contact nodes without mass, of which every node of a surface would be one";
       const SchemeInfo &scheme = scheme_info(scene.time.scheme);
       if (scheme.moving_contact || (!scheme.penetrates && only_flat_obstacles_at_rest(scene)))
         return "";
@@ -95,13 +93,16 @@ namespace signorini
   void parse_contact_motion(const SectionReader &in, Scene<dim> &scene)
   {
     const MotionChoice choice = in.choice<MotionChoice>("Motion");
-    const std::string  why    = why_not_follow(scene);
+    std::string        why    = why_not_follow(scene);
     if (choice == MotionChoice::follow && !why.empty())
       in.fail(
         "Motion",
         "follow does not go with " + why + ". Take one of the schemes "
           + join(schemes_where([](const SchemeInfo &info) { return info.moving_contact; }), ", ")
           + or_linearised);
+    // Nodes that lose their mass are to be few: who wants all of a surface, says so.
+    if (choice == MotionChoice::automatic && scene.time.mass.has_massless_contact_nodes())
+      why = "contact nodes without mass, unless `Motion = follow` asks for it";
     if (choice != MotionChoice::linearised && why.empty())
       {
         scene.motion = ContactMotion::follow;

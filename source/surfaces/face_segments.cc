@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/contact/contact_frame.h>
+#include <signorini/surfaces/contact_frame.h>
 #include <signorini/surfaces/face_segments.h>
 #include <signorini/surfaces/polygon_clipping.h>
 

@@ -7,7 +7,7 @@
 
 #include "contact_scene.h"
 
-#include <signorini/contact/contact_frame.h>
+#include <signorini/surfaces/contact_frame.h>
 
 #include <gtest/gtest.h>
 

@@ -177,7 +177,6 @@ TEST(Mistakes, Pairs)
       {"no obstacle or body `flor`", "Did you mean `floor`?", "pillar"}},
      {"Contact/Pairs", "ball : floor, ball : floor", {"same contact twice", "Remove"}},
      {"Contact/Pairs", "ball : floor, ball[0] : floor", {"same contact twice"}},
-     {"Contact/Pairs", "ball : ball", {"with itself", "Name another body"}},
      {"Contact/Pairs", "ball : box, box : ball", {"same contact twice"}},
      {"Contact/Pairs", "ball : box[4], box[4,5] : ball[0]", {"same contact twice"}},
      {"Contact/Pairs", "ball : box[4,4]", {"names boundary id 4 twice"}},

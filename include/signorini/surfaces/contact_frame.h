@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_contact_contact_frame_h
-#define signorini_contact_contact_frame_h
+#ifndef signorini_surfaces_contact_frame_h
+#define signorini_surfaces_contact_frame_h
 
 #include <deal.II/base/tensor.h>
 
