@@ -4,6 +4,7 @@
 // The part of a contact surface whose bodies are followed.
 
 #include <signorini/base/complaints.h>
+#include <signorini/base/user_error.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/contact/followed_pairs.h>
 #include <signorini/contact/free_directions.h>
@@ -106,9 +107,14 @@ namespace signorini
   template <int dim>
   void ContactSurface<dim>::complete_geometry()
   {
-    if (bodies->any())
-      *node_coupling =
-        NodeCoupling<dim>(contact_nodes, discretization.matrices().pattern.partitioner, true);
+    if (!bodies->any())
+      return;
+    *node_coupling =
+      NodeCoupling<dim>(contact_nodes, discretization.matrices().pattern.partitioner, true);
+    if (node_coupling->n_levels() > NodeCoupling<dim>::most_levels)
+      throw StepError(
+        "Contact/Pairs: nodes of several bodies follow each other in a ring. Exchange "
+        "slave and master in one of the pairs.");
   }
 
 

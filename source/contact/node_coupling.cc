@@ -64,7 +64,7 @@ namespace signorini
     const std::shared_ptr<const Utilities::MPI::Partitioner> &partitioner)
   {
     Vector level_of_nodes(partitioner); // first entries
-    for (bool any_changes = true; any_changes;)
+    for (unsigned int round = 0, any_changes = 1; any_changes > 0 && round <= most_levels; ++round)
       {
         bool changes = false;
         fetch(level_of_nodes);
@@ -83,11 +83,9 @@ namespace signorini
             double &known = level_of_nodes.local_element(dim * node);
             changes       = changes || known != level;
             known         = level;
-            Assert(level < 64., ExcMessage("A node does not follow itself, by whatever way."));
           }
         any_changes = Utilities::MPI::max(static_cast<unsigned int>(changes),
-                                          partitioner->get_mpi_communicator())
-                      > 0;
+                                          partitioner->get_mpi_communicator());
       }
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {

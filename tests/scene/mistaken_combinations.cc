@@ -46,7 +46,8 @@ TEST(Combinations, OfSchemesAndContactThatFollows)
             {"Obstacles/floor/Shape", "sphere"},
             {"Obstacles/floor/Centre", "0, 0, -5"}},
            {"Motion = follow", scheme, reason, "contact-implicit", "linearised"});
-  expect({{"Contact/Motion", "linearised"}, {"Contact/Pairs", "ball : ball"}},
+  expect({{"Contact/Motion", "linearised"},
+          {"Contact/Pairs", "ball : floor, box[2,4] : pillar, ball : ball"}},
          {"Motion = linearised", "with itself", "`ball : ball`", "follow", "remove the pair"});
   expect({{"Contact/Motion", "follow"}, {"Time/Scheme", "moreau-jean"}}, // the floor is flat
          {"Motion = follow", "how deep"});

@@ -37,7 +37,8 @@ subsection Obstacles
   end
 end
 subsection Contact
-  set Pairs = disc : wave
+  set Motion = linearised
+  set Pairs  = disc : wave
 end
 """
 

@@ -70,6 +70,7 @@ subsection Obstacles
   end
 end
 subsection Contact
+  set Motion = linearised
   set Pairs = square[3] : ball
 end
 """
@@ -102,6 +103,7 @@ subsection Obstacles
   end
 end
 subsection Contact
+  set Motion = linearised
   set Pairs = box[2] : table
 end
 """

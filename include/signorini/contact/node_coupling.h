@@ -39,9 +39,12 @@ namespace signorini
     /**
      * Partners may be contact nodes themselves. The level of a node is 0 if nothing of it is
      * relative, otherwise one more than the highest one of its partners: displacements become
-     * Cartesian level by level. This is the number of levels above 0, on all processes.
+     * Cartesian level by level. This is the number of levels above 0, on all processes; more than
+     * most_levels if a node follows itself, by whatever way.
      */
     unsigned int n_levels() const { return levels; }
+
+    static constexpr unsigned int most_levels = 64;
 
     /** The level of a contact node. */
     unsigned int level(const std::size_t contact_node) const { return level_of[contact_node]; }
