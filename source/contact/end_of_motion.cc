@@ -72,10 +72,13 @@ namespace signorini
     if (facing.of_body)
       {
         const PairCondition<dim> *opposite = facing.opposite;
-        if (opposite == nullptr || opposite->is_clipped || n_followed > most_motions
+        if (opposite == nullptr || n_followed > most_motions
             || !(is_held || opposite->gap_at_end < 0.))
           return 0.;
-        return std::abs(opposite->missed()) / (bodies_by_obstacles * accepted);
+        // A clipped bound cannot meet the true gap; what it misses comes to an end, too.
+        const double missed = opposite->missed(),
+                     wrong  = opposite->is_clipped ? missed - opposite->missed_before : missed;
+        return std::abs(wrong) / (bodies_by_obstacles * accepted);
       }
     const MovedObstacle<dim> &faced = obstacle(facing);
     if (facing.gap == unlimited || faced.is_flat() || (!is_held && !is_in_reach(facing, d)))

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace signorini
 {
@@ -85,6 +86,7 @@ namespace signorini
     at_end    = normals == StepNormals::at_end;
     start     = displacement;
     looked_at = Vector();
+    missed_gaps.clear();
     search_middle(expected);
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
@@ -124,6 +126,15 @@ namespace signorini
   {
     search_end(increment);
     take_end_over();
+    const auto before = std::exchange(missed_gaps, {});
+    for (auto &[pair, of_pair] : conditions)
+      for (auto &[node, condition] : of_pair)
+        {
+          missed_gaps[pair][node] = condition.missed();
+          if (const auto nodes = before.find(pair); nodes != before.end())
+            if (const auto known = nodes->second.find(node); known != nodes->second.end())
+              condition.missed_before = known->second;
+        }
   }
 
 

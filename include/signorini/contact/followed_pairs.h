@@ -30,6 +30,8 @@ namespace signorini
     dealii::Tensor<1, dim> motion;     ///< [d]
     double                 gap_at_end; ///< true gap; NaN if nothing is opposite then
 
+    double missed_before = 0.; ///< missed() of the motion that was looked at before that one
+
     /** What the condition takes for the gap at the end of that motion. */
     double linear_gap() const { return bound - geometry.normal() * motion; }
     /** By how much the true gap is larger; 0 if nothing is opposite. */
@@ -122,6 +124,7 @@ namespace signorini
     bool                                                       at_end = false;
     Vector                                                 looked_at; ///< the latest motion, if any
     std::map<unsigned int, std::map<unsigned int, double>> end_gaps;  ///< of it, by pair and node
+    std::map<unsigned int, std::map<unsigned int, double>> missed_gaps; ///< of it, likewise
     std::map<unsigned int, double> end_depths; ///< of it, by pair, of this process
     std::map<unsigned int, double> clear;      ///< by pair
 
