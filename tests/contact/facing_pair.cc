@@ -229,8 +229,12 @@ TEST(FacingPair, AnEdgeTakesTheNormalOfTheFace)
       const auto nodes = on_edge(edge_is_slave);
       EXPECT_GT(number(nodes), 0u);
       for (const ContactNode<2> &node : nodes)
-        if (node.gap < 0.05)
-          EXPECT_LT(std::abs(node.normal()[0]), 0.05);
+        {
+          if (node.gap < 0.05)
+            {
+              EXPECT_LT(std::abs(node.normal()[0]), 0.05);
+            }
+        }
     }
 }
 
