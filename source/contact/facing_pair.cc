@@ -322,7 +322,11 @@ namespace signorini
       for (unsigned int c = 0; c < dim; ++c)
         positions.local_element(dim * node + c) += discretization.node_positions()[node][c];
     const NodeCoupling<dim> coupling(nodes, discretization.matrices().pattern.partitioner, true);
-    const auto              of_partners = coupling.partner_values(positions);
+    const auto              of_partners    = coupling.partner_values(positions);
+    Vector                  slaves_are_one = discretization.make_vector();
+    for (const unsigned int node : owned_slave_nodes)
+      slaves_are_one.local_element(dim * node) = 1.;
+    const auto of_slave = coupling.partner_values(slaves_are_one);
     for (std::size_t k = 0; k < nodes.size(); ++k)
       {
         ContactNode<dim> &node     = nodes[k];
@@ -359,6 +363,7 @@ namespace signorini
             double      &weight = node.partners[l].second;
             const double change = std::abs(weight) * a.dot(along(of_partners[k][l] - mean));
             weight += change;
+            node.transmission -= change * of_slave[k][l][0]; // what stays in the slave
             node.gap += change * (node.normal() * (of_partners[k][l] - mean));
           }
       }

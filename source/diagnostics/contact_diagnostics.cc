@@ -3,6 +3,7 @@
 
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/friction_reading.h>
+#include <signorini/diagnostics/own_forces.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -17,13 +18,15 @@ namespace signorini
   {
     const MPI_Comm            communicator = discretization.communicator();
     const std::vector<double> gap          = surface.distance(state.displacement);
+    const Vector              own          = own_forces(surface, state.contact_force);
+    const FrictionState       of_nodes     = own_friction(surface, state.friction);
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
         const ContactNode<dim>      &node     = surface.nodes()[k];
-        const double                 force    = node.normal_force(state.contact_force);
-        const dealii::Tensor<1, dim> all      = node.force(state.contact_force);
-        const FrictionReading<dim>   friction = friction_at(surface, state.friction, k);
+        const double                 force    = node.normal_force(own);
+        const dealii::Tensor<1, dim> all      = node.force(own);
+        const FrictionReading<dim>   friction = friction_at(surface, of_nodes, k);
         summary.normal_force += std::abs(node.transmission * force);
         summary.friction_force += node.transmission * friction.force.norm();
         for (unsigned int c = 0; c < dim; ++c)

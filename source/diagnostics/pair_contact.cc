@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/friction_reading.h>
+#include <signorini/diagnostics/own_forces.h>
 #include <signorini/diagnostics/pair_contact.h>
 
 #include <deal.II/base/mpi.h>
@@ -115,13 +116,15 @@ namespace signorini
     std::vector<PairContact>  pairs(surface.pairs().size(), none);
     const std::vector<double> gaps   = surface.distance(state.displacement);
     const auto                places = surface.follows() ? levers_at(&state.displacement) : levers;
+    const Vector              own    = own_forces(surface, state.contact_force);
+    const FrictionState       of_nodes = own_friction(surface, state.friction);
     for (unsigned int k = 0; k < surface.nodes().size(); ++k)
       {
         const ContactNode<dim>    &node         = surface.nodes()[k];
         PairContact               &pair         = pairs[node.pair];
-        const double               normal_force = node.normal_force(state.contact_force);
-        const FrictionReading<dim> friction     = friction_at(surface, state.friction, k);
-        const Tensor<1, dim>       force        = node.force(state.contact_force);
+        const double               normal_force = node.normal_force(own);
+        const FrictionReading<dim> friction     = friction_at(surface, of_nodes, k);
+        const Tensor<1, dim>       force        = node.force(own);
         const auto                 moment       = cross<dim>(places[k], force);
         for (unsigned int c = 0; c < 3; ++c)
           {

@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/diagnostics/friction_reading.h>
+#include <signorini/diagnostics/own_forces.h>
 #include <signorini/diagnostics/probe.h>
 
 #include <deal.II/base/mpi.h>
@@ -46,17 +47,19 @@ namespace signorini
     const std::vector<double> displacement = surface->relative_normal(state.displacement),
                               velocity     = surface->relative_normal(state.velocity),
                               distance     = surface->distance(state.displacement);
-    ProbeReading reading;
+    const Vector        own                = own_forces(*surface, state.contact_force);
+    const FrictionState of_nodes           = own_friction(*surface, state.friction);
+    ProbeReading        reading;
     if (Utilities::MPI::this_mpi_process(communicator) == owner)
       {
         const ContactNode<dim>    &contact_node = surface->nodes()[node];
-        const FrictionReading<dim> friction     = friction_at(*surface, state.friction, node);
+        const FrictionReading<dim> friction     = friction_at(*surface, of_nodes, node);
         const double               scale        = contact_node.distance_per_gap();
         // Zero is added: there is no negative zero in tables.
         reading.gap                 = distance[node] + 0.;
         reading.normal_displacement = scale * displacement[node] + 0.;
         reading.normal_velocity     = scale * velocity[node] + 0.;
-        reading.normal_force        = -contact_node.normal_force(state.contact_force) + 0.;
+        reading.normal_force        = -contact_node.normal_force(own) + 0.;
         reading.pressure            = reading.normal_force / contact_node.weight;
         for (unsigned int c = 0; c < dim; ++c)
           {

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/friction_reading.h>
+#include <signorini/diagnostics/own_forces.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/output/surface_patches.h>
 
@@ -47,7 +48,8 @@ namespace signorini
         largest = std::isfinite(gap) ? std::max(largest, gap) : largest;
       largest = Utilities::MPI::max(largest, discretization.communicator());
 
-      Vector values = discretization.make_vector();
+      const Vector own    = own_forces(surface, state.contact_force);
+      Vector       values = discretization.make_vector();
       for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
         values.local_element(dim * node + 1) = largest;
       for (unsigned int i = 0; i < surface.nodes().size(); ++i)
@@ -55,9 +57,8 @@ namespace signorini
           const ContactNode<dim> &contact_node = surface.nodes()[i];
           double                 &pressure     = values.local_element(dim * contact_node.node);
           double                 &gap          = values.local_element(dim * contact_node.node + 1);
-          pressure =
-            std::max(pressure, // of a node in a corner that of the harder side
-                     -contact_node.normal_force(state.contact_force) / contact_node.weight);
+          pressure          = std::max(pressure, // of a node in a corner that of the harder side
+                              -contact_node.normal_force(own) / contact_node.weight);
           const double seen = std::min(gaps[i], largest);
           gap               = contact_node.row == 0 ? seen : std::min(gap, seen);
         }
@@ -74,12 +75,13 @@ namespace signorini
     {
       Vector              status = discretization.make_vector();
       std::vector<Vector> vectors(friction_vectors.size(), status);
+      const FrictionState of_nodes = own_friction(surface, state.friction);
       for (unsigned int k = 0; k < surface.nodes().size(); ++k)
         {
           const ContactNode<dim> &node = surface.nodes()[k];
           if (node.row > 0)
             continue;
-          const FrictionReading<dim>          friction = friction_at(surface, state.friction, k);
+          const FrictionReading<dim>          friction = friction_at(surface, of_nodes, k);
           const std::array<Tensor<1, dim>, 3> shown    = {
                {friction.force / node.weight, friction.accumulated_slip, friction.slip}};
           status.local_element(dim * node.node) = friction.status;
