@@ -103,6 +103,12 @@ namespace signorini
     // Nodes that lose their mass are to be few: who wants all of a surface, says so.
     if (choice == MotionChoice::automatic && scene.time.mass.has_massless_contact_nodes())
       why = "contact nodes without mass, unless `Motion = follow` asks for it";
+    // Load steps about bodies that meet bodies settle slowly where their geometry follows.
+    if (choice == MotionChoice::automatic && !scheme_info(scene.time.scheme).inertia
+        && std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairDescription &pair) {
+             return pair.of_two_bodies() && pair.slave != pair.master;
+           }))
+      why = "load steps of two bodies, unless `Motion = follow` asks for it";
     if (choice != MotionChoice::linearised && why.empty())
       {
         scene.motion = ContactMotion::follow;

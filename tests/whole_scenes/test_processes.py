@@ -70,7 +70,8 @@ subsection Bodies
   end
 end
 subsection Contact
-  set Pairs = upper[2] : lower[3]
+  set Motion = linearised
+  set Pairs  = upper[2] : lower[3]
   subsection upper[2] : lower[3]
     set Friction coefficient = 0.3
   end
