@@ -33,7 +33,9 @@ namespace signorini
 
 
   template <int dim>
-  Momentum momentum(const Discretization<dim> &discretization, const State &state)
+  Momentum momentum(const Discretization<dim> &discretization,
+                    const State               &state,
+                    const Vector              *displacement)
   {
     Momentum result;
     result.linear = resultant(discretization, state.momentum);
@@ -44,6 +46,8 @@ namespace signorini
         for (unsigned int c = 0; c < dim; ++c)
           {
             x[c] = discretization.node_positions()[node][c];
+            if (displacement != nullptr)
+              x[c] += displacement->local_element(dim * node + c);
             p[c] = state.momentum.local_element(dim * node + c);
           }
         for (unsigned int c = 0; c < 3; ++c)
@@ -54,8 +58,8 @@ namespace signorini
   }
 
 
-  template Momentum              momentum(const Discretization<2> &, const State &);
-  template Momentum              momentum(const Discretization<3> &, const State &);
+  template Momentum              momentum(const Discretization<2> &, const State &, const Vector *);
+  template Momentum              momentum(const Discretization<3> &, const State &, const Vector *);
   template std::array<double, 3> resultant(const Discretization<2> &, const Vector &);
   template std::array<double, 3> resultant(const Discretization<3> &, const Vector &);
 } // namespace signorini

@@ -3,6 +3,9 @@
 
 #include <signorini/diagnostics/own_forces.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace signorini
 {
   template <int dim>
@@ -21,6 +24,18 @@ namespace signorini
               coupling.level(k) == level)
             handed_on[r] = surface.nodes()[k].component(entries[r] % dim, result);
         coupling.add_to_partners(handed_on, result);
+      }
+    // What cancels is nothing, and not the force of a node in contact.
+    for (const ContactNode<dim> &node : surface.nodes())
+      {
+        double own = 0., all = 0.;
+        for (unsigned int i = dim * node.node; i < dim * (node.node + 1); ++i)
+          {
+            own = std::max(own, std::abs(result.local_element(i)));
+            all = std::max(all, std::abs(forces.local_element(i)));
+          }
+        for (unsigned int i = dim * node.node; i < dim * (node.node + 1) && own < 1e-12 * all; ++i)
+          result.local_element(i) = 0.;
       }
     return result;
   }

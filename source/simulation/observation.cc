@@ -70,7 +70,7 @@ namespace signorini
   void Observation<dim>::start(const State &state)
   {
     ledger.open(state, meshed->load(state.time));
-    initial_momentum = momentum(meshed->discretization, state);
+    initial_momentum = momentum_of(state);
     tables.use_mesh(*meshed, body_motion, state);
     const HistoryRow row = evaluate(state, report_of_start(state), EnergyBooking());
     run_summary.start(row);
@@ -170,6 +170,15 @@ namespace signorini
 
 
   template <int dim>
+  Momentum Observation<dim>::momentum_of(const State &state) const
+  {
+    return momentum(meshed->discretization,
+                    state,
+                    meshed->surface.follows() ? &state.displacement : nullptr);
+  }
+
+
+  template <int dim>
   HistoryRow Observation<dim>::evaluate(const State         &state,
                                         const StepReport    &report,
                                         const EnergyBooking &booking)
@@ -179,7 +188,7 @@ namespace signorini
     contact_now                       = contact_summary(meshed->surface, discretization, state);
     if (scene.exact_solution.given)
       latest_errors = errors.evaluate(discretization, state, report.step_size);
-    const Momentum momentum_now = momentum(discretization, state);
+    const Momentum momentum_now = momentum_of(state);
     double         drift_square = 0.;
     for (unsigned int c = 0; c < 3; ++c)
       drift_square += std::pow(momentum_now.angular[c] - initial_momentum.angular[c], 2);

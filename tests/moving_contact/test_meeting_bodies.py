@@ -168,6 +168,14 @@ class MeetingBodies(check_history.SceneTest):
                     self.assertAlmostEqual(speed[row] - speed[row - 1], -0.1, delta=1e-9)
                 self.assertAlmostEqual(bodies["body_block_velocity_x"][air[0]], 2, delta=0.15)
                 self.assertGreater(bodies["body_block_centroid_x"][air[0]], 2.2)
+                # It lands in the step at whose end its lowest corner would be inside without a floor.
+                gap = table_of(run, "pairs.csv")["pair_1_smallest_gap"]
+                landing = next(
+                    row for row in range(air[-1], len(run)) if run["contact_force"][row] > 0
+                )
+                for row, inside in ((landing - 1, False), (landing, True)):
+                    free = 2 * gap[row - 1] - gap[row - 2] - 10 * 0.01**2
+                    self.assertEqual(free < 0, inside, f"row {row}: {free}")
                 after = [f for f, time in zip(run["contact_force"], run["time"]) if time > 0.85]
                 self.assertGreater(max(after), 1)
                 self.assertGreater(min(bodies["body_block_centroid_y"]), 0.15)
@@ -188,6 +196,28 @@ class MeetingBodies(check_history.SceneTest):
         self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
         self.assertGreater(speeds[4], 0.75)
         self.assertLess(abs(speeds[0]), 0.15)
+        self.assertEqual(run["contact_force"][-1], 0)
+
+    def test_cradle_of_balls(self):
+        """The same with three balls, as coarse as they can be."""
+        balls = [
+            body(
+                f"b{k}",
+                "set Shape = ball",
+                f"set Centre = {2 * k}, 0, 0",
+                "set Radius = 1",
+                "set Refinements = 2",
+                f"set Initial velocity = {0.5 if k == 0 else 0}; 0; 0",
+            )
+            for k in range(3)
+        ]
+        text = scene(balls, ["b0 : b1", "b1 : b2"], 1.6).replace("Dimension = 2", "Dimension = 3")
+        run = check_history.Run(text, "cradle_of_balls")
+        self.expect_laws(run)
+        bodies = table_of(run, "bodies.csv")
+        speeds = [bodies[f"body_b{k}_velocity_x"][-1] / 0.5 for k in range(3)]
+        self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
+        self.assertGreater(speeds[2], 0.9)
         self.assertEqual(run["contact_force"][-1], 0)
 
     def test_discs_that_pass_each_other_feel_nothing(self):
@@ -225,6 +255,9 @@ class MeetingBodies(check_history.SceneTest):
                 self.expect_laws(run)
                 self.expect_contact(run)
                 self.assertLess(max(table_of(run, "pairs.csv")["pair_0_depth"]), 0.05 * 0.1)
+                spin = run["angular_momentum_z"]
+                moment = 0.8 * run["momentum_x"][0]
+                self.assertLess(max(abs(value - spin[0]) for value in spin), 1e-4 * moment)
 
     def test_side_by_side_on_a_floor(self):
         """The left block pushes the right one: nodes in the corner are held by the floor and follow

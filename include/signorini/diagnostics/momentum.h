@@ -10,9 +10,11 @@
 namespace signorini
 {
   /**
-   * Linear momentum int rho v and angular momentum int rho X x v about the origin of the scene. X
-   * is the position in the reference configuration: of this quantity linear elasticity conserves
-   * every component in free motion.
+   * Linear momentum int rho v and angular momentum int rho x x v about the origin of the scene. With
+   * x in the reference configuration linear elasticity conserves every component in free motion, and
+   * contact that is linearised there has the moments that it counts. Where contact follows the
+   * motion, its moments are those at the present positions; what is left then is that of linear
+   * strains, of second order in the displacements that are no translation.
    */
   struct Momentum
   {
@@ -20,8 +22,11 @@ namespace signorini
     std::array<double, 3> angular{}; ///< only the last component in 2d
   };
 
+  /** @param displacement from the reference configuration to x; null: none */
   template <int dim>
-  Momentum momentum(const Discretization<dim> &discretization, const State &state);
+  Momentum momentum(const Discretization<dim> &discretization,
+                    const State               &state,
+                    const Vector              *displacement = nullptr);
 
   /** Resultant of nodal forces. */
   template <int dim>

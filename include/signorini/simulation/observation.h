@@ -93,6 +93,8 @@ namespace signorini
     StepReport report_of_start(const State &state);
     /** With the consistent mass, whatever the mass of the scheme. */
     double standard_kinetic_energy(const State &state) const;
+    /** At the present positions where contact follows the motion. */
+    Momentum momentum_of(const State &state) const;
     /** What the method takes to be small. */
     ValidityReading validity_reading(const State &state);
     /** Products since the last observation. */
