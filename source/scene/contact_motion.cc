@@ -46,6 +46,23 @@ namespace signorini
     }
 
 
+    /** What contact follows only where the scene says so; empty if there is nothing of the kind. */
+    template <int dim>
+    std::string why_only_if_asked(const Scene<dim> &scene)
+    {
+      // All nodes of a surface would lose their mass.
+      if (scene.time.mass.has_massless_contact_nodes())
+        return "contact nodes without mass";
+      // They settle slowly where the geometry of two bodies follows.
+      if (!scheme_info(scene.time.scheme).inertia
+          && std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairDescription &pair) {
+               return pair.of_two_bodies() && pair.slave != pair.master;
+             }))
+        return "load steps of two bodies";
+      return "";
+    }
+
+
     /** Contact that does not follow needs bodies and obstacles that go with that. */
     template <int dim>
     void check_linearised(const SectionReader &in, const Scene<dim> &scene, const std::string &why)
@@ -85,39 +102,36 @@ namespace signorini
       "What normals, gaps and partners of contact nodes belong to. follow: to the motion of each "
       "step, so that bodies slide along curved obstacles and each other, and from one to the next; "
       "linearised: to the initial configuration, once for all, as in small motions; automatic: "
-      "follow, but with schemes that cannot (a note says so).");
+      "follow, but with schemes that cannot, contact nodes without mass, and load steps of two "
+      "bodies (a note says so).");
   }
 
 
   template <int dim>
   void parse_contact_motion(const SectionReader &in, Scene<dim> &scene)
   {
-    const MotionChoice choice = in.choice<MotionChoice>("Motion");
-    std::string        why    = why_not_follow(scene);
-    if (choice == MotionChoice::follow && !why.empty())
+    const MotionChoice choice        = in.choice<MotionChoice>("Motion");
+    const std::string  cannot        = why_not_follow(scene);
+    const std::string  only_if_asked = why_only_if_asked(scene);
+    if (choice == MotionChoice::follow && !cannot.empty())
       in.fail(
         "Motion",
-        "follow does not go with " + why + ". Take one of the schemes "
+        "follow does not go with " + cannot + ". Take one of the schemes "
           + join(schemes_where([](const SchemeInfo &info) { return info.moving_contact; }), ", ")
           + or_linearised);
-    // Nodes that lose their mass are to be few: who wants all of a surface, says so.
-    if (choice == MotionChoice::automatic && scene.time.mass.has_massless_contact_nodes())
-      why = "contact nodes without mass, unless `Motion = follow` asks for it";
-    // Load steps about bodies that meet bodies settle slowly where their geometry follows.
-    if (choice == MotionChoice::automatic && !scheme_info(scene.time.scheme).inertia
-        && std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const PairDescription &pair) {
-             return pair.of_two_bodies() && pair.slave != pair.master;
-           }))
-      why = "load steps of two bodies, unless `Motion = follow` asks for it";
-    if (choice != MotionChoice::linearised && why.empty())
+    if (choice == MotionChoice::follow
+        || (choice == MotionChoice::automatic && cannot.empty() && only_if_asked.empty()))
       {
         scene.motion = ContactMotion::follow;
         return;
       }
-    check_linearised(in, scene, choice == MotionChoice::automatic ? why : "");
+    check_linearised(in, scene, cannot);
     scene.motion = ContactMotion::linearised;
     if (choice == MotionChoice::automatic)
-      scene.why_linearised = why;
+      scene.why_linearised = !cannot.empty()
+                               ? "it cannot follow the motion with " + cannot
+                               : "with " + only_if_asked
+                                   + " it follows the motion only if `Motion = follow` asks for it";
   }
 
   template void parse_contact_motion(const SectionReader &, Scene<2> &);

@@ -172,9 +172,8 @@ namespace signorini
   template <int dim>
   Momentum Observation<dim>::momentum_of(const State &state) const
   {
-    return momentum(meshed->discretization,
-                    state,
-                    meshed->surface.follows() ? &state.displacement : nullptr);
+    return momentum(
+      meshed->discretization, state, meshed->surface.follows() ? &state.displacement : nullptr);
   }
 
 

@@ -57,8 +57,7 @@ namespace signorini
       text << "  note: the run ends at " << end
            << ", the multiple of `Step size` next to `End time` = " << scene.time.end_time << "\n";
     if (!scene.why_linearised.empty())
-      text << "  note: contact is linearised about the initial configuration: it cannot follow the "
-              "motion with "
+      text << "  note: contact is linearised about the initial configuration: "
            << scene.why_linearised << "\n";
     if (perturbation_of_velocities() != 0.)
       text << "  note: SIGNORINI_PERTURB changes the initial velocities by "

@@ -51,6 +51,26 @@ TEST(Combinations, OfSchemesAndContactThatFollows)
          {"Motion = linearised", "with itself", "`ball : ball`", "follow", "remove the pair"});
   expect({{"Contact/Motion", "follow"}, {"Time/Scheme", "moreau-jean"}}, // the floor is flat
          {"Motion = follow", "how deep"});
+  expect({{"Obstacles/floor/Velocity", "0; 0; -1"}, {"Time/Scheme", "newmark"}},
+         {"'floor' moves", "cannot follow with Time/Scheme = newmark", "another scheme"});
+  expect({{"Obstacles/floor/Velocity", "0; 0; -1"},
+          {"Time/Scheme", "contact-implicit"},
+          {"Time/Mass", "redistributed"}},
+         {"'floor' moves", "Set `Motion = follow`"});
+}
+
+TEST(Combinations, ThatContactFollowsByDefault)
+{
+  const auto decided = [](const std::vector<Override> &overrides) {
+    const TemporaryFile file(correct_scene());
+    const Scene<3>      scene = read_scene<3>(file.name, overrides);
+    EXPECT_EQ(scene.motion == ContactMotion::follow, scene.why_linearised.empty());
+    return scene.why_linearised;
+  };
+  EXPECT_EQ(decided({}), "");
+  expect_words(decided({{"Time/Scheme", "moreau-jean"}}), {"cannot", "moreau-jean", "how deep"});
+  expect_words(decided({{"Time/Scheme", "contact-implicit"}, {"Time/Mass", "redistributed"}}),
+               {"contact nodes without mass", "`Motion = follow` asks for it"});
 }
 
 TEST(Combinations, OfSchemes)

@@ -10,11 +10,11 @@
 namespace signorini
 {
   /**
-   * Linear momentum int rho v and angular momentum int rho x x v about the origin of the scene. With
-   * x in the reference configuration linear elasticity conserves every component in free motion, and
-   * contact that is linearised there has the moments that it counts. Where contact follows the
-   * motion, its moments are those at the present positions; what is left then is that of linear
-   * strains, of second order in the displacements that are no translation.
+   * Linear momentum int rho v and angular momentum int rho x x v about the origin of the scene.
+   * With x in the reference configuration linear elasticity conserves every component in free
+   * motion, and contact that is linearised there has the moments that it counts. Where contact
+   * follows the motion, its moments are those at the present positions; what is left then is that
+   * of linear strains, of second order in the displacements that are no translation.
    */
   struct Momentum
   {
