@@ -126,8 +126,12 @@ namespace signorini
     std::vector<Sweep<dim>> sweeps;
     for (const SurfaceFace<dim> &face : slaves)
       sweeps.emplace_back(face, size, 0.);
-    const auto surfaces = find_facing_surfaces(
-      slaves, masters, sweeps, discretization.communicator(), MayMeet<dim>(share_no_node<dim>));
+    const auto surfaces = find_facing_surfaces(slaves,
+                                               masters,
+                                               sweeps,
+                                               discretization.communicator(),
+                                               MayMeet<dim>(share_no_node<dim>),
+                                               SegmentRule::degree_5);
     for (std::size_t f = 0; f < slaves.size(); ++f)
       for (const Segment<dim> &segment : surfaces.segments[f])
         slaves[f].thickness = std::min(slaves[f].thickness, -segment.gap);
@@ -272,7 +276,8 @@ namespace signorini
                            displaced(masters, ghosted, slave_box),
                            sweeps,
                            discretization.communicator(),
-                           is_of_one_body() ? MayMeet<dim>(may_meet_itself<dim>) : nullptr);
+                           is_of_one_body() ? MayMeet<dim>(may_meet_itself<dim>) : nullptr,
+                           SegmentRule::degree_5);
     std::vector<ContactNode<dim>> nodes = couple(surfaces, excluded);
     align(nodes, displacement);
     return nodes;

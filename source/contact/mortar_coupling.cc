@@ -111,21 +111,16 @@ namespace signorini
         if (covered < smallest_covered_face * projected_area(slave))
           continue;
 
-        face.clearance = std::numeric_limits<double>::max();
         for (const Segment<dim> &segment : surfaces.segments[f])
-          face.clearance = std::min(face.clearance, segment.smallest_gap);
-        for (const Segment<dim> &segment : surfaces.segments[f])
-          for (const SegmentPoint<dim> &point : segment.points)
-            {
-              const SurfaceFace<dim> &master   = surfaces.masters[segment.master];
-              const Tensor<1, dim>    normal   = unit(slave.area_vector(point.slave));
-              const Tensor<1, dim>    opposite = unit(master.area_vector(point.master));
-              const double            weight =
-                rules.facing ? rules.facing(-(normal * opposite)) * point.weight : point.weight;
-              slave_curvature.add(weight, slave.position(point.slave), normal);
-              master_curvature.add(weight, master.position(point.master), opposite);
-              face.add(point, weight, master, normal, opposite);
-            }
+          face.add(segment, surfaces.masters[segment.master], rules.facing);
+        if (rules.bluntness == nullptr)
+          for (const Segment<dim> &segment : surfaces.segments[f])
+            for (const SegmentPoint<dim> &point : segment.points)
+              {
+                const Point<dim> position = slave.position(point.slave);
+                slave_curvature.add(point.weight, position, point.normal);
+                master_curvature.add(point.weight, position + point.apart, point.opposite);
+              }
         if (rules.facing && face.mass.sum() < smallest_covered_face * face.full.sum())
           continue;
         total_covered_area += face.mass.sum();

@@ -92,7 +92,9 @@ namespace signorini
       slaves,
       owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
       sweeps,
-      discretization.communicator());
+      discretization.communicator(),
+      {},
+      SegmentRule::degree_9);
   }
 
 
@@ -101,7 +103,8 @@ namespace signorini
                                            const std::vector<SurfaceFace<dim>> &masters,
                                            const std::vector<Sweep<dim>>       &sweeps,
                                            const MPI_Comm                       communicator,
-                                           const MayMeet<dim>                  &may_meet)
+                                           const MayMeet<dim>                  &may_meet,
+                                           const SegmentRule                    rule)
   {
     AssertDimension(sweeps.size(), slaves.size());
     FacingSurfaces<dim> result;
@@ -123,7 +126,7 @@ namespace signorini
             if (!sweeps[f].reaches(result.masters[m])
                 || (may_meet && !may_meet(slave, result.masters[m])))
               continue;
-            Segment<dim> segment = intersect(slave, result.masters[m]);
+            Segment<dim> segment = intersect(slave, result.masters[m], rule);
             if (segment.points.empty() || segment.gap < -sweeps[f].depth()
                 || segment.gap > sweeps[f].height())
               continue;
@@ -145,10 +148,12 @@ namespace signorini
                                                   const std::vector<SurfaceFace<2>> &,
                                                   const std::vector<Sweep<2>> &,
                                                   MPI_Comm,
-                                                  const MayMeet<2> &);
+                                                  const MayMeet<2> &,
+                                                  SegmentRule);
   template FacingSurfaces<3> find_facing_surfaces(std::vector<SurfaceFace<3>>,
                                                   const std::vector<SurfaceFace<3>> &,
                                                   const std::vector<Sweep<3>> &,
                                                   MPI_Comm,
-                                                  const MayMeet<3> &);
+                                                  const MayMeet<3> &,
+                                                  SegmentRule);
 } // namespace signorini

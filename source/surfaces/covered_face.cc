@@ -13,14 +13,19 @@ namespace signorini
 
   namespace
   {
-    /** Add factor times the shape functions of a face at a point to the nodes that move it. */
-    template <int dim, typename Target>
-    void for_each_node(const SurfaceFace<dim> &face, const Point<dim - 1> &xi, const Target &target)
+    template <int dim>
+    using OfVertices = Eigen::Matrix<double, SurfaceFace<dim>::n_vertices, 1>;
+
+    template <int dim>
+    OfVertices<dim> shape_values(const Point<dim - 1> &xi)
     {
-      const auto values = face.shape_values(xi);
-      for (unsigned int v = 0; v < face.n_vertices; ++v)
-        for (const auto &[node, weight] : face.nodes[v])
-          target(node, weight * values[v]);
+      return OfVertices<dim>(SurfaceFace<dim>::shape_values(xi).data());
+    }
+
+    template <int dim>
+    Eigen::Matrix<double, 1, dim> row(const Tensor<1, dim> &x)
+    {
+      return Eigen::Map<const Eigen::Matrix<double, 1, dim>>(x.begin_raw());
     }
   } // namespace
 
@@ -33,12 +38,18 @@ namespace signorini
       for (const auto &[node, weight] : weights)
         if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
           nodes.push_back(node);
-    const Eigen::Index    n = nodes.size();
-    const QGauss<dim - 1> quadrature(3);
-    full = Eigen::VectorXd::Zero(n);
+    const Eigen::Index n = nodes.size();
+    of_vertices          = Eigen::MatrixXd::Zero(n, slave.n_vertices);
+    for (unsigned int v = 0; v < slave.n_vertices; ++v)
+      for (const auto &[node, weight] : slave.nodes[v])
+        of_vertices(std::find(nodes.begin(), nodes.end(), node) - nodes.begin(), v) += weight;
+
+    static const QGauss<dim - 1> quadrature(3);
+    OfVertices<dim>              integrals = OfVertices<dim>::Zero();
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      full += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm()
-              * values_at(quadrature.point(q));
+      integrals += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm()
+                   * shape_values<dim>(quadrature.point(q));
+    full     = of_vertices * integrals;
     mass     = Eigen::MatrixXd::Zero(n, n);
     normals  = Eigen::MatrixXd::Zero(n, dim);
     opposite = normals;
@@ -47,37 +58,40 @@ namespace signorini
 
 
   template <int dim>
-  Eigen::VectorXd CoveredFace<dim>::values_at(const Point<dim - 1> &xi) const
+  void CoveredFace<dim>::add(const Segment<dim>     &segment,
+                             const SurfaceFace<dim> &master,
+                             const FacingWeight     &facing)
   {
-    Eigen::VectorXd values = Eigen::VectorXd::Zero(nodes.size());
-    for_each_node<dim>(*slave, xi, [&](const types::global_dof_index node, const double value) {
-      values[std::find(nodes.begin(), nodes.end(), node) - nodes.begin()] += value;
-    });
-    return values;
-  }
-
-
-  template <int dim>
-  void CoveredFace<dim>::add(const SegmentPoint<dim> &point,
-                             const double             weight,
-                             const SurfaceFace<dim>  &master,
-                             const Tensor<1, dim>    &normal,
-                             const Tensor<1, dim>    &opposite_normal)
-  {
-    const Eigen::VectorXd values = values_at(point.slave);
-    const Tensor<1, dim>  apart  = master.position(point.master) - slave->position(point.slave);
-    mass += weight * values * values.transpose();
-    for (unsigned int c = 0; c < dim; ++c)
+    constexpr int                                 n_vertices = SurfaceFace<dim>::n_vertices;
+    Eigen::Matrix<double, n_vertices, n_vertices> slave_slave, slave_master;
+    Eigen::Matrix<double, n_vertices, dim>        normal, opposite_normal, apart;
+    for (auto *sum : {&slave_slave, &slave_master})
+      sum->setZero();
+    for (auto *sum : {&normal, &opposite_normal, &apart})
+      sum->setZero();
+    for (const SegmentPoint<dim> &point : segment.points)
       {
-        normals.col(c) += weight * normal[c] * values;
-        opposite.col(c) += weight * opposite_normal[c] * values;
-        distance.col(c) += weight * apart[c] * values;
+        const double weight =
+          facing ? facing(-(point.normal * point.opposite)) * point.weight : point.weight;
+        const OfVertices<dim> values = shape_values<dim>(point.slave), weighted = weight * values;
+        slave_slave += weighted * values.transpose();
+        slave_master += weighted * shape_values<dim>(point.master).transpose();
+        normal += weighted * row(point.normal);
+        opposite_normal += weighted * row(point.opposite);
+        apart += weighted * row(point.apart);
       }
-    for_each_node<dim>(
-      master, point.master, [&](const types::global_dof_index node, const double value) {
-        const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
-        entry->second += weight * value * values;
-      });
+    mass += of_vertices * slave_slave * of_vertices.transpose();
+    normals += of_vertices * normal;
+    opposite += of_vertices * opposite_normal;
+    distance += of_vertices * apart;
+    const Eigen::MatrixXd nodes_master = of_vertices * slave_master;
+    for (unsigned int v = 0; v < master.n_vertices; ++v)
+      for (const auto &[node, weight] : master.nodes[v])
+        {
+          const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
+          entry->second += weight * nodes_master.col(v);
+        }
+    clearance = std::min(clearance, segment.smallest_gap);
   }
 
 

@@ -139,7 +139,8 @@ namespace signorini
 
 
     /** Points and weights on an interval, exact for the products of linear functions. */
-    std::vector<std::pair<Point<1>, double>> quadrature(const std::vector<Point<1>> &interval)
+    std::vector<std::pair<Point<1>, double>> quadrature(const std::vector<Point<1>> &interval,
+                                                        SegmentRule)
     {
       static const QGauss<1>                   rule(3);
       const double                             length = measure(interval);
@@ -151,34 +152,31 @@ namespace signorini
     }
 
 
-    /**
-     * Points and weights on a polygon, on each triangle of a fan around its centre. Degree 4 is
-     * enough for parallelograms; the higher degree serves other quadrilaterals, whose shape
-     * functions are no polynomials in space.
-     */
-    std::vector<std::pair<Point<2>, double>> quadrature(const Polygon &polygon)
+    /** Points and weights on a convex polygon, on each triangle of a fan. */
+    std::vector<std::pair<Point<2>, double>> quadrature(const Polygon    &polygon,
+                                                        const SegmentRule wanted)
     {
-      static const QWitherdenVincentSimplex<2> rule(5);
+      static const QWitherdenVincentSimplex<2> degree_5(3), degree_9(5);
+      const auto &rule = wanted == SegmentRule::degree_5 ? degree_5 : degree_9;
       std::vector<std::pair<Point<2>, double>> result;
-      Point<2>                                 centre;
-      for (const Point<2> &p : polygon)
-        centre += p / static_cast<double>(polygon.size());
-      for (std::size_t i = 0; i < polygon.size(); ++i)
+      result.reserve((polygon.size() - 2) * rule.size());
+      for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
         {
-          const Tensor<1, 2> a  = polygon[i] - centre,
-                             b  = polygon[(i + 1) % polygon.size()] - centre;
-          const double jacobian = a[0] * b[1] - a[1] * b[0];
+          const Tensor<1, 2> a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+          const double       jacobian = a[0] * b[1] - a[1] * b[0];
           for (unsigned int q = 0; q < rule.size(); ++q)
-            result.emplace_back(centre + rule.point(q)[0] * a + rule.point(q)[1] * b,
+            result.emplace_back(polygon[0] + rule.point(q)[0] * a + rule.point(q)[1] * b,
                                 jacobian * rule.weight(q));
         }
       return result;
     }
+
   } // namespace
 
 
   template <int dim>
-  Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master)
+  Segment<dim>
+  intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master, const SegmentRule rule)
   {
     Segment<dim>         segment;
     const FacePlane<dim> plane(slave);
@@ -194,20 +192,22 @@ namespace signorini
     if (!(segment.area > 1e-12 * measure(slave_outline)))
       return segment;
 
-    const auto distance = [&](const Point<dim - 1> &xi, const Point<dim - 1> &eta) {
-      return plane.normal * (master.position(eta) - slave.position(xi));
-    };
     segment.smallest_gap = std::numeric_limits<double>::max();
     for (const Point<dim - 1> &corner : common)
-      segment.smallest_gap =
-        std::min(segment.smallest_gap,
-                 distance(slave_below.map_back(corner), master_below.map_back(corner)));
-    for (const auto &[point, weight] : quadrature(common))
+      segment.smallest_gap = std::min(segment.smallest_gap,
+                                      plane.normal
+                                        * (master.position(master_below.map_back(corner))
+                                           - slave.position(slave_below.map_back(corner))));
+    const auto points = quadrature(common, rule);
+    segment.points.reserve(points.size());
+    for (const auto &[point, weight] : points)
       {
         const Point<dim - 1> xi = slave_below.map_back(point), eta = master_below.map_back(point);
-        const Tensor<1, dim> surface = slave.area_vector(xi);
-        segment.points.push_back({xi, eta, weight * surface.norm() / (surface * plane.normal)});
-        segment.gap += weight / segment.area * distance(xi, eta);
+        const Tensor<1, dim> normal = slave.unit_normal(xi),
+                             apart  = master.position(eta) - slave.position(xi);
+        segment.points.push_back(
+          {xi, eta, weight / (normal * plane.normal), normal, master.unit_normal(eta), apart});
+        segment.gap += weight / segment.area * (plane.normal * apart);
       }
     return segment;
   }
@@ -220,8 +220,8 @@ namespace signorini
   }
 
 
-  template Segment<2> intersect(const SurfaceFace<2> &, const SurfaceFace<2> &);
-  template Segment<3> intersect(const SurfaceFace<3> &, const SurfaceFace<3> &);
+  template Segment<2> intersect(const SurfaceFace<2> &, const SurfaceFace<2> &, SegmentRule);
+  template Segment<3> intersect(const SurfaceFace<3> &, const SurfaceFace<3> &, SegmentRule);
   template double     projected_area(const SurfaceFace<2> &);
   template double     projected_area(const SurfaceFace<3> &);
 } // namespace signorini

@@ -13,10 +13,11 @@ namespace signorini
   std::array<double, SurfaceFace<dim>::n_vertices>
   SurfaceFace<dim>::shape_values(const Point<dim - 1> &xi)
   {
-    std::array<double, n_vertices> values;
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      values[v] = GeometryInfo<dim - 1>::d_linear_shape_function(xi, v);
-    return values;
+    if constexpr (dim == 2)
+      return {{1. - xi[0], xi[0]}};
+    else
+      return {
+        {(1. - xi[0]) * (1. - xi[1]), xi[0] * (1. - xi[1]), (1. - xi[0]) * xi[1], xi[0] * xi[1]}};
   }
 
 
@@ -32,17 +33,14 @@ namespace signorini
 
 
   template <int dim>
-  std::array<Tensor<1, dim>, dim - 1> SurfaceFace<dim>::tangents(const Point<dim - 1> &xi) const
+  std::array<Tensor<1, dim>, dim - 1>
+  SurfaceFace<dim>::tangents([[maybe_unused]] const Point<dim - 1> &xi) const
   {
-    std::array<Tensor<1, dim>, dim - 1> result;
-    for (unsigned int v = 0; v < n_vertices; ++v)
-      {
-        const Tensor<1, dim - 1> gradient =
-          GeometryInfo<dim - 1>::d_linear_shape_function_gradient(xi, v);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          result[d] += gradient[d] * vertices[v];
-      }
-    return result;
+    if constexpr (dim == 2)
+      return {{vertices[1] - vertices[0]}};
+    else
+      return {{(1. - xi[1]) * (vertices[1] - vertices[0]) + xi[1] * (vertices[3] - vertices[2]),
+               (1. - xi[0]) * (vertices[2] - vertices[0]) + xi[0] * (vertices[3] - vertices[1])}};
   }
 
 
@@ -68,9 +66,9 @@ namespace signorini
 
 
   template <int dim>
-  Tensor<1, dim> SurfaceFace<dim>::unit_normal() const
+  Tensor<1, dim> SurfaceFace<dim>::unit_normal(const Point<dim - 1> &xi) const
   {
-    const Tensor<1, dim> normal = area_vector(middle());
+    const Tensor<1, dim> normal = area_vector(xi);
     return normal / normal.norm();
   }
 

@@ -45,13 +45,15 @@ namespace signorini
    * @param slaves, masters owned faces
    * @param may_meet whether a slave face (the first one) and a master face may face each other at
    * all; null: any
+   * @param rule see intersect()
    */
   template <int dim>
   FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
                                            const std::vector<SurfaceFace<dim>> &masters,
                                            const std::vector<Sweep<dim>>       &sweeps,
                                            MPI_Comm                             communicator,
-                                           const MayMeet<dim>                  &may_meet = {});
+                                           const MayMeet<dim>                  &may_meet,
+                                           SegmentRule                          rule);
 } // namespace signorini
 
 #endif

@@ -8,10 +8,15 @@
 
 #include <Eigen/Core>
 
+#include <functional>
+#include <limits>
 #include <map>
 
 namespace signorini
 {
+  /** What a pair of points that face each other counts, by the cosine of their angle. */
+  using FacingWeight = std::function<double(double)>;
+
   /** Integrals over the covered part of a slave face; one row per node that moves the face. */
   template <int dim>
   struct CoveredFace
@@ -19,30 +24,23 @@ namespace signorini
     /** Nodes and full integrals; nothing is covered yet. The face must outlive this. */
     explicit CoveredFace(const SurfaceFace<dim> &slave);
 
-    /** N_i of all nodes at a point of the face. */
-    Eigen::VectorXd values_at(const dealii::Point<dim - 1> &xi) const;
-
-    /**
-     * Add a point of a segment to the integrals.
-     * @param weight of the point, times the surface element
-     * @param normal, opposite of slave and master, unit vectors out of the bodies
-     */
-    void add(const SegmentPoint<dim>      &point,
-             double                        weight,
-             const SurfaceFace<dim>       &master,
-             const dealii::Tensor<1, dim> &normal,
-             const dealii::Tensor<1, dim> &opposite);
+    /** Add a segment to the integrals. @param facing null: 1 */
+    void
+    add(const Segment<dim> &segment, const SurfaceFace<dim> &master, const FacingWeight &facing);
 
     const SurfaceFace<dim>                      *slave;
     std::vector<dealii::types::global_dof_index> nodes;
     Eigen::MatrixXd                              mass; ///< int N_i N_j
     std::map<dealii::types::global_dof_index, Eigen::VectorXd>
-                    mixed;          ///< per master node l: int N_i N_l(chi)
-    Eigen::MatrixXd normals;        ///< int N_i nu, dim columns
-    Eigen::MatrixXd opposite;       ///< int N_i n(chi), dim columns
-    Eigen::MatrixXd distance;       ///< int N_i (X(chi) - X), dim columns
-    Eigen::VectorXd full;           ///< int N_i over the whole face
-    double          clearance = 0.; ///< smallest distance to the master
+                    mixed;                                 ///< per master node l: int N_i N_l(chi)
+    Eigen::MatrixXd normals;                               ///< int N_i nu, dim columns
+    Eigen::MatrixXd opposite;                              ///< int N_i n(chi), dim columns
+    Eigen::MatrixXd distance;                              ///< int N_i (X(chi) - X), dim columns
+    Eigen::VectorXd full;                                  ///< int N_i over the whole face
+    double clearance = std::numeric_limits<double>::max(); ///< smallest distance to the master
+
+  private:
+    Eigen::MatrixXd of_vertices; ///< N_i at the vertices of the face
   };
 } // namespace signorini
 

@@ -17,6 +17,21 @@ namespace signorini
   {
     dealii::Point<dim - 1> slave, master; ///< reference coordinates on both faces
     double                 weight;        ///< times the surface element of the slave face
+    dealii::Tensor<1, dim> normal,
+      opposite;                   ///< of slave and master, unit vectors out of the bodies
+    dealii::Tensor<1, dim> apart; ///< from the point of the slave to that of the master
+  };
+
+  /**
+   * The rule on each triangle of a segment, by the degree of the polynomials that it integrates
+   * exactly (Witherden and Vincent 2015); in 2d one rule is exact for all flat faces. Degree 4 is
+   * enough for parallelograms; more serves other quadrilaterals, whose shape functions are no
+   * polynomials in space.
+   */
+  enum class SegmentRule
+  {
+    degree_5, ///< for what is made anew again and again
+    degree_9
   };
 
   /** The part of a slave face that one master face covers. */
@@ -40,7 +55,9 @@ namespace signorini
    *         or do not overlap
    */
   template <int dim>
-  Segment<dim> intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master);
+  Segment<dim> intersect(const SurfaceFace<dim> &slave,
+                         const SurfaceFace<dim> &master,
+                         SegmentRule             rule = SegmentRule::degree_9);
 
   /** Area of the projection of a face on the plane of its centre: the largest area of its segments.
    */

@@ -51,8 +51,9 @@ namespace signorini
     /** Reference coordinates of the centre. */
     static dealii::Point<dim - 1> middle();
 
-    dealii::Point<dim>       centre() const { return position(middle()); }
-    dealii::Tensor<1, dim>   unit_normal() const; ///< outward, at the centre
+    dealii::Point<dim> centre() const { return position(middle()); }
+    /** Outward. */
+    dealii::Tensor<1, dim>   unit_normal(const dealii::Point<dim - 1> &xi = middle()) const;
     double                   diameter() const;
     dealii::BoundingBox<dim> bounding_box() const;
 
