@@ -3,7 +3,7 @@
 
 #include <signorini/obstacles/box_tree.h>
 #include <signorini/obstacles/closest_point.h>
-#include <signorini/obstacles/mesh_obstacle.h>
+#include <signorini/obstacles/faceted_obstacle.h>
 
 #include <algorithm>
 #include <cmath>
