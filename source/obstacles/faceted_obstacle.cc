@@ -12,16 +12,6 @@ namespace signorini
 {
   using namespace dealii;
 
-  namespace
-  {
-    template <int dim, std::size_t n>
-    BoundingBox<dim> box_around(const std::array<Point<dim>, n> &corners)
-    {
-      return BoundingBox<dim>(std::vector<Point<dim>>(corners.begin(), corners.end()));
-    }
-  } // namespace
-
-
   template <int dim>
   struct FacetedObstacle<dim>::Trees
   {

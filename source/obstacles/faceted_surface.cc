@@ -2,15 +2,12 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/obstacles/box_tree.h>
 #include <signorini/obstacles/faceted_surface.h>
 
-#include <deal.II/base/bounding_box.h>
-
-#include <deal.II/numerics/rtree.h>
-
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 namespace signorini
@@ -64,16 +61,19 @@ namespace signorini
     std::vector<unsigned int> first_at_place(const std::vector<Point<dim>> &points,
                                              const double                   tolerance)
     {
-      const auto                tree = pack_rtree_of_indices(points);
+      std::vector<BoundingBox<dim>> boxes;
+      for (const Point<dim> &point : points)
+        boxes.push_back(box_around(std::array<Point<dim>, 1>{{point}}));
+      const BoxTree<dim>        tree(boxes);
       std::vector<unsigned int> result(points.size());
       for (unsigned int p = 0; p < points.size(); ++p)
         {
-          BoundingBox<dim> box({points[p], points[p]});
-          box.extend(tolerance);
-          std::vector<std::size_t> near;
-          tree.query(boost::geometry::index::intersects(box), std::back_inserter(near));
-          const auto first = *std::min_element(near.begin(), near.end());
-          result[p]        = first < p ? result[first] : p;
+          unsigned int first = p;
+          tree.for_each_near(points[p], tolerance, [&](const unsigned int other) {
+            if (other < first && points[p].distance(points[other]) <= tolerance)
+              first = other;
+          });
+          result[p] = first < p ? result[first] : p;
         }
       return result;
     }

@@ -79,10 +79,7 @@ namespace signorini
     const double                  zero   = no_crossing * std::pow(surface.size(), dim);
     std::vector<BoundingBox<dim>> boxes;
     for (unsigned int f = 0; f < facets.size(); ++f)
-      {
-        const auto corners = surface.corners(f);
-        boxes.emplace_back(std::vector<Point<dim>>(corners.begin(), corners.end()));
-      }
+      boxes.push_back(box_around(surface.corners(f)));
     const BoxTree<dim> tree(boxes);
     for (unsigned int f = 0; f < facets.size(); ++f)
       {
