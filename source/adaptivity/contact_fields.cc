@@ -122,10 +122,9 @@ namespace signorini
       closed.push_back(force > negligible_force * largest);
     // What closes one of several obstacles at a node closes the node.
     const auto &nodes = surface.nodes();
-    for (std::size_t k = 1; k < nodes.size(); ++k)
+    for (std::size_t k = nodes.size(); k-- > 1;)
       if (nodes[k].row > 0 && closed[k])
-        for (std::size_t first = k; first-- > 0 && nodes[first].node == nodes[k].node;)
-          closed[first] = true;
+        closed[k - 1] = true;
     for (std::size_t k = 1; k < nodes.size(); ++k)
       if (nodes[k].row > 0)
         closed[k] = closed[k - 1];

@@ -16,11 +16,15 @@ namespace signorini
     coordinates.force_to_contact(forces);
     Vector stress;
     stress.reinit(forces);
+    const auto divide = [&](const unsigned int entry, const double area) {
+      stress.local_element(entry) = forces.local_element(entry) / area;
+    };
     for (const ContactNode<dim> &node : surface.nodes())
-      for (unsigned int row = node.row; row < (node.row == 0 ? dim : node.row + 1); ++row)
-        if (node.row == 0 || node.is_bounded()) // each obstacle at a node has an area of its own
-          stress.local_element(dim * node.node + row) =
-            forces.local_element(dim * node.node + row) / node.weight;
+      if (node.row == 0)
+        for (unsigned int c = 0; c < dim; ++c)
+          divide(dim * node.node + c, node.weight);
+      else if (node.is_bounded()) // each obstacle at a node has an area of its own
+        divide(node.entry(), node.weight);
     coordinates.force_from_frames(stress);
     return stress;
   }

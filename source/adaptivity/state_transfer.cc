@@ -26,7 +26,11 @@ namespace signorini
 
     /** Of energies. */
     constexpr double round_off = 1e-14;
-    /** Of a displacement, each with the normals of what the last one changed. */
+    /**
+     * Of a displacement, each with the normals of what the last one changed. These changes are
+     * small: in the tests of changing meshes the first one has its own normals already. What the
+     * last one misses is left as a gap or a depth to the next step, which sees the true ones.
+     */
     constexpr unsigned int most_projections = 6;
 
 

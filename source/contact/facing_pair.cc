@@ -4,6 +4,7 @@
 #include <signorini/contact/facing_pair.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/node_coupling.h>
+#include <signorini/discretization/common_boxes.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -12,7 +13,6 @@
 #include <boost/geometry/algorithms/intersects.hpp>
 
 #include <algorithm>
-#include <limits>
 
 namespace signorini
 {
@@ -192,23 +192,10 @@ namespace signorini
   BoundingBox<dim> FacingPair<dim>::box_of(const std::vector<unsigned int> &nodes,
                                            const Vector                    &displacement) const
   {
-    std::vector<double> extent(2 * dim, std::numeric_limits<double>::lowest()); // -lower, upper
+    CommonBoxes<dim> box;
     for (const unsigned int node : nodes)
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          const double x =
-            discretization.node_positions()[node][c] + displacement.local_element(dim * node + c);
-          extent[c]       = std::max(extent[c], -x);
-          extent[dim + c] = std::max(extent[dim + c], x);
-        }
-    Utilities::MPI::max(extent, discretization.communicator(), extent);
-    Point<dim> lower, upper;
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        lower[c] = -extent[c];
-        upper[c] = extent[dim + c];
-      }
-    return BoundingBox<dim>({lower, upper});
+      box.add(discretization.node_positions()[node] + motion_of<dim>(node, displacement));
+    return box.around_all(discretization.communicator()).front();
   }
 
 

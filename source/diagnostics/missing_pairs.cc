@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/diagnostics/missing_pairs.h>
+#include <signorini/discretization/common_boxes.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -15,7 +16,6 @@
 #include <boost/serialization/vector.hpp>
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
 
 namespace signorini
@@ -59,7 +59,6 @@ namespace signorini
       std::vector<BoundingBox<dim>>        boxes;
 
       void add_points(const Cell &cell, std::vector<bool> &known_vertices);
-      void find_boxes();
       bool reaches_into(unsigned int body, unsigned int other) const;
       bool is_well_inside(const Cell &cell, const Point<dim> &point) const;
     };
@@ -77,7 +76,11 @@ namespace signorini
       for (const Cell &cell : discretization.dof_handler().active_cell_iterators())
         if (cell->is_locally_owned() && cell->at_boundary())
           add_points(cell, known_vertices);
-      find_boxes();
+      CommonBoxes<dim> around(surface.size());
+      for (std::size_t body = 0; body < surface.size(); ++body)
+        for (const Point<dim> &point : surface[body])
+          around.add(point, body);
+      boxes = around.around_all(discretization.communicator());
     }
 
 
@@ -106,33 +109,6 @@ namespace signorini
               }
             points.push_back(middle);
           }
-    }
-
-
-    template <int dim>
-    void PresentBodies<dim>::find_boxes()
-    {
-      constexpr double    nothing = std::numeric_limits<double>::max();
-      std::vector<double> lowest(2 * dim * surface.size(), nothing);
-      for (std::size_t body = 0; body < surface.size(); ++body)
-        for (const Point<dim> &point : surface[body])
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              double *ends = &lowest[2 * (dim * body + c)];
-              ends[0]      = std::min(ends[0], point[c]);
-              ends[1]      = std::min(ends[1], -point[c]);
-            }
-      Utilities::MPI::min(lowest, discretization.communicator(), lowest);
-      for (std::size_t body = 0; body < surface.size(); ++body)
-        {
-          Point<dim> lower, upper;
-          for (unsigned int c = 0; c < dim; ++c)
-            {
-              lower[c] = lowest[2 * (dim * body + c)];
-              upper[c] = -lowest[2 * (dim * body + c) + 1];
-            }
-          boxes.emplace_back(std::make_pair(lower, upper));
-        }
     }
 
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
+#include <signorini/mesh_files/mesh_numbers.h>
 #include <signorini/mesh_files/mesh_text.h>
 
 #include <algorithm>
@@ -11,32 +12,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-
-    [[noreturn]] void refuse_end(const std::string &where)
-    {
-      throw MeshFileError("the file is broken: it ends, or has something else than a number, in "
-                          + where + ". " + MeshFileError::remedy);
-    }
-
-    /** Numbers, one after the other, until the file ends or has something else. */
-    template <typename Number>
-    Number next(std::istream &in, const std::string &where)
-    {
-      Number number;
-      if (!(in >> number))
-        refuse_end(where);
-      return number;
-    }
-
-    void skip_numbers(std::istream &in, const unsigned long n, const std::string &where)
-    {
-      for (unsigned long i = 0; i < n; ++i)
-        next<double>(in, where);
-    }
-  } // namespace
-
   namespace
   {
     /** Section Nodes of version 2 to 4.1: as many as announced? deal.II relies on it. */
@@ -204,11 +179,7 @@ namespace signorini
       std::vector<unsigned int> n_vertices;
       const auto                n_cells = next<unsigned int>(in, "`CELLS`");
       next<unsigned int>(in, "`CELLS`");
-      if ((in >> std::ws).peek() == 'O')
-        throw MeshFileError(
-          "the cells are listed as `OFFSETS` and `CONNECTIVITY`, as VTK 5 does. Save it as a "
-          "legacy "
-          "file of version 4.2 (ParaView: `File Version`; meshio: format `vtk42`).");
+      refuse_offsets(in);
       for (unsigned int c = 0; c < n_cells; ++c)
         {
           n_vertices.push_back(next<unsigned int>(in, "the list of cells"));

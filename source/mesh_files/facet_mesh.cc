@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
 #include <signorini/mesh_files/facet_mesh.h>
 #include <signorini/mesh_files/mesh_file.h>
@@ -12,6 +13,13 @@ namespace signorini
 {
   namespace
   {
+    template <int dim>
+    std::string name_of_facets()
+    {
+      return dim == 2 ? "lines" : "facets";
+    }
+
+
     /** The faces of the cells at the boundary of a mesh. */
     template <int dim>
     FacetMesh<dim> boundary_of(const std::string &path)
@@ -42,22 +50,67 @@ namespace signorini
     }
 
 
+    /** A format of files. */
     template <int dim>
-    FacetMesh<dim> facets_of(const std::string &path, const std::string &extension)
+    struct Format
     {
-      if (extension == ".stl")
-        {
-          if constexpr (dim == 3)
-            return facets_of_stl(read_mesh_content(path));
-          throw MeshFileError("STL files are surfaces in space, and the scene has `Dimension = "
-                              "2`. Give a line, as .obj or .vtk, or a mesh of quadrilaterals.");
-        }
-      if (extension == ".obj")
-        return facets_of_obj<dim>(read_mesh_content(path));
-      if (extension == ".vtk")
-        if (auto result = facets_of_vtk<dim>(read_mesh_content(path)); !result.facets.empty())
-          return result;
-      return {};
+      const char *extension;
+      const char *remark;                                      ///< for messages
+      FacetMesh<dim> (*read_surface)(const std::string &path); ///< null: there are only cells
+      bool may_be_cells;
+    };
+
+
+    template <int dim>
+    FacetMesh<dim> read_stl([[maybe_unused]] const std::string &path)
+    {
+      if constexpr (dim == 3)
+        return facets_of_stl(read_mesh_content(path));
+      throw MeshFileError("STL files are surfaces in space, and the scene has `Dimension = "
+                          "2`. Give a line, as .obj or .vtk, or a mesh of quadrilaterals.");
+    }
+
+
+    template <int dim, FacetMesh<dim> (*facets_of)(const std::string &)>
+    FacetMesh<dim> read_text(const std::string &path)
+    {
+      return facets_of(read_mesh_content(path));
+    }
+
+
+    template <int dim>
+    constexpr Format<dim> formats[] = {{".stl", "STL, 3d", read_stl<dim>, false},
+                                       {".obj", "OBJ", read_text<dim, facets_of_obj<dim>>, false},
+                                       {".msh", "Gmsh", nullptr, true},
+                                       {".inp", "Abaqus or UCD", nullptr, true},
+                                       {".ucd", "UCD", nullptr, true},
+                                       {".vtk", "VTK", read_text<dim, facets_of_vtk<dim>>, true}};
+
+
+    template <int dim, typename Counts>
+    std::string list_of_formats(const Counts &counts)
+    {
+      std::vector<std::string> names;
+      for (const Format<dim> &format : formats<dim>)
+        if (counts(format))
+          names.push_back(format.extension + std::string(" (") + format.remark + ")");
+      return join(names, ", ");
+    }
+
+
+    template <int dim>
+    const Format<dim> &format_of(const std::string &path)
+    {
+      const std::string extension = extension_of(path);
+      for (const Format<dim> &format : formats<dim>)
+        if (extension == format.extension)
+          return format;
+      throw MeshFileError(
+        "the extension `" + extension + "` is not known. Valid: "
+        + list_of_formats<dim>([](const auto &format) { return format.read_surface != nullptr; })
+        + " of " + name_of_facets<dim>() + ", and "
+        + list_of_formats<dim>([](const auto &format) { return format.may_be_cells; })
+        + " of cells, whose boundary counts.");
     }
   } // namespace
 
@@ -100,23 +153,15 @@ namespace signorini
   {
     try
       {
-        const std::string extension = extension_of(path);
-        for (const char *known : {".stl", ".obj", ".vtk", ".msh", ".inp", ".ucd"})
-          if (extension == known)
-            {
-              FacetMesh<dim> result = facets_of<dim>(path, extension);
-              if (!result.facets.empty())
-                return result;
-              if (extension == ".stl" || extension == ".obj")
-                throw MeshFileError(std::string("it has no ") + (dim == 2 ? "lines" : "facets")
-                                    + ". " + MeshFileError::remedy);
-              return boundary_of<dim>(path); // begins its messages with the path
-            }
-        throw MeshFileError(
-          "the extension `" + extension
-          + "` is not known. Valid: .stl (3d), .obj, .vtk (surfaces, in 2d lines), and .msh "
-            "(Gmsh), .inp (Abaqus or UCD), .ucd (UCD), .vtk (VTK) of cells, whose boundary "
-            "counts.");
+        const Format<dim> &format = format_of<dim>(path);
+        FacetMesh<dim>     result;
+        if (format.read_surface != nullptr)
+          result = format.read_surface(path);
+        if (!result.facets.empty())
+          return result;
+        if (!format.may_be_cells)
+          throw MeshFileError("it has no " + name_of_facets<dim>() + ". " + MeshFileError::remedy);
+        return boundary_of<dim>(path); // begins its messages with the path
       }
     catch (const MeshFileError &error)
       {

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/mesh_files/facet_mesh.h>
+#include <signorini/mesh_files/mesh_numbers.h>
 #include <signorini/mesh_files/mesh_text.h>
 
 #include <sstream>
@@ -36,35 +37,27 @@ namespace signorini
       std::vector<std::vector<long>> cells;
       std::vector<long>              types; ///< of the cells
 
-      template <typename Number>
-      Number next(const std::string &section)
-      {
-        Number number;
-        if (!(in >> number))
-          throw MeshFileError("the file is broken: it ends, or has something else than a number, "
-                              "in "
-                              + section + ". " + MeshFileError::remedy);
-        return number;
-      }
       void read_cells(const std::string &section, long type);
     };
 
 
     void VtkReader::read_cells(const std::string &section, const long type)
     {
-      const long n = next<long>(section), n_numbers = next<long>(section);
+      const long n = next<long>(in, section), n_numbers = next<long>(in, section);
       if (n < 0 || n_numbers < n)
         throw MeshFileError("the file is broken: section " + section + " has an impossible length. "
                             + MeshFileError::remedy);
+      refuse_offsets(in);
       for (long cell = 0; cell < n; ++cell)
         {
-          const long n_vertices = next<long>(section);
+          const long n_vertices = next<long>(in, section);
           if (n_vertices < 1 || n_vertices > n_numbers)
-            throw MeshFileError("it has OFFSETS, or is broken in section " + section
-                                + ". Write it as legacy VTK of version 4.2 or earlier, in text.");
+            throw MeshFileError("the file is broken: a cell in section " + section
+                                + " has an impossible number of vertices. "
+                                + MeshFileError::remedy);
           cells.emplace_back();
           for (long v = 0; v < n_vertices; ++v)
-            cells.back().push_back(next<long>(section));
+            cells.back().push_back(next<long>(in, section));
           if (type > 0)
             types.push_back(type);
         }
@@ -84,13 +77,13 @@ namespace signorini
       while (in >> word)
         if (word == "POINTS")
           {
-            const long n = next<long>(word);
+            const long n = next<long>(in, word);
             in >> word; // the type of the numbers
             for (long point = 0; point < n; ++point)
               {
                 std::array<double, 3> place;
                 for (double &coordinate : place)
-                  coordinate = next<double>("POINTS");
+                  coordinate = next<double>(in, "POINTS");
                 mesh.vertices.push_back(point_of_file<dim>(place));
               }
           }
@@ -102,8 +95,8 @@ namespace signorini
           read_cells(word, poly_line);
         else if (word == "CELL_TYPES")
           {
-            for (long n = next<long>(word); n > 0; --n)
-              types.push_back(next<long>("CELL_TYPES"));
+            for (long n = next<long>(in, word); n > 0; --n)
+              types.push_back(next<long>(in, "CELL_TYPES"));
           }
         else if (word == "POINT_DATA" || word == "CELL_DATA")
           break;

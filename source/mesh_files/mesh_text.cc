@@ -9,7 +9,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 namespace signorini
 {
@@ -53,11 +53,10 @@ namespace signorini
     std::ifstream in(path, std::ios::binary);
     if (!in)
       throw MeshFileError(std::strerror(errno) + std::string(". Check its permissions."));
-    std::ostringstream text;
-    text << in.rdbuf();
-    if (text.str().empty())
+    std::string content(std::istreambuf_iterator<char>(in), {});
+    if (content.empty())
       throw MeshFileError("the file is empty. Write the mesh again.");
-    return text.str();
+    return content;
   }
 
   MeshText read_mesh_text(const std::string &path)

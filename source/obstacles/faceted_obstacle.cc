@@ -3,7 +3,7 @@
 
 #include <signorini/obstacles/box_tree.h>
 #include <signorini/obstacles/closest_point.h>
-#include <signorini/obstacles/mesh_obstacle.h>
+#include <signorini/obstacles/faceted_obstacle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,16 +11,6 @@
 namespace signorini
 {
   using namespace dealii;
-
-  namespace
-  {
-    template <int dim, std::size_t n>
-    BoundingBox<dim> box_around(const std::array<Point<dim>, n> &corners)
-    {
-      return BoundingBox<dim>(std::vector<Point<dim>>(corners.begin(), corners.end()));
-    }
-  } // namespace
-
 
   template <int dim>
   struct FacetedObstacle<dim>::Trees

@@ -2,15 +2,12 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/obstacles/box_tree.h>
 #include <signorini/obstacles/faceted_surface.h>
 
-#include <deal.II/base/bounding_box.h>
-
-#include <deal.II/numerics/rtree.h>
-
 #include <algorithm>
+#include <cmath>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 namespace signorini
@@ -64,18 +61,45 @@ namespace signorini
     std::vector<unsigned int> first_at_place(const std::vector<Point<dim>> &points,
                                              const double                   tolerance)
     {
-      const auto                tree = pack_rtree_of_indices(points);
+      std::vector<BoundingBox<dim>> boxes;
+      for (const Point<dim> &point : points)
+        boxes.push_back(box_around(std::array<Point<dim>, 1>{{point}}));
+      const BoxTree<dim>        tree(boxes);
       std::vector<unsigned int> result(points.size());
       for (unsigned int p = 0; p < points.size(); ++p)
         {
-          BoundingBox<dim> box({points[p], points[p]});
-          box.extend(tolerance);
-          std::vector<std::size_t> near;
-          tree.query(boost::geometry::index::intersects(box), std::back_inserter(near));
-          const auto first = *std::min_element(near.begin(), near.end());
-          result[p]        = first < p ? result[first] : p;
+          unsigned int first = p;
+          tree.for_each_near(points[p], tolerance, [&](const unsigned int other) {
+            if (other < first && points[p].distance(points[other]) <= tolerance)
+              first = other;
+          });
+          result[p] = first < p ? result[first] : p;
         }
       return result;
+    }
+
+
+    /**
+     * The facets that can be reached from one across ridges, and that become known by it.
+     * @param joins whether a facet not yet known may be reached across the ridge of another one
+     */
+    template <int dim, typename Joins>
+    std::vector<unsigned int> flood(const FacetedSurface<dim> &surface,
+                                    const unsigned int         start,
+                                    std::vector<bool>         &known,
+                                    const Joins               &joins)
+    {
+      std::vector<unsigned int> piece = {start};
+      known[start]                    = true;
+      for (std::size_t k = 0; k < piece.size(); ++k)
+        for (unsigned int ridge = 0; ridge < dim; ++ridge)
+          if (const unsigned int other = surface.facets()[piece[k]].neighbours[ridge];
+              other != FacetedSurface<dim>::none && !known[other] && joins(piece[k], ridge))
+            {
+              known[other] = true;
+              piece.push_back(other);
+            }
+      return piece;
     }
   } // namespace
 
@@ -255,28 +279,22 @@ namespace signorini
       {
         if (known[start])
           continue;
-        std::vector<unsigned int> piece     = {start};
-        unsigned int              n_flipped = 0;
-        known[start]                        = true;
-        for (std::size_t k = 0; k < piece.size(); ++k)
+        unsigned int n_flipped = 0;
+        const auto   turn      = [&](const unsigned int facet, const unsigned int ridge) {
+          if (!agree(facet, ridge))
+            {
+              flip(all[facet].neighbours[ridge]);
+              ++n_flipped;
+            }
+          return true;
+        };
+        const auto piece = flood(*this, start, known, turn);
+        for (const unsigned int f : piece)
           for (unsigned int i = 0; i < dim; ++i)
-            if (const unsigned int other = all[piece[k]].neighbours[i]; other != none)
-              {
-                const bool right = agree(piece[k], i);
-                if (known[other] && !right)
-                  throw UserError("it has one side only, as the band of Moebius: the outside "
-                                  "becomes the inside at "
-                                  + place(piece[k], i) + ". Give a surface with two sides.");
-                if (known[other])
-                  continue;
-                known[other] = true;
-                piece.push_back(other);
-                if (!right)
-                  {
-                    flip(other);
-                    ++n_flipped;
-                  }
-              }
+            if (all[f].neighbours[i] != none && !agree(f, i))
+              throw UserError("it has one side only, as the band of Moebius: the outside becomes "
+                              "the inside at "
+                              + place(f, i) + ". Give a surface with two sides.");
         if (2 * n_flipped > piece.size()) // most of them are right as they were
           for (const unsigned int facet : piece)
             flip(facet);
@@ -288,11 +306,8 @@ namespace signorini
   void FacetedSurface<dim>::orient_by_volume()
   {
     double volume = 0.;
-    for (const Facet &facet : all)
-      {
-        const auto corners = corners_of<dim>(points, facet.vertices);
-        volume += outward(corners) * (corners[0] - all[0].origin);
-      }
+    for (unsigned int facet = 0; facet < all.size(); ++facet)
+      volume += outward(corners(facet)) * (corners(facet)[0] - all[0].origin);
     if (std::abs(volume) < no_volume * std::pow(diameter, dim))
       throw UserError("it encloses nothing. Give the surface of a solid, or one with an end and "
                       "`Open = true`.");
@@ -316,26 +331,21 @@ namespace signorini
     std::vector<bool> known(all.size(), false);
     for (unsigned int start = 0; start < all.size(); ++start)
       {
-        std::vector<unsigned int> plane;
-        if (!known[start])
-          plane.push_back(start);
-        for (std::size_t k = 0; k < plane.size(); ++k)
+        if (known[start])
+          continue;
+        const Facet &own      = all[start];
+        const auto   in_plane = [&](const unsigned int facet, const unsigned int ridge) {
+          const Facet &other = all[all[facet].neighbours[ridge]];
+          return own.normal * other.normal > 0.5
+                 && std::all_of(
+                   other.vertices.begin(), other.vertices.end(), [&](const unsigned int v) {
+                     return std::abs(own.height(points[v])) <= round_off();
+                   });
+        };
+        for (const unsigned int facet : flood(*this, start, known, in_plane))
           {
-            known[plane[k]] = true;
-            for (const unsigned int other : all[plane[k]].neighbours)
-              if (other != none && !known[other] && all[start].normal * all[other].normal > 0.5)
-                {
-                  const auto &vertices = all[other].vertices;
-                  if (std::all_of(vertices.begin(), vertices.end(), [&](const unsigned int v) {
-                        return std::abs(all[start].height(points[v])) <= round_off();
-                      }))
-                    {
-                      known[other]      = true;
-                      all[other].normal = all[start].normal;
-                      all[other].origin = all[start].origin;
-                      plane.push_back(other);
-                    }
-                }
+            all[facet].normal = own.normal;
+            all[facet].origin = own.origin;
           }
       }
   }
@@ -358,18 +368,11 @@ namespace signorini
       {
         if (known[start])
           continue;
-        std::vector<unsigned int> side = {start};
-        known[start]                   = true;
-        for (std::size_t k = 0; k < side.size(); ++k)
-          {
-            all[side[k]].side = n_groups;
-            for (const unsigned int other : all[side[k]].neighbours)
-              if (other != none && !known[other] && !is_crease(side[k], other))
-                {
-                  known[other] = true;
-                  side.push_back(other);
-                }
-          }
+        const auto is_smooth = [&](const unsigned int facet, const unsigned int ridge) {
+          return !is_crease(facet, all[facet].neighbours[ridge]);
+        };
+        for (const unsigned int facet : flood(*this, start, known, is_smooth))
+          all[facet].side = n_groups;
         ++n_groups;
       }
   }

@@ -136,19 +136,6 @@ namespace signorini
   namespace
   {
     template <int dim>
-    std::array<double, Placement<dim>::n_angles> angles_of_mesh(const SectionReader &in)
-    {
-      if constexpr (dim == 2)
-        return {{in.number("Rotation")}};
-      else
-        {
-          const Point<3> degrees = in.point<3>("Rotation");
-          return {{degrees[0], degrees[1], degrees[2]}};
-        }
-    }
-
-
-    template <int dim>
     void place_mesh(const SectionReader &in, FacetMesh<dim> &mesh)
     {
       const double            scale = in.positive_number("Scale", "it changes the unit of length");
@@ -159,7 +146,7 @@ namespace signorini
         for (const unsigned int v : facet)
           used.push_back(mesh.vertices[v]);
       const Placement<dim> placement(
-        angles_of_mesh<dim>(in), BoundingBox<dim>(used).center(), in.point<dim>("Translation"));
+        in.angles<dim>("Rotation"), BoundingBox<dim>(used).center(), in.point<dim>("Translation"));
       for (auto &vertex : mesh.vertices)
         vertex = placement.place(vertex);
     }

@@ -46,7 +46,7 @@ namespace signorini
     /** Whether a segment passes through another one. */
     bool crosses(const std::array<Point<2>, 2> &one,
                  const std::array<Point<2>, 2> &other,
-                 const std::vector<bool> &,
+                 const std::array<bool, 2> &,
                  const double zero)
     {
       return differ(turn(one[0], one[1], other[0]), turn(one[0], one[1], other[1]), zero)
@@ -56,7 +56,7 @@ namespace signorini
     /** Whether an edge of a triangle that is not at a corner of the other passes through that. */
     bool crosses(const std::array<Point<3>, 3> &one,
                  const std::array<Point<3>, 3> &other,
-                 const std::vector<bool>       &shared,
+                 const std::array<bool, 3>     &shared,
                  const double                   zero)
     {
       const auto &[a, b, c] = other;
@@ -79,10 +79,7 @@ namespace signorini
     const double                  zero   = no_crossing * std::pow(surface.size(), dim);
     std::vector<BoundingBox<dim>> boxes;
     for (unsigned int f = 0; f < facets.size(); ++f)
-      {
-        const auto corners = surface.corners(f);
-        boxes.emplace_back(std::vector<Point<dim>>(corners.begin(), corners.end()));
-      }
+      boxes.push_back(box_around(surface.corners(f)));
     const BoxTree<dim> tree(boxes);
     for (unsigned int f = 0; f < facets.size(); ++f)
       {
@@ -91,11 +88,12 @@ namespace signorini
         for (const Point<dim> &corner : own)
           reach = std::max(reach, corner.distance(boxes[f].center()));
         tree.for_each_near(boxes[f].center(), reach, [&](const unsigned int g) {
-          std::vector<bool> shared;
-          for (const unsigned int v : facets[f].vertices)
-            shared.push_back(std::count(facets[g].vertices.begin(), facets[g].vertices.end(), v));
-          const bool all_shared = std::count(shared.begin(), shared.end(), true) >= dim - 1;
-          if (all_shared || !crosses(own, surface.corners(g), shared, zero))
+          const auto           &others = facets[g].vertices;
+          std::array<bool, dim> shared;
+          for (unsigned int v = 0; v < dim; ++v)
+            shared[v] = std::count(others.begin(), others.end(), facets[f].vertices[v]) > 0;
+          const bool shares_ridge = std::count(shared.begin(), shared.end(), true) >= dim - 1;
+          if (shares_ridge || !crosses(own, surface.corners(g), shared, zero))
             return;
           std::ostringstream message;
           message << "it crosses itself near (" << boxes[f].center()

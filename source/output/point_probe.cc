@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/discretization/common_boxes.h>
 #include <signorini/output/cell_stress.h>
 #include <signorini/output/point_probe.h>
 
@@ -63,23 +64,12 @@ namespace signorini
     template <int dim>
     BoundingBox<dim> box_of_vertices(const Mesh<dim> &mesh, const unsigned int body)
     {
-      std::vector<double> ends(2 * dim, nowhere);
+      CommonBoxes<dim> box;
       for (const auto &cell : mesh.triangulation().active_cell_iterators())
         if (cell->is_locally_owned() && cell->material_id() == body)
           for (const unsigned int v : cell->vertex_indices())
-            for (unsigned int c = 0; c < dim; ++c)
-              {
-                ends[c]       = std::min(ends[c], cell->vertex(v)[c]);
-                ends[dim + c] = std::min(ends[dim + c], -cell->vertex(v)[c]);
-              }
-      Utilities::MPI::min(ends, mesh.communicator(), ends);
-      Point<dim> lower, upper;
-      for (unsigned int c = 0; c < dim; ++c)
-        {
-          lower[c] = ends[c];
-          upper[c] = -ends[dim + c];
-        }
-      return BoundingBox<dim>({lower, upper});
+            box.add(cell->vertex(v));
+      return box.around_all(mesh.communicator()).front();
     }
 
 

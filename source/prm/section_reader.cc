@@ -128,6 +128,18 @@ namespace signorini
   }
 
   template <int dim>
+  std::array<double, dim == 2 ? 1 : 3> SectionReader::angles(const std::string &key) const
+  {
+    if constexpr (dim == 2)
+      return {{number(key)}};
+    else
+      {
+        const dealii::Point<dim> degrees = point<dim>(key);
+        return {{degrees[0], degrees[1], degrees[2]}};
+      }
+  }
+
+  template <int dim>
   dealii::Tensor<1, dim> SectionReader::direction(const std::string &key) const
   {
     const dealii::Tensor<1, dim> vector = point<dim>(key);
@@ -155,6 +167,8 @@ namespace signorini
   template dealii::Point<3> SectionReader::point<3>(const std::string &) const;
   template std::pair<dealii::Point<2>, dealii::Point<2>> SectionReader::corners<2>() const;
   template std::pair<dealii::Point<3>, dealii::Point<3>> SectionReader::corners<3>() const;
-  template dealii::Tensor<1, 2> SectionReader::direction<2>(const std::string &) const;
-  template dealii::Tensor<1, 3> SectionReader::direction<3>(const std::string &) const;
+  template std::array<double, 1> SectionReader::angles<2>(const std::string &) const;
+  template std::array<double, 3> SectionReader::angles<3>(const std::string &) const;
+  template dealii::Tensor<1, 2>  SectionReader::direction<2>(const std::string &) const;
+  template dealii::Tensor<1, 3>  SectionReader::direction<3>(const std::string &) const;
 } // namespace signorini

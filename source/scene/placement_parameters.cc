@@ -9,21 +9,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    template <int dim>
-    std::array<double, Placement<dim>::n_angles> parse_angles(const SectionReader &in)
-    {
-      if constexpr (dim == 2)
-        return {{in.number("Rotation")}};
-      else
-        {
-          const dealii::Point<dim> degrees = in.point<dim>("Rotation");
-          return {{degrees[0], degrees[1], degrees[2]}};
-        }
-    }
-  } // namespace
-
   template <int dim>
   void declare_placement(dealii::ParameterHandler &prm)
   {
@@ -66,7 +51,7 @@ namespace signorini
                   "centre of the shape.");
     if (!list.empty())
       centre = in.point<dim>("Rotation centre");
-    return Placement<dim>(parse_angles<dim>(in), centre, in.point<dim>("Translation"));
+    return Placement<dim>(in.angles<dim>("Rotation"), centre, in.point<dim>("Translation"));
   }
 
 #define INSTANTIATE(dim)                                                                           \

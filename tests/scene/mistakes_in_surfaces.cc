@@ -71,6 +71,15 @@ namespace
   const std::string vtk_cells =
     "# vtk DataFile Version 3.0\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 "
     "0 0\n0 1 0\n0 0 1\nCELLS 4 16\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\nCELL_TYPES 4\n5\n5\n5\n5\n";
+  // The two as VTK 5 writes them.
+  const std::string vtk_5_polygons =
+    "# vtk DataFile Version 5.1\nmesh\nASCII\nDATASET POLYDATA\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 "
+    "0 0 1 \n\nPOLYGONS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12 \nCONNECTIVITY vtktypeint64\n0 2 1 "
+    "0 1 3 1 2 3 2 0 3 \n";
+  const std::string vtk_5_cells =
+    "# vtk DataFile Version 5.1\nmesh\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0 1 "
+    "0 0 0 1 0 0 0 1 \n\nCELLS 5 12\nOFFSETS vtktypeint64\n0 3 6 9 12 \nCONNECTIVITY "
+    "vtktypeint64\n0 2 1 0 1 3 1 2 3 2 0 3 \n\nCELL_TYPES 4\n5\n5\n5\n5\n";
   const std::string ucd_cube =
     "8 1 0 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 "
     "1\n8 0 1 1\n1 0 hex 1 2 "
@@ -166,7 +175,13 @@ TEST(MistakesInSurfaces, Files)
      {closed_line, ".obj", 3, {"too few coordinates"}},
      {tetrahedron, ".obj", 2, {"z other than 0", "Dimension = 2"}},
      {"# vtk DataFile Version 3.0\nm\nBINARY\n", ".vtk", 3, {"`ASCII`"}},
-     {vtk_polygons.substr(0, vtk_polygons.size() - 8), ".vtk", 3, {"broken", "POLYGONS"}}});
+     {vtk_polygons.substr(0, vtk_polygons.size() - 8), ".vtk", 3, {"broken", "POLYGONS"}},
+     {vtk_5_polygons, ".vtk", 3, {"`OFFSETS`", "VTK 5", "version 4.2", "ParaView"}},
+     {vtk_5_cells, ".vtk", 3, {"`OFFSETS`", "VTK 5", "version 4.2", "ParaView"}},
+     {vtk_polygons.substr(0, vtk_polygons.find("3 0 2 1")) + "99 0 2 1\n",
+      ".vtk",
+      3,
+      {"broken", "POLYGONS", "impossible number of vertices"}}});
 }
 
 TEST(MistakesInSurfaces, WhatIsNotTheBoundaryOfSomething)

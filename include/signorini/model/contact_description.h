@@ -22,13 +22,6 @@ namespace signorini
     follow      ///< to the motion of each step
   };
 
-  template <>
-  struct EnumNames<ContactMotion>
-  {
-    static constexpr EnumName<ContactMotion> table[] = {{ContactMotion::linearised, "linearised"},
-                                                        {ContactMotion::follow, "follow"}};
-  };
-
   /** What the tangential stress can reach. */
   enum class FrictionKind
   {

@@ -7,11 +7,21 @@
 #include <deal.II/base/bounding_box.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <vector>
 
 namespace signorini
 {
+  /** The box around the corners of something. */
+  template <int dim, std::size_t n>
+  dealii::BoundingBox<dim> box_around(const std::array<dealii::Point<dim>, n> &corners)
+  {
+    return dealii::BoundingBox<dim>(
+      std::vector<dealii::Point<dim>>(corners.begin(), corners.end()));
+  }
+
+
   /**
    * Things in boxes, to be searched by branch and bound: the nearest one to a point, or those near
    * to it. The R-tree of Boost has such a search only by the distance of boxes, one after the
@@ -39,7 +49,10 @@ namespace signorini
       return least;
     }
 
-    /** Call an action for the things whose boxes are not farther from a point than a distance. */
+    /**
+     * Call an action for the things whose boxes are not farther from a point than a distance, and
+     * for some others near to them.
+     */
     template <typename Action>
     void for_each_near(const dealii::Point<dim> &p, const double reach, const Action &action) const
     {

@@ -11,6 +11,7 @@
 #include <deal.II/base/patterns.h>
 #include <deal.II/base/point.h>
 
+#include <array>
 #include <limits>
 #include <string>
 #include <utility>
@@ -68,6 +69,9 @@ namespace signorini
     /** `Lower corner` and `Upper corner` of a box that is no plate in any direction. */
     template <int dim>
     std::pair<dealii::Point<dim>, dealii::Point<dim>> corners() const;
+    /** Angles of a rotation: one, or three that are separated by commas. */
+    template <int dim>
+    std::array<double, dim == 2 ? 1 : 3> angles(const std::string &key) const;
     /** Components of a vector of any length but zero. */
     template <int dim>
     dealii::Tensor<1, dim> direction(const std::string &key) const;
