@@ -156,7 +156,8 @@ class MeshObstacles(check_history.SceneTest):
 
     def test_rest_in_a_shallow_groove(self):
         """A damped disc comes to rest in a groove of 0.05 rad without friction: its lowest node
-        needs both sides, and the weight is carried."""
+        needs both sides, and the weight is carried, to what is left of the vibration."""
+        weight = 16 * math.sin(math.pi / 16)  # of a disc of 32 chords
         for scheme in ("contact-implicit", "contact-stabilized-projected"):
             with self.subTest(scheme=scheme):
                 body = entries(
@@ -178,7 +179,7 @@ class MeshObstacles(check_history.SceneTest):
                 self.assertLess(max(run["geometric_penetration"]), 1e-11)
                 self.assertEqual(sum(run["rejected_steps"]), 0)
                 forces = run["contact_force_y"][-100:]
-                self.assertAlmostEqual(sum(forces) / len(forces), math.pi, delta=0.03)
+                self.assertAlmostEqual(sum(forces) / len(forces), weight, delta=0.01)
 
     def test_slide_down_a_ramp(self):
         """On a slope of 20 degrees, a box of triangles that is rotated, a stiff block with friction
