@@ -184,6 +184,7 @@ class ChangingMeshes(check_history.unittest.TestCase):
             changing(scene, 5), "groove", ["Time/Start=given", "Time/End time=0.6"]
         ).history
         self.expect_laws(history)
+        self.assertLess(min(history["work_friction"]), 0)
         self.assertLess(max(history["geometric_penetration"]), 1e-11)
 
     def test_block_in_the_corner_of_a_room(self):
@@ -204,6 +205,7 @@ class ChangingMeshes(check_history.unittest.TestCase):
         history = run.history
         energy = max(history["total_energy"])
         self.expect_laws(history)
+        self.assertLess(min(history["work_friction"]), 0)
         work, external = punches.work_of_punch(history), sum(history["work_external"])
         self.assertAlmostEqual(work, external, delta=1e-10 * energy)
 
