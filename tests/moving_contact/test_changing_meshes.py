@@ -198,7 +198,7 @@ class ChangingMeshes(check_history.unittest.TestCase):
         """What the moving punch does is what it brings, also where nodes come and go below it."""
         scene = punches.PUNCH.format(
             scheme="contact-stabilized-projected",
-            motion="Motion = 0.05*t; -0.1*sin(pi*t/4)",
+            motion=punches.PUNCH_MOTION,
             friction=0.3,
         )
         run = check_history.Run(changing(scene, 2), "punch", ["Time/End time=1"])

@@ -165,7 +165,7 @@ class Corners(check_history.unittest.TestCase):
             sine, cosine = math.sin(alpha), math.cos(alpha)
             scene = GROOVE.format(sine=sine, cosine=cosine, height=1 / sine)
             run = check_history.Run(scene, f"groove_{alpha}")
-            pairs = check_history.read_table(run.folder / "output" / "pairs.csv")
+            pairs = run.table("pairs")
             weight = run.history["contact_force_y"][-1]
             for k in range(2):
                 force = pairs[f"pair_{k}_normal_force"][-1]

@@ -120,10 +120,6 @@ def scene(bodies, pairs, end, scheme="contact-implicit", step=0.01, obstacles=""
     )
 
 
-def table_of(run, name):
-    return check_history.read_table(run.folder / "output" / name)
-
-
 class MeetingBodies(check_history.SceneTest):
     """See the beginning of the file."""
 
@@ -160,7 +156,7 @@ class MeetingBodies(check_history.SceneTest):
                     f"table_{scheme}",
                 )
                 self.expect_laws(run, momentum=False)
-                bodies = table_of(run, "bodies.csv")
+                bodies = run.table("bodies")
                 speed = bodies["body_block_velocity_y"]
                 air = [row for row, time in enumerate(run["time"]) if 0.6 <= time <= 0.82]
                 self.assertEqual(max(run["contact_force"][row] for row in air), 0)
@@ -169,7 +165,7 @@ class MeetingBodies(check_history.SceneTest):
                 self.assertAlmostEqual(bodies["body_block_velocity_x"][air[0]], 2, delta=0.15)
                 self.assertGreater(bodies["body_block_centroid_x"][air[0]], 2.2)
                 # It lands in the step at whose end its corner would be inside without a floor.
-                gap = table_of(run, "pairs.csv")["pair_1_smallest_gap"]
+                gap = run.table("pairs")["pair_1_smallest_gap"]
                 landing = next(
                     row for row in range(air[-1], len(run)) if run["contact_force"][row] > 0
                 )
@@ -191,7 +187,7 @@ class MeetingBodies(check_history.SceneTest):
             scene(discs, [f"d{k} : d{k + 1}" for k in range(4)], 2.0, step=0.005), "cradle"
         )
         self.expect_laws(run)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         speeds = [bodies[f"body_d{k}_velocity_x"][-1] / 0.5 for k in range(5)]
         self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
         self.assertGreater(speeds[4], 0.75)
@@ -214,7 +210,7 @@ class MeetingBodies(check_history.SceneTest):
         text = scene(balls, ["b0 : b1", "b1 : b2"], 1.6).replace("Dimension = 2", "Dimension = 3")
         run = check_history.Run(text, "cradle_of_balls")
         self.expect_laws(run)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         speeds = [bodies[f"body_b{k}_velocity_x"][-1] / 0.5 for k in range(3)]
         self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
         self.assertGreater(speeds[2], 0.9)
@@ -255,7 +251,7 @@ class MeetingBodies(check_history.SceneTest):
                 )
                 self.expect_laws(run)
                 self.expect_contact(run)
-                self.assertLess(max(table_of(run, "pairs.csv")["pair_0_depth"]), 0.05 * 0.1)
+                self.assertLess(max(run.table("pairs")["pair_0_depth"]), 0.05 * 0.1)
                 spin = run["angular_momentum_z"]
                 moment = 0.8 * run["momentum_x"][0]
                 self.assertLess(max(abs(value - spin[0]) for value in spin), 1e-4 * moment)
@@ -299,7 +295,7 @@ class MeetingBodies(check_history.SceneTest):
             "friction",
         )
         self.expect_laws(run, momentum=False)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         path = bodies["body_block_centroid_x"][-1] - bodies["body_block_centroid_x"][0]
         self.assertAlmostEqual(path, 2**2 / (2 * 0.4 * 10), delta=0.02)
         self.assertLess(abs(bodies["body_block_velocity_x"][-1]), 0.02)
@@ -318,7 +314,7 @@ class MeetingBodies(check_history.SceneTest):
         )
         self.assertGreater(sum(run["rejected_steps"]), 0)
         self.expect_contact(run)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         self.assertGreater(bodies["body_q_velocity_x"][-1], 2)
         self.expect_laws(run)
 
@@ -352,7 +348,7 @@ class MeetingBodies(check_history.SceneTest):
         text = SQUASHED.format(file=ring(folder))
         one = check_history.Run(text, "ring")
         self.expect_laws(one, momentum=False)
-        pairs = table_of(one, "pairs.csv")
+        pairs = one.table("pairs")
         first = next(row for row, force in enumerate(pairs["pair_2_normal_force"]) if force > 0)
         self.assertGreater(one["time"][first], 1.2)
         self.assertEqual(max(pairs["pair_2_normal_force"][:first]), 0)

@@ -296,7 +296,7 @@ class MovingContact(check_history.unittest.TestCase):
         expected = math.sqrt(speed**2 - 2 * friction * (0.5 + 0.5))
         self.assertAlmostEqual(history["momentum_x"][-1] / mass, expected, delta=1e-4)
         # What carries the block is below its middle: force and moment know where it is now.
-        pairs = check_history.read_table(run.folder / "output" / "pairs.csv")
+        pairs = run.table("pairs")
         velocity = [momentum / mass for momentum in history["momentum_x"]]
         way = sum(0.01 * (a + b) / 2 for a, b in zip(velocity, velocity[1:]))
         lever = pairs["pair_1_moment_z"][-1] / pairs["pair_1_force_y"][-1]

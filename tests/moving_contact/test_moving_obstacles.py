@@ -117,8 +117,12 @@ end
 """
 
 
+#: That work_of_punch() knows.
+PUNCH_MOTION = "Motion = 0.05*t; -0.1*sin(pi*t/4)"
+
+
 def work_of_punch(history):
-    """Force times motion of the punch that moves by 0.05 t; -0.1 sin(pi t/4)."""
+    """Force times motion of the punch that moves by PUNCH_MOTION."""
     places = [(0.05 * t, -0.1 * math.sin(math.pi * t / 4)) for t in history["time"]]
     return sum(
         fx * (there[0] - here[0]) + fy * (there[1] - here[1])
@@ -138,7 +142,7 @@ class MovingObstacles(check_history.unittest.TestCase):
         """A round punch is pressed into a block while it moves aside, and withdrawn. Its work from
         the table, force times motion, is the external work of the ledger, whatever the friction;
         contact and friction take energy and give none. A velocity is the derivative of a motion."""
-        motions = ("Motion = 0.05*t; -0.1*sin(pi*t/4)", "Velocity = 0.05; -pi/40*cos(pi*t/4)")
+        motions = (PUNCH_MOTION, "Velocity = 0.05; -pi/40*cos(pi*t/4)")
         for scheme, motion, friction in (
             ("contact-stabilized-projected", motions[0], 0),
             ("contact-stabilized-projected", motions[1], 0.3),

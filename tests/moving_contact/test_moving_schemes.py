@@ -78,7 +78,7 @@ class Schemes(check_history.unittest.TestCase):
         for scheme in CONSERVING + ("backward-euler",):
             with self.subTest(scheme=scheme):
                 scene = punches.PUNCH.format(
-                    scheme=scheme, motion="Motion = 0.05*t; -0.1*sin(pi*t/4)", friction=0.3
+                    scheme=scheme, motion=punches.PUNCH_MOTION, friction=0.3
                 )
                 scene = scene.replace("block : punch", "block[3] : punch")
                 history = check_history.Run(scene, "punch", ["Time/End time=1.5"]).history

@@ -132,7 +132,7 @@ class Run:
                 f"{name}: exit status {result.returncode}\n{result.stdout}\n{result.stderr}"
             )
         self.log = (self.folder / "output" / "log.txt").read_text(encoding="utf-8")
-        self.history = read_table(self.folder / "output" / "history.csv")
+        self.history = self.table("history")
         self.probes = {
             path.stem[len("probe_") :]: read_table(path)
             for path in sorted((self.folder / "output").glob("probe_*.csv"))
@@ -143,6 +143,10 @@ class Run:
 
     def __len__(self):
         return len(self.history["step"])
+
+    def table(self, name):
+        """The columns of a table beside the history."""
+        return read_table(self.folder / "output" / f"{name}.csv")
 
     def vector(self, quantity, row):
         """The components x, y, z of a quantity in a row."""
