@@ -214,6 +214,14 @@ class SceneTest(unittest.TestCase):
             )
             self.assertLessEqual(change, tolerance, f"gain of energy in row {row}")
 
+    def expect_losses(self, run, accuracy=ACCURACY):
+        """Of energies, relative to the largest one of the whole run, as it may begin at rest: the
+        ledger closes; contact, predictor, friction and changes of the mesh give none."""
+        tolerance = accuracy * max(run["kinetic_energy"] + run["elastic_energy"])
+        self.assertLess(max(map(abs, run["energy_residual"])), tolerance, "energy residual")
+        for column in ("work_contact", "work_predictor", "work_friction", "energy_transfer"):
+            self.assertLess(max(run[column]), tolerance, column)
+
     def expect_no_penetration(self, run, size):
         for row, depth in enumerate(run["max_penetration"]):
             self.assertLessEqual(depth, 1e-10 * size, f"penetration in row {row}")
