@@ -9,6 +9,7 @@ and carry their forces; and no step takes them through an obstacle.
 import math
 
 import check_history
+import following_scenes as following
 
 GROOVE = """
 set Dimension = 2
@@ -119,41 +120,15 @@ subsection Contact
 end
 """
 
-HELD = """
-set Dimension = 2
-subsection Time
-  set Step size = 0.01
-  set End time  = 1
-end
-subsection Bodies
-  set Names = block
-  subsection block
-    set Shape            = box
-    set Lower corner     = 0, 0
-    set Upper corner     = 1, 1
-    set Repetitions      = 4, 4
-    set Young's modulus  = 1000
-    set Poisson's ratio  = 0.3
-    set Density          = 1
-    set Initial velocity = 1; 0
-    set Dirichlet        = 2: -; 0
-  end
-end
-subsection Obstacles
-  set Names = floor, wall
-  subsection floor
-    set Normal = 0, 1
-  end
-  subsection wall
-    set Point  = 1.2, 0
-    set Normal = -1, 0
-  end
-end
-subsection Contact
-  set Pairs  = block : floor, block : wall
-  set Motion = follow
-end
-"""
+HELD = following.scene(
+    [following.block_on_rails("set Initial velocity = 1; 0")],
+    ["block : floor", "block : wall"],
+    1,
+    "contact-stabilized-projected",
+    obstacles=following.obstacles(
+        {"floor": ["set Normal = 0, 1"], "wall": ["set Point = 1.2, 0", "set Normal = -1, 0"]}
+    ),
+)
 
 
 class Corners(check_history.SceneTest):

@@ -10,114 +10,19 @@ falls. The energy residual is that of the solver, no step gains energy, linear m
 import math
 
 import check_history
+from following_scenes import body, box, disc, friction, obstacles, scene
 
-HEAD = """
-set Dimension = 2
-subsection Time
-  set Scheme    = {scheme}
-  set Step size = {step}
-  set End time  = {end}
-end
-"""
-
-BODY = """
-  subsection {name}
-    set Young's modulus  = 1000
-    set Poisson's ratio  = 0.3
-    set Density          = 1
-{keys}
-  end
-"""
-
-FLOOR = """
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Point  = 0, 0
-    set Normal = 0, 1
-  end
-end
-"""
-
-SQUASHED = """
-set Dimension = 2
-subsection Time
-  set Step size = 0.02
-  set End time  = 2
-  set Scheme    = contact-stabilized-projected
-end
-subsection Bodies
-  set Names = ring
-  subsection ring
-    set Shape           = file
-    set File            = {file}
-    set Young's modulus = 1000
-    set Poisson's ratio = 0.3
-    set Density         = 1
-  end
-end
-subsection Obstacles
-  set Names = top, floor
-  subsection top
-    set Point  = 0, 1
-    set Normal = 0, -1
-    set Motion = 0; -min(t, 1.78)
-  end
-  subsection floor
-    set Point  = 0, -1
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = ring : top, ring : floor, ring : ring
-end
-"""
-
+FLOOR = obstacles({"floor": ["set Normal = 0, 1"]})
 DISSIPATIVE = ("contact-implicit", "contact-stabilized-projected")
 WEIGHT = "set Body force = 0; -10"
 
 
-def body(name, *keys):
-    return name, BODY.format(name=name, keys="\n".join("    " + key for key in keys))
-
-
-def disc(name, centre, *keys, level=3):
-    return body(
-        name,
-        "set Shape = ball",
-        f"set Centre = {centre}",
-        "set Radius = 1",
-        f"set Refinements = {level}",
-        *keys,
-    )
-
-
-def box(name, lower, upper, cells, *keys):
-    return body(
-        name,
-        "set Shape = box",
-        f"set Lower corner = {lower}",
-        f"set Upper corner = {upper}",
-        f"set Repetitions = {cells}",
-        *keys,
-    )
-
-
-def scene(bodies, pairs, end, scheme="contact-implicit", step=0.01, obstacles="", laws=""):
-    """The text of a scene whose contact follows the motion."""
-    return (
-        HEAD.format(scheme=scheme, step=step, end=end)
-        + "subsection Bodies\n  set Names = "
-        + ", ".join(name for name, _ in bodies)
-        + "".join(text for _, text in bodies)
-        + "end\n"
-        + obstacles
-        + "subsection Contact\n  set Motion = follow\n  set Pairs = "
-        + ", ".join(pairs)
-        + "\n"
-        + laws
-        + "end\n"
-    )
+def off_centre(offset, level):
+    """A disc that moves, and one at rest."""
+    return [
+        disc("p", "0, 0", "set Initial velocity = 0.2; 0", level=level),
+        disc("q", f"2.0, {offset}", level=level),
+    ]
 
 
 class MeetingBodies(check_history.SceneTest):
@@ -194,17 +99,15 @@ class MeetingBodies(check_history.SceneTest):
     def test_cradle_of_balls(self):
         """The same with three balls, as coarse as they can be."""
         balls = [
-            body(
+            disc(
                 f"b{k}",
-                "set Shape = ball",
-                f"set Centre = {2 * k}, 0, 0",
-                "set Radius = 1",
-                "set Refinements = 2",
+                f"{2 * k}, 0, 0",
                 f"set Initial velocity = {0.5 if k == 0 else 0}; 0; 0",
+                level=2,
             )
             for k in range(3)
         ]
-        text = scene(balls, ["b0 : b1", "b1 : b2"], 1.6).replace("Dimension = 2", "Dimension = 3")
+        text = scene(balls, ["b0 : b1", "b1 : b2"], 1.6, dimension=3)
         run = check_history.Run(text, "cradle_of_balls")
         self.expect_laws(run)
         bodies = run.table("bodies")
@@ -235,10 +138,7 @@ class MeetingBodies(check_history.SceneTest):
             with self.subTest(scheme=scheme):
                 run = check_history.Run(
                     scene(
-                        [
-                            disc("p", "0, 0", "set Initial velocity = 0.2; 0", level=4),
-                            disc("q", "2.0, 0.8", level=4),
-                        ],
+                        off_centre(0.8, level=4),
                         ["p : q"],
                         4.0,
                         scheme,
@@ -261,11 +161,8 @@ class MeetingBodies(check_history.SceneTest):
         for level in (4, 5):
             worst.append(0)
             for offset in (0.7, 0.8, 0.9):
-                discs = [
-                    disc("p", "0, 0", "set Initial velocity = 0.2; 0", level=level),
-                    disc("q", f"2.0, {offset}", level=level),
-                ]
-                run = check_history.Run(scene(discs, ["p : q"], 1.5, step=0.02), "missed")
+                text = scene(off_centre(offset, level), ["p : q"], 1.5, step=0.02)
+                run = check_history.Run(text, "missed")
                 self.expect_contact(run)
                 worst[-1] += max(map(abs, run["work_geometry"])) / run["total_energy"][0]
         self.assertLess(worst[0], 0.04)  # measured 0.021
@@ -305,7 +202,7 @@ class MeetingBodies(check_history.SceneTest):
                 [table, block],
                 ["block : table"],
                 1.2,
-                laws="  subsection block : table\n    set Friction coefficient = 0.4\n  end\n",
+                laws=friction("block : table", 0.4),
             ),
             "friction",
         )
@@ -346,7 +243,7 @@ class MeetingBodies(check_history.SceneTest):
             ["a : b", "a : c"],
             0.6,
             "contact-stabilized-projected",
-            laws="  subsection a : b\n    set Friction coefficient = 0.2\n  end\n",
+            laws=friction("a : b", 0.2),
         )
         one = check_history.Run(text, "one")
         two = check_history.Run(text, "two", processes=2)
@@ -360,7 +257,18 @@ class MeetingBodies(check_history.SceneTest):
         plate brings is all that there is, and no wall goes through the other."""
         folder = check_history.pathlib.Path(check_history.settings["folder"])
         folder.mkdir(parents=True, exist_ok=True)
-        text = SQUASHED.format(file=ring(folder))
+        plates = {
+            "top": ["set Point = 0, 1", "set Normal = 0, -1", "set Motion = 0; -min(t, 1.78)"],
+            "floor": ["set Point = 0, -1", "set Normal = 0, 1"],
+        }
+        text = scene(
+            [body("ring", "set Shape = file", f"set File = {ring(folder)}")],
+            ["ring : top", "ring : floor", "ring : ring"],
+            2,
+            "contact-stabilized-projected",
+            step=0.02,
+            obstacles=obstacles(plates),
+        )
         one = check_history.Run(text, "ring")
         self.expect_laws(one, momentum=False)
         pairs = one.table("pairs")

@@ -9,6 +9,7 @@ bodies along by friction.
 import math
 
 import check_history
+import following_scenes as following
 
 PUNCH = """
 set Dimension = 2
@@ -48,40 +49,6 @@ subsection Contact
 end
 """
 
-WEDGE = """
-set Dimension = 2
-subsection Time
-  set Scheme    = {scheme}
-  set Step size = 0.01
-  set End time  = 0.5
-end
-subsection Bodies
-  set Names = block
-  subsection block
-    set Shape           = box
-    set Lower corner    = 0, 0
-    set Upper corner    = 1, 1
-    set Repetitions     = 4, 4
-    set Young's modulus = 1000
-    set Poisson's ratio = 0.3
-    set Density         = 1
-    set Dirichlet       = 2: -; 0
-  end
-end
-subsection Obstacles
-  set Names = wedge
-  subsection wedge
-    set Point    = 1.01, 0
-    set Normal   = -1, 0.5
-    set Velocity = -1; {rise}
-  end
-end
-subsection Contact
-  set Pairs  = block : wedge
-  set Motion = follow
-end
-"""
-
 SPIN = """
 set Dimension = 2
 subsection Time
@@ -115,6 +82,18 @@ subsection Contact
   set Motion = follow
 end
 """
+
+
+def wedge(scheme, rise):
+    """An oblique plane that comes at a block on rails."""
+    plane = following.entries(Point="1.01, 0", Normal="-1, 0.5", Velocity=f"-1; {rise}")
+    return following.scene(
+        [following.block_on_rails()],
+        ["block : wedge"],
+        0.5,
+        scheme,
+        obstacles=following.obstacles({"wedge": plane}),
+    )
 
 
 #: That work_of_punch() knows.
@@ -164,8 +143,7 @@ class MovingObstacles(check_history.SceneTest):
         for scheme in ("contact-stabilized-projected", "contact-implicit"):
             for rise in (0, 0.5, -1):
                 with self.subTest(scheme=scheme, rise=rise):
-                    scene = WEDGE.format(scheme=scheme, rise=rise)
-                    history = check_history.Run(scene, "wedge").history
+                    history = check_history.Run(wedge(scheme, rise), "wedge").history
                     self.assertGreater(max(history["contact_force"]), 0)
                     self.expect_losses(history)
 

@@ -95,7 +95,7 @@ class Schemes(check_history.SceneTest):
         what the nodes lost relative to the wedge, and no more."""
         for impulses in ("per node", "common"):
             with self.subTest(impulses=impulses):
-                scene = punches.WEDGE.format(scheme="laursen-love", rise=0.5)
+                scene = punches.wedge("laursen-love", 0.5)
                 history = check_history.Run(scene, "wedge", [f"Time/Impulses={impulses}"]).history
                 self.assertGreater(max(history["contact_force"]), 0)
                 self.expect_law("laursen-love", history, check_history.ACCURACY)
