@@ -7,6 +7,8 @@ body that starts in equilibrium stays at rest, its forces carry its weight, and 
 the same state however many they are.
 """
 
+import math
+
 import check_history
 import test_moving_obstacles as punches
 
@@ -61,7 +63,7 @@ class Equilibria(check_history.unittest.TestCase):
                 history = check_history.Run(LYING.format(motion=motion), "lying").history
                 energy = max(history["elastic_energy"])
                 self.assertLess(max(history["kinetic_energy"]), 1e-15 * energy)
-                mass = 0.25 * 3.14159265358979
+                mass = 0.25 * math.pi
                 self.assertAlmostEqual(history["contact_force_y"][0] / (5 * mass), 1, delta=1e-3)
                 for row in (0, -1):
                     self.assertAlmostEqual(

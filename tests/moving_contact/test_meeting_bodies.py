@@ -4,124 +4,25 @@
 
 """Bodies that meet bodies, wherever their motion takes them: laws hold, whatever slides, tips or
 falls. The energy residual is that of the solver, no step gains energy, linear momentum stays to
-1e-11, no node penetrates; and the results are those of mechanics, where that knows them.
+1e-10, no node penetrates; and the results are those of mechanics, where that knows them.
 """
 
 import math
 
 import check_history
+from following_scenes import body, box, disc, friction, obstacles, scene
 
-HEAD = """
-set Dimension = 2
-subsection Time
-  set Scheme    = {scheme}
-  set Step size = {step}
-  set End time  = {end}
-end
-"""
-
-BODY = """
-  subsection {name}
-    set Young's modulus  = 1000
-    set Poisson's ratio  = 0.3
-    set Density          = 1
-{keys}
-  end
-"""
-
-FLOOR = """
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Point  = 0, 0
-    set Normal = 0, 1
-  end
-end
-"""
-
-SQUASHED = """
-set Dimension = 2
-subsection Time
-  set Step size = 0.02
-  set End time  = 2
-  set Scheme    = contact-stabilized-projected
-end
-subsection Bodies
-  set Names = ring
-  subsection ring
-    set Shape           = file
-    set File            = {file}
-    set Young's modulus = 1000
-    set Poisson's ratio = 0.3
-    set Density         = 1
-  end
-end
-subsection Obstacles
-  set Names = top, floor
-  subsection top
-    set Point  = 0, 1
-    set Normal = 0, -1
-    set Motion = 0; -min(t, 1.78)
-  end
-  subsection floor
-    set Point  = 0, -1
-    set Normal = 0, 1
-  end
-end
-subsection Contact
-  set Pairs = ring : top, ring : floor, ring : ring
-end
-"""
-
+FLOOR = obstacles({"floor": ["set Normal = 0, 1"]})
 DISSIPATIVE = ("contact-implicit", "contact-stabilized-projected")
 WEIGHT = "set Body force = 0; -10"
 
 
-def body(name, *keys):
-    return name, BODY.format(name=name, keys="\n".join("    " + key for key in keys))
-
-
-def disc(name, centre, *keys, level=3):
-    return body(
-        name,
-        "set Shape = ball",
-        f"set Centre = {centre}",
-        "set Radius = 1",
-        f"set Refinements = {level}",
-        *keys,
-    )
-
-
-def box(name, lower, upper, cells, *keys):
-    return body(
-        name,
-        "set Shape = box",
-        f"set Lower corner = {lower}",
-        f"set Upper corner = {upper}",
-        f"set Repetitions = {cells}",
-        *keys,
-    )
-
-
-def scene(bodies, pairs, end, scheme="contact-implicit", step=0.01, obstacles="", laws=""):
-    """The text of a scene whose contact follows the motion."""
-    return (
-        HEAD.format(scheme=scheme, step=step, end=end)
-        + "subsection Bodies\n  set Names = "
-        + ", ".join(name for name, _ in bodies)
-        + "".join(text for _, text in bodies)
-        + "end\n"
-        + obstacles
-        + "subsection Contact\n  set Motion = follow\n  set Pairs = "
-        + ", ".join(pairs)
-        + "\n"
-        + laws
-        + "end\n"
-    )
-
-
-def table_of(run, name):
-    return check_history.read_table(run.folder / "output" / name)
+def off_centre(offset, level):
+    """A disc that moves, and one at rest."""
+    return [
+        disc("p", "0, 0", "set Initial velocity = 0.2; 0", level=level),
+        disc("q", f"2.0, {offset}", level=level),
+    ]
 
 
 class MeetingBodies(check_history.SceneTest):
@@ -129,17 +30,14 @@ class MeetingBodies(check_history.SceneTest):
 
     def expect_laws(self, run, momentum=True):
         """Ledger, no gain, no penetration of nodes by the conditions of the steps, momentum."""
-        energy = max(k + e for k, e in zip(run["kinetic_energy"], run["elastic_energy"]))
-        for row in range(1, len(run)):
-            self.assertLess(abs(run["energy_residual"][row]), 1e-10 * energy, f"row {row}")
-            change = run["total_energy"][row] - run["total_energy"][row - 1]
-            self.assertLess(change - run["work_external"][row], 1e-10 * energy, f"row {row}")
-        self.assertLess(max(run["max_penetration"]), 1e-10)
+        self.expect_ledger_closes(run, driven=True)
+        self.expect_no_gain_of_energy(run, driven=True)
+        self.expect_no_penetration(run, 1)
         if not momentum:
             return
-        for axis in "xy":
-            values = run[f"momentum_{axis}"]
-            scale = max(map(abs, run["momentum_x"] + run["momentum_y"]))
+        components = [run[f"momentum_{axis}"] for axis in "xyz"]
+        scale = max(abs(value) for values in components for value in values)
+        for values in components:
             self.assertLess(max(abs(v - values[0]) for v in values), 1e-10 * scale)
 
     def test_a_block_slides_off_a_table_and_falls(self):
@@ -160,7 +58,7 @@ class MeetingBodies(check_history.SceneTest):
                     f"table_{scheme}",
                 )
                 self.expect_laws(run, momentum=False)
-                bodies = table_of(run, "bodies.csv")
+                bodies = run.table("bodies")
                 speed = bodies["body_block_velocity_y"]
                 air = [row for row, time in enumerate(run["time"]) if 0.6 <= time <= 0.82]
                 self.assertEqual(max(run["contact_force"][row] for row in air), 0)
@@ -168,8 +66,8 @@ class MeetingBodies(check_history.SceneTest):
                     self.assertAlmostEqual(speed[row] - speed[row - 1], -0.1, delta=1e-9)
                 self.assertAlmostEqual(bodies["body_block_velocity_x"][air[0]], 2, delta=0.15)
                 self.assertGreater(bodies["body_block_centroid_x"][air[0]], 2.2)
-                # It lands in the step at whose end its lowest corner would be inside without a floor.
-                gap = table_of(run, "pairs.csv")["pair_1_smallest_gap"]
+                # It lands in the step at whose end its corner would be inside without a floor.
+                gap = run.table("pairs")["pair_1_smallest_gap"]
                 landing = next(
                     row for row in range(air[-1], len(run)) if run["contact_force"][row] > 0
                 )
@@ -191,7 +89,7 @@ class MeetingBodies(check_history.SceneTest):
             scene(discs, [f"d{k} : d{k + 1}" for k in range(4)], 2.0, step=0.005), "cradle"
         )
         self.expect_laws(run)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         speeds = [bodies[f"body_d{k}_velocity_x"][-1] / 0.5 for k in range(5)]
         self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
         self.assertGreater(speeds[4], 0.75)
@@ -201,20 +99,18 @@ class MeetingBodies(check_history.SceneTest):
     def test_cradle_of_balls(self):
         """The same with three balls, as coarse as they can be."""
         balls = [
-            body(
+            disc(
                 f"b{k}",
-                "set Shape = ball",
-                f"set Centre = {2 * k}, 0, 0",
-                "set Radius = 1",
-                "set Refinements = 2",
+                f"{2 * k}, 0, 0",
                 f"set Initial velocity = {0.5 if k == 0 else 0}; 0; 0",
+                level=2,
             )
             for k in range(3)
         ]
-        text = scene(balls, ["b0 : b1", "b1 : b2"], 1.6).replace("Dimension = 2", "Dimension = 3")
+        text = scene(balls, ["b0 : b1", "b1 : b2"], 1.6, dimension=3)
         run = check_history.Run(text, "cradle_of_balls")
         self.expect_laws(run)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         speeds = [bodies[f"body_b{k}_velocity_x"][-1] / 0.5 for k in range(3)]
         self.assertAlmostEqual(sum(speeds), 1, delta=1e-9)
         self.assertGreater(speeds[2], 0.9)
@@ -236,15 +132,13 @@ class MeetingBodies(check_history.SceneTest):
 
     def test_two_discs_off_centre(self):
         """They part with opposite spins. Contact forces have no moment about anything: what is
-        left in the angular momentum is that of linear strains, which its own column tells."""
+        left of it shows in the angular momentum at the present positions, 1e-5 of that of the
+        approach."""
         for scheme in DISSIPATIVE:
             with self.subTest(scheme=scheme):
                 run = check_history.Run(
                     scene(
-                        [
-                            disc("p", "0, 0", "set Initial velocity = 0.2; 0", level=4),
-                            disc("q", "2.0, 0.8", level=4),
-                        ],
+                        off_centre(0.8, level=4),
                         ["p : q"],
                         4.0,
                         scheme,
@@ -254,10 +148,25 @@ class MeetingBodies(check_history.SceneTest):
                 )
                 self.expect_laws(run)
                 self.expect_contact(run)
-                self.assertLess(max(table_of(run, "pairs.csv")["pair_0_depth"]), 0.05 * 0.1)
+                self.assertLess(max(run.table("pairs")["pair_0_depth"]), 0.05 * 0.1)
                 spin = run["angular_momentum_z"]
                 moment = 0.8 * run["momentum_x"][0]
                 self.assertLess(max(abs(value - spin[0]) for value in spin), 1e-4 * moment)
+
+    def test_gaps_are_missed_by_less_on_finer_meshes(self):
+        """Where a bound is clipped, forces act on nodes that are apart. Forces times what is missed
+        in the worst step of each of three oblique impacts fall together to 0.26 from 64 to 128
+        faces around; by themselves to 0.06, 0.31 and 0.71, as nodes meet by chance."""
+        worst = []
+        for level in (4, 5):
+            worst.append(0)
+            for offset in (0.7, 0.8, 0.9):
+                text = scene(off_centre(offset, level), ["p : q"], 1.5, step=0.02)
+                run = check_history.Run(text, "missed")
+                self.expect_contact(run)
+                worst[-1] += max(map(abs, run["work_geometry"])) / run["total_energy"][0]
+        self.assertLess(worst[0], 0.04)  # measured 0.021
+        self.assertLess(worst[1], 0.5 * worst[0])
 
     def test_side_by_side_on_a_floor(self):
         """The left block pushes the right one: nodes in the corner are held by the floor and follow
@@ -293,12 +202,12 @@ class MeetingBodies(check_history.SceneTest):
                 [table, block],
                 ["block : table"],
                 1.2,
-                laws="  subsection block : table\n    set Friction coefficient = 0.4\n  end\n",
+                laws=friction("block : table", 0.4),
             ),
             "friction",
         )
         self.expect_laws(run, momentum=False)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         path = bodies["body_block_centroid_x"][-1] - bodies["body_block_centroid_x"][0]
         self.assertAlmostEqual(path, 2**2 / (2 * 0.4 * 10), delta=0.02)
         self.assertLess(abs(bodies["body_block_velocity_x"][-1]), 0.02)
@@ -317,7 +226,7 @@ class MeetingBodies(check_history.SceneTest):
         )
         self.assertGreater(sum(run["rejected_steps"]), 0)
         self.expect_contact(run)
-        bodies = table_of(run, "bodies.csv")
+        bodies = run.table("bodies")
         self.assertGreater(bodies["body_q_velocity_x"][-1], 2)
         self.expect_laws(run)
 
@@ -334,7 +243,7 @@ class MeetingBodies(check_history.SceneTest):
             ["a : b", "a : c"],
             0.6,
             "contact-stabilized-projected",
-            laws="  subsection a : b\n    set Friction coefficient = 0.2\n  end\n",
+            laws=friction("a : b", 0.2),
         )
         one = check_history.Run(text, "one")
         two = check_history.Run(text, "two", processes=2)
@@ -348,10 +257,21 @@ class MeetingBodies(check_history.SceneTest):
         plate brings is all that there is, and no wall goes through the other."""
         folder = check_history.pathlib.Path(check_history.settings["folder"])
         folder.mkdir(parents=True, exist_ok=True)
-        text = SQUASHED.format(file=ring(folder))
+        plates = {
+            "top": ["set Point = 0, 1", "set Normal = 0, -1", "set Motion = 0; -min(t, 1.78)"],
+            "floor": ["set Point = 0, -1", "set Normal = 0, 1"],
+        }
+        text = scene(
+            [body("ring", "set Shape = file", f"set File = {ring(folder)}")],
+            ["ring : top", "ring : floor", "ring : ring"],
+            2,
+            "contact-stabilized-projected",
+            step=0.02,
+            obstacles=obstacles(plates),
+        )
         one = check_history.Run(text, "ring")
         self.expect_laws(one, momentum=False)
-        pairs = table_of(one, "pairs.csv")
+        pairs = one.table("pairs")
         first = next(row for row, force in enumerate(pairs["pair_2_normal_force"]) if force > 0)
         self.assertGreater(one["time"][first], 1.2)
         self.assertEqual(max(pairs["pair_2_normal_force"][:first]), 0)

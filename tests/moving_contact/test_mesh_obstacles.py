@@ -13,60 +13,21 @@ import pathlib
 import re
 
 import check_history
-
-SCENE = """
-set Dimension = {dimension}
-subsection Time
-  set Scheme    = {scheme}
-  set Step size = 0.01
-  set End time  = {end!r}
-end
-subsection Bodies
-  set Names = block
-  subsection block
-    set Shape           = {shape}
-    set Young's modulus = 1000
-    set Poisson's ratio = 0.3
-    set Density         = 1
-{body}
-  end
-end
-subsection Obstacles
-  set Names = {names}
-{obstacles}
-end
-subsection Contact
-  set Pairs  = {pairs}
-  set Motion = follow
-{friction}
-end
-"""
-
-
-def entries(**values):
-    """Lines `set Key = value`; an underscore stands for a blank."""
-    return "\n".join(f"    set {key.replace('_', ' ')} = {value}" for key, value in values.items())
-
+import following_scenes as following
+from following_scenes import entries
 
 def scene(dimension, shape, body, obstacles, friction=0.0, end=1.0, scheme="contact-implicit"):
-    """obstacles: entries by name."""
+    """A block, or what else it is, and obstacles: lines by name."""
     pairs = [f"block : {name}" for name in obstacles]
-    return SCENE.format(
+    laws = [following.friction(pair, friction) for pair in pairs if friction]
+    return following.scene(
+        [following.body("block", f"set Shape = {shape}", *body)],
+        pairs,
+        end,
+        scheme,
+        obstacles=following.obstacles(obstacles),
+        laws="".join(laws),
         dimension=dimension,
-        scheme=scheme,
-        end=end,
-        shape=shape,
-        body=body,
-        names=", ".join(obstacles),
-        obstacles="\n".join(
-            f"  subsection {name}\n{values}\n  end" for name, values in obstacles.items()
-        ),
-        pairs=", ".join(pairs),
-        friction="\n".join(
-            f"  subsection {pair}\n    set Friction coefficient = {friction}\n  end"
-            for pair in pairs
-            if friction
-        ),
     )
 
 
@@ -125,7 +86,8 @@ class MeshObstacles(check_history.SceneTest):
         run = check_history.Run(texts[1], "mesh-box-facets")
         self.expect_same_motion(run, formula)
         two = check_history.Run(texts[1], "mesh-box-two", processes=2)
-        self.expect_same_motion(two, run, 1e-9)  # the solver promises 1e-10
+        self.expect_contact(run)
+        self.expect_same_history(two, run, 1e-9)  # the solver promises 1e-10
 
     def test_groove_of_one_obstacle(self):
         """A square falls into a groove of 100 degrees with its edge ahead. One line of
@@ -156,7 +118,8 @@ class MeshObstacles(check_history.SceneTest):
 
     def test_rest_in_a_shallow_groove(self):
         """A damped disc comes to rest in a groove of 0.05 rad without friction: its lowest node
-        needs both sides, and the weight is carried."""
+        needs both sides, and the weight is carried, to what is left of the vibration."""
+        weight = 16 * math.sin(math.pi / 16)  # of a disc of 32 chords
         for scheme in ("contact-implicit", "contact-stabilized-projected"):
             with self.subTest(scheme=scheme):
                 body = entries(
@@ -178,7 +141,7 @@ class MeshObstacles(check_history.SceneTest):
                 self.assertLess(max(run["geometric_penetration"]), 1e-11)
                 self.assertEqual(sum(run["rejected_steps"]), 0)
                 forces = run["contact_force_y"][-100:]
-                self.assertAlmostEqual(sum(forces) / len(forces), math.pi, delta=0.03)
+                self.assertAlmostEqual(sum(forces) / len(forces), weight, delta=0.01)
 
     def test_slide_down_a_ramp(self):
         """On a slope of 20 degrees, a box of triangles that is rotated, a stiff block with friction
@@ -238,7 +201,7 @@ class MeshObstacles(check_history.SceneTest):
         path = self.mesh("pad.obj", line(corners))
         box = entries(Shape="box", Lower_corner="-2, -1", Upper_corner="3, 0")
         facets = entries(Shape="mesh", File=path)
-        texts = [scene(2, "box", body, {"pad": f"{pad}\n{motion}"}, 0.4) for pad in (box, facets)]
+        texts = [scene(2, "box", body, {"pad": pad + motion}, 0.4) for pad in (box, facets)]
         formula = check_history.Run(texts[0], "mesh-moving-formula")
         run = check_history.Run(texts[1], "mesh-moving-facets", ["Output/VTU=true"])
         self.expect_same_motion(run, formula)

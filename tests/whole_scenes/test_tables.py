@@ -16,7 +16,7 @@ import subprocess
 
 import check_history
 from check_history import ACCURACY, Run, read_table
-from test_supports import FRICTION, HANGING_BLOCK, combine, table, vectors
+from test_supports import FRICTION, HANGING_BLOCK, combine, vectors
 
 #: A beam of length 4 and height 1, clamped on the left and bent by the stress y on the right: with
 #: Poisson's ratio 0 the stress is y everywhere, and the curvature 1/E = 0.01.
@@ -114,7 +114,7 @@ class Tables(check_history.SceneTest):
             for processes in (1, 2)
         )
         for name in ("supports", "pairs", "bodies"):
-            columns, others = table(one, name), table(two, name)
+            columns, others = one.table(name), two.table(name)
             self.assertEqual(list(columns), list(others))
             scale = max(abs(value) for column in columns.values() for value in column)
             for column in columns:
@@ -130,7 +130,7 @@ class Tables(check_history.SceneTest):
             ["Time/End time=0.06"]
             + [f"Bodies/{body}/Refinements=0" for body in ("lower", "middle", "upper")],
         )
-        pairs, bodies = table(run, "pairs"), table(run, "bodies")
+        pairs, bodies = run.table("pairs"), run.table("bodies")
         self.assertGreater(min(max(pairs[f"pair_{k}_active_nodes"]) for k in range(3)), 3)
         forces = [vectors(pairs, f"pair_{k}_force") for k in range(3)]
         momenta = {
@@ -170,7 +170,7 @@ class Tables(check_history.SceneTest):
             + [f"Bodies/{body}/Refinements=2" for body in ("upper", "lower")]
             + ["Contact/upper : lower/Friction coefficient=0.3"],
         )
-        pairs, bodies = table(run, "pairs"), table(run, "bodies")
+        pairs, bodies = run.table("pairs"), run.table("bodies")
         moments = vectors(pairs, "pair_0_moment")
         spin = vectors(bodies, "body_upper_angular_momentum")
         momentum = vectors(bodies, "body_upper_momentum")
@@ -196,7 +196,7 @@ class Tables(check_history.SceneTest):
         everything = Run(HANGING_BLOCK, "every-1", [FRICTION])
         some = Run(HANGING_BLOCK, "every-7", [FRICTION, "Output/History every=7"])
         self.assertEqual(some["step"], [*map(float, range(0, 99, 7)), 100.0])
-        self.assertEqual(table(some, "supports")["step"], some["step"])
+        self.assertEqual(some.table("supports")["step"], some["step"])
         scale = some.energy_scales(True)[-1]
         works = [name for name in some.history if name.startswith("work_")]
         for name in works + ["energy_residual", "linear_iterations", "products_combined"]:
