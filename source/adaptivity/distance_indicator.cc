@@ -20,24 +20,22 @@ namespace signorini
      * the largest one counts.
      */
     template <int dim>
-    Vector closeness(const Discretization<dim> &discretization,
-                     const ContactSurface<dim> &surface,
-                     const std::vector<double> &gap)
+    Vector closeness(const Discretization<dim>           &discretization,
+                     const std::vector<ContactNode<dim>> &nodes)
     {
       const auto &partitioner = *discretization.matrices().pattern.partitioner;
       std::vector<types::global_dof_index> partners;
-      for (const ContactNode<dim> &node : surface.nodes())
+      for (const ContactNode<dim> &node : nodes)
         for (const auto &[partner, weight] : node.partners)
           partners.push_back(partner);
       Vector       result(discretization.locally_owned(),
                     entries_of_nodes<dim>(discretization.dof_handler().n_dofs(), partners),
                     discretization.communicator());
       const double smallest = gap_round_off(discretization.mesh().body_size());
-      for (std::size_t k = 0; k < gap.size(); ++k)
+      for (const ContactNode<dim> &node : nodes)
         {
-          const ContactNode<dim> &node  = surface.nodes()[k];
-          const double            value = 1. / std::max(gap[k], smallest);
-          const auto              raise = [&](const types::global_dof_index dof) {
+          const double value = 1. / std::max(node.gap, smallest);
+          const auto   raise = [&](const types::global_dof_index dof) {
             result(dof) = std::max(result(dof), value);
           };
           raise(partitioner.local_to_global(dim * node.node));
@@ -71,13 +69,22 @@ namespace signorini
     const double ahead     = (parameters.steps_between + 1.) * step_size;
     Vector       soon      = step.end.displacement;
     soon.add(ahead, step.end.velocity);
-    std::vector<double>       gap      = surface.distance(step.end.displacement);
-    const std::vector<double> gap_soon = surface.distance(soon);
-    for (std::size_t k = 0; k < gap.size(); ++k)
-      gap[k] = std::min(gap[k], gap_soon[k]);
+    const auto distance_of = [&](const CellAccessor<dim> &cell) {
+      return parameters.distance > 0. ? parameters.distance
+                                      : 3. * cell.diameter() / std::sqrt(double(dim));
+    };
+    double largest_cell = 0.;
+    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+      if (cell->is_locally_owned())
+        largest_cell = std::max(largest_cell, distance_of(*cell));
+    // Beyond, cells may be coarsened anyway.
+    const double reach =
+      Utilities::MPI::max(largest_cell, discretization.communicator()) / far_enough;
+    std::vector<ContactNode<dim>> near = surface.near_nodes(step.end.displacement, reach);
+    for (const ContactNode<dim> &node : surface.near_nodes(soon, reach))
+      near.push_back(node);
 
-    const Vector close =
-      discretization.interpolate_hanging_nodes(closeness(discretization, surface, gap));
+    const Vector close = discretization.interpolate_hanging_nodes(closeness(discretization, near));
     dealii::Vector<double> result(discretization.mesh().triangulation().n_active_cells());
     for (const auto &cell : discretization.dof_handler().active_cell_iterators())
       if (cell->is_locally_owned())
@@ -85,10 +92,8 @@ namespace signorini
           double largest = 0.;
           for (const unsigned int v : cell->vertex_indices())
             largest = std::max(largest, close(cell->vertex_dof_index(v, 0)));
-          const double distance             = parameters.distance > 0.
-                                                ? parameters.distance
-                                                : 3. * cell->diameter() / std::sqrt(double(dim));
-          result(cell->active_cell_index()) = std::min(largest_indicator, distance * largest);
+          result(cell->active_cell_index()) =
+            std::min(largest_indicator, distance_of(*cell) * largest);
         }
     return result;
   }

@@ -80,7 +80,8 @@ namespace signorini
                       + "no face of the slave looks at a face of the master along its normal. Who "
                         "meets whom is decided once, in the initial configuration: check the "
                         "boundary ids and the positions of the bodies, and let bodies that fly "
-                        "towards each other start when they are near.");
+                        "towards each other start when they are near. Or set `Contact/Motion = "
+                        "follow`.");
     if (mortar.n_nodes() == 0 && mortar.n_left_to_dirichlet_conditions() == 0)
       throw UserError(
         head
@@ -161,7 +162,7 @@ namespace signorini
         << "nodes of their edge. Make the other body the slave if its surface ends elsewhere. "
         << "Two blocks that stand side by side need surfaces without common nodes: in a mesh "
         << "file (`Shape = file`), give the faces next to the edge a boundary id that no pair "
-        << "names.";
+        << "names. With `Contact/Motion = follow` nodes may have several partners.";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)
@@ -261,7 +262,7 @@ namespace signorini
           result[k] = way.is_carried(obstacle_contact.end_tolerance()) ? way.gap : way.distance();
         }
       else if (std::isinf(result[k]) && follows())
-        result[k] = bodies->clear_distance(node.pair);
+        result[k] = clear_distance(node.pair);
       else
         result[k] *= node.distance_per_gap();
     return result;

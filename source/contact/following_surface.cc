@@ -64,6 +64,36 @@ namespace signorini
 
 
   template <int dim>
+  double ContactSurface<dim>::clear_distance(const unsigned int pair) const
+  {
+    return bodies->clear_distance(pair);
+  }
+
+
+  template <int dim>
+  std::vector<ContactNode<dim>> ContactSurface<dim>::near_nodes(const Vector &displacement,
+                                                                const double  reach) const
+  {
+    std::vector<ContactNode<dim>> result;
+    const std::vector<double>     gaps = distance(displacement);
+    for (std::size_t k = 0; k < contact_nodes.size(); ++k)
+      if (!follows() || !descriptions[contact_nodes[k].pair].of_two_bodies())
+        {
+          result.push_back(contact_nodes[k]);
+          result.back().gap = gaps[k];
+        }
+    if (follows())
+      for (const auto &[pair, geometry] : bodies->pairs())
+        for (const ContactNode<dim> &node : geometry->at(displacement, reach))
+          {
+            result.push_back(node);
+            result.back().gap *= node.distance_per_gap();
+          }
+    return result;
+  }
+
+
+  template <int dim>
   void ContactSurface<dim>::add_slave_nodes(const DirichletConditions<dim> &dirichlet)
   {
     std::map<unsigned int, ContactNode<dim>> last; // of the rows of each node
@@ -146,14 +176,18 @@ namespace signorini
 
   template ContactSurface<2>::ContactSurface(ContactSurface &&) noexcept;
   template ContactSurface<2>::~ContactSurface();
-  template double ContactSurface<2>::depth(unsigned int) const;
-  template void   ContactSurface<2>::add_slave_nodes(const DirichletConditions<2> &);
-  template void   ContactSurface<2>::complete_geometry();
-  template void   ContactSurface<2>::check_that_bodies_are_apart(const Vector &) const;
+  template double                      ContactSurface<2>::depth(unsigned int) const;
+  template double                      ContactSurface<2>::clear_distance(unsigned int) const;
+  template std::vector<ContactNode<2>> ContactSurface<2>::near_nodes(const Vector &, double) const;
+  template void ContactSurface<2>::add_slave_nodes(const DirichletConditions<2> &);
+  template void ContactSurface<2>::complete_geometry();
+  template void ContactSurface<2>::check_that_bodies_are_apart(const Vector &) const;
   template ContactSurface<3>::ContactSurface(ContactSurface &&) noexcept;
   template ContactSurface<3>::~ContactSurface();
-  template double ContactSurface<3>::depth(unsigned int) const;
-  template void   ContactSurface<3>::add_slave_nodes(const DirichletConditions<3> &);
-  template void   ContactSurface<3>::complete_geometry();
-  template void   ContactSurface<3>::check_that_bodies_are_apart(const Vector &) const;
+  template double                      ContactSurface<3>::depth(unsigned int) const;
+  template double                      ContactSurface<3>::clear_distance(unsigned int) const;
+  template std::vector<ContactNode<3>> ContactSurface<3>::near_nodes(const Vector &, double) const;
+  template void ContactSurface<3>::add_slave_nodes(const DirichletConditions<3> &);
+  template void ContactSurface<3>::complete_geometry();
+  template void ContactSurface<3>::check_that_bodies_are_apart(const Vector &) const;
 } // namespace signorini

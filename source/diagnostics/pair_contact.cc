@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/friction_reading.h>
-#include <signorini/diagnostics/own_forces.h>
 #include <signorini/diagnostics/pair_contact.h>
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -55,11 +57,10 @@ namespace signorini
           const double *sum  = &sums[k * sums.size() / pairs.size()];
           std::copy(sum, sum + 3, pair.force.begin());
           std::copy(sum + 3, sum + 6, pair.moment.begin());
-          pair.normal_force    = sum[6];
-          pair.friction_force  = sum[7];
-          pair.n_active        = static_cast<unsigned int>(sum[8]);
-          pair.smallest_gap    = std::isfinite(gaps[k]) ? gaps[k] : 0.;
-          pair.max_penetration = std::max(0., -pair.smallest_gap);
+          pair.normal_force   = sum[6];
+          pair.friction_force = sum[7];
+          pair.n_active       = static_cast<unsigned int>(sum[8]);
+          pair.smallest_gap   = gaps[k];
         }
     }
   } // namespace
@@ -134,11 +135,19 @@ namespace signorini
         pair.normal_force += node.transmission * std::abs(normal_force);
         pair.friction_force += node.transmission * friction.force.norm();
         pair.n_active += bears_force(normal_force);
-        pair.smallest_gap = std::min(pair.smallest_gap, gaps[k]);
+        if (!surface.faces_nothing(k))
+          pair.smallest_gap = std::min(pair.smallest_gap, gaps[k]);
       }
     over_all_processes(pairs, discretization.communicator());
     for (unsigned int k = 0; k < pairs.size(); ++k)
-      pairs[k].depth = surface.depth(k);
+      {
+        double &gap = pairs[k].smallest_gap;
+        if (!std::isfinite(gap)) // nothing faces anything
+          gap = surface.follows() && surface.pairs()[k].of_two_bodies() ? surface.clear_distance(k)
+                                                                        : 0.;
+        pairs[k].max_penetration = std::max(0., -gap);
+        pairs[k].depth           = surface.depth(k);
+      }
     return pairs;
   }
 

@@ -7,6 +7,8 @@
 #include <signorini/contact/node_coupling.h>
 #include <signorini/contact/obstacle_contact.h>
 
+#include <cmath>
+
 namespace signorini
 {
   template <int dim>
@@ -111,6 +113,27 @@ namespace signorini
      * contact follows the motion, the true one. Collective.
      */
     std::vector<double> distance(const Vector &displacement) const;
+
+    /**
+     * What a node of a pair of bodies that faces nothing is away from the other body at least,
+     * where contact follows the motion; length.
+     */
+    double clear_distance(unsigned int pair) const;
+
+    /** Whether that is all that is known of a contact node. */
+    bool faces_nothing(const std::size_t k) const
+    {
+      return follows() && descriptions[contact_nodes[k].pair].of_two_bodies()
+             && std::isinf(contact_nodes[k].gap);
+    }
+
+    /**
+     * What is near in a configuration: contact nodes whose gap is the distance to what they face.
+     * Between bodies where contact follows the motion they come from a search, otherwise they are
+     * those of the steps. Collective.
+     * @param reach of the search, length
+     */
+    std::vector<ContactNode<dim>> near_nodes(const Vector &displacement, double reach) const;
 
     /**
      * For each body the largest depth of a displaced node of its surface in *any* obstacle of the
