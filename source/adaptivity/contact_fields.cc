@@ -3,6 +3,7 @@
 
 #include <signorini/adaptivity/contact_fields.h>
 #include <signorini/base/contact_status.h>
+#include <signorini/contact/own_forces.h>
 
 #include <algorithm>
 
@@ -73,6 +74,31 @@ namespace signorini
       return result;
     }
 
+    /** What slaves hand on to the nodes that they follow, over the areas of these. Collective. */
+    template <int dim>
+    Vector traction_of_masters(const StressVectors<dim>  &stress,
+                               const SurfaceRoles<dim>   &roles,
+                               const ContactSurface<dim> &surface,
+                               const Vector              &contact_force,
+                               const Vector              &own)
+    {
+      Vector handed_on = contact_force;
+      if (surface.follows())
+        handed_on -= own; // else no node of a master is a contact node
+      const Vector areas =
+        areas_of_nodes(stress, [&](const std::size_t i) { return roles[i].is_master; });
+      Vector result = stress.mesh.make_vector();
+      for (unsigned int node = 0; node < result.locally_owned_size() / dim; ++node)
+        if (areas.local_element(dim * node) > 0.)
+          set_node_value<dim>(
+            result, node, node_value<dim>(handed_on, node) / areas.local_element(dim * node));
+      if (!surface.follows())
+        for (const ContactNode<dim> &node : surface.nodes())
+          set_node_value<dim>(result, node.node, Tensor<1, dim>());
+      return result;
+    }
+
+
     /**
      * Nodes of slave surfaces (first component > 0) around which contact is not closed everywhere,
      * or where there is tension.
@@ -112,7 +138,7 @@ namespace signorini
   template <int dim>
   std::vector<bool> closed_nodes(const ContactSurface<dim> &surface, const Vector &contact_force)
   {
-    const std::vector<double> forces  = compression(surface, contact_force);
+    const std::vector<double> forces  = compression(surface, own_forces(surface, contact_force));
     double                    largest = 0.;
     for (const double force : forces)
       largest = std::max(largest, force);
@@ -146,16 +172,9 @@ namespace signorini
                               mesh.make_vector(),
                               mesh.make_vector()};
     const unsigned int        n_owned = fields.normal.locally_owned_size() / dim;
-    const Vector              areas =
-      areas_of_nodes(stress, [&](const std::size_t i) { return roles[i].is_master; });
-    for (unsigned int node = 0; node < n_owned; ++node)
-      if (areas.local_element(dim * node) > 0.)
-        set_node_value<dim>(fields.traction,
-                            node,
-                            node_value<dim>(balance.contact_force, node)
-                              / areas.local_element(dim * node));
-
-    const std::vector<double> forces  = compression(surface, balance.contact_force);
+    const Vector              own     = own_forces(surface, balance.contact_force);
+    fields.traction = traction_of_masters(stress, roles, surface, balance.contact_force, own);
+    const std::vector<double> forces  = compression(surface, own);
     const std::vector<bool>   closed  = closed_nodes(surface, balance.contact_force);
     double                    largest = 0.;
     for (std::size_t k = 0; k < forces.size(); ++k)
@@ -163,7 +182,7 @@ namespace signorini
         const ContactNode<dim> &node = surface.nodes()[k];
         if (node.row > 0)
           continue;
-        const Tensor<1, dim> force = node_value<dim>(balance.contact_force, node.node);
+        const Tensor<1, dim> force = node_value<dim>(own, node.node);
         const Tensor<1, dim> press = pressing_force(surface, forces, k);
         // Several obstacles at a node are one whose normal is that of what they press.
         const Tensor<1, dim> normal =
@@ -171,7 +190,10 @@ namespace signorini
         const double s = std::max(0., press * normal) / node.weight;
         largest        = std::max(largest, s);
         set_node_value<dim>(fields.normal, node.node, normal);
-        set_node_value<dim>(fields.traction, node.node, (force + press) / node.weight);
+        set_node_value<dim>(fields.traction,
+                            node.node,
+                            node_value<dim>(fields.traction, node.node)
+                              + (force + press) / node.weight);
         fields.pressure.local_element(dim * node.node) = s;
         fields.gap.local_element(dim * node.node) = closed[k] ? 0. : std::max(0., balance.gap[k]);
       }

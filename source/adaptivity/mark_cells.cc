@@ -5,6 +5,7 @@
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/marking.h>
 #include <signorini/base/contact_status.h>
+#include <signorini/contact/own_forces.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -235,8 +236,20 @@ namespace signorini
       for (unsigned int c = 0; c < dim; ++c)
         if (std::abs(contact_force.local_element(dim * node + c)) > negligible_force * largest)
           force.local_element(dim * node) = 1.;
+    // Of a contact node by its own force, which is not negligible where it is closed; that it is
+    // open takes nothing from what others press on it.
+    const Vector own = own_forces(surface, contact_force);
     for (std::size_t k = 0; k < closed.size(); ++k)
-      force.local_element(dim * surface.nodes()[k].node) = closed[k];
+      {
+        const unsigned int first   = dim * surface.nodes()[k].node;
+        bool               is_only = true; // nothing is handed on to it
+        for (unsigned int i = first; i < first + dim; ++i)
+          is_only = is_only
+                    && std::abs(contact_force.local_element(i) - own.local_element(i))
+                         <= negligible_force * largest;
+        if (is_only || closed[k])
+          force.local_element(first) = closed[k];
+      }
     force = discretization.interpolate_hanging_nodes(force);
     std::vector<bool> result(discretization.mesh().triangulation().n_active_cells());
     for (const auto &cell : discretization.dof_handler().active_cell_iterators())

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/friction_reading.h>
-#include <signorini/diagnostics/own_forces.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/friction_reading.h>
 
 namespace signorini
 {
+  template <int dim>
+  FrictionState own_friction(const ContactSurface<dim> &surface, const FrictionState &friction)
+  {
+    FrictionState result = friction;
+    if (friction.any())
+      result.force = own_forces(surface, friction.force);
+    return result;
+  }
+
+
   template <int dim>
   FrictionReading<dim> friction_at(const ContactSurface<dim> &surface,
                                    const FrictionState       &friction,
@@ -34,4 +45,6 @@ namespace signorini
   friction_at(const ContactSurface<2> &, const FrictionState &, unsigned int);
   template FrictionReading<3>
   friction_at(const ContactSurface<3> &, const FrictionState &, unsigned int);
+  template FrictionState own_friction(const ContactSurface<2> &, const FrictionState &);
+  template FrictionState own_friction(const ContactSurface<3> &, const FrictionState &);
 } // namespace signorini

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/friction_reading.h>
-#include <signorini/diagnostics/own_forces.h>
 #include <signorini/diagnostics/probe.h>
 
 #include <deal.II/base/mpi.h>

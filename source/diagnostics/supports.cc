@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/supports.h>
 
 #include <deal.II/base/mpi.h>
@@ -11,7 +12,7 @@ namespace signorini
   Supports<dim>::Supports(const DirichletConditions<dim> &dirichlet,
                           const ContactSurface<dim>      &surface)
     : dirichlet(dirichlet)
-    , contact_nodes(surface.nodes())
+    , surface(surface)
   {
     constexpr unsigned int none = DirichletConditions<dim>::none;
     for (const auto &[node, conditions] : dirichlet.nodes())
@@ -19,8 +20,8 @@ namespace signorini
         if (conditions[c] != none)
           entries.push_back({dim * node + c, conditions[c], c});
     // Where contact follows the motion an obstacle may become oblique to them later.
-    for (unsigned int k = 0; k < contact_nodes.size(); ++k)
-      if (const auto node = dirichlet.nodes().find(contact_nodes[k].node);
+    for (unsigned int k = 0; k < surface.nodes().size(); ++k)
+      if (const auto node = dirichlet.nodes().find(surface.nodes()[k].node);
           node != dirichlet.nodes().end())
         for (unsigned int c = 0; c < dim; ++c)
           if (node->second[c] != none)
@@ -41,12 +42,13 @@ namespace signorini
   template <int dim>
   typename Supports<dim>::Forces Supports<dim>::handed_on(const Vector &contact_force) const
   {
-    Forces forces(dirichlet.n_conditions());
+    const Vector own = own_forces(surface, contact_force);
+    Forces       forces(dirichlet.n_conditions());
     for (const Entry &entry : oblique)
       {
-        const ContactNode<dim> &node = contact_nodes[entry.index];
+        const ContactNode<dim> &node = surface.nodes()[entry.index];
         forces[entry.condition][entry.component] +=
-          node.normal_force(contact_force) * node.prescribed_part[entry.component];
+          node.normal_force(own) * node.prescribed_part[entry.component];
       }
     return over_all_processes(std::move(forces));
   }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/contact_status.h>
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/turning_normals.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,11 +19,12 @@ namespace signorini
                                                const MPI_Comm             communicator)
   {
     std::vector<double> angles(n_bodies, 0.);
+    const Vector        own     = own_forces(surface, contact_force);
     auto                earlier = std::move(when_it_began);
     when_it_began.clear();
     for (const ContactNode<dim> &node : surface.nodes())
       {
-        if (node.row > 0 || !is_pressed(node.normal_force(contact_force)))
+        if (node.row > 0 || !is_pressed(node.normal_force(own)))
           continue;
         const dealii::Tensor<1, dim> now   = node.normal();
         const auto                   found = earlier.find(node.position);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/friction_reading.h>
-#include <signorini/diagnostics/own_forces.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/output/surface_patches.h>
 

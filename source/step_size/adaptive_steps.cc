@@ -45,16 +45,17 @@ namespace signorini
       {
         TakenStep second = std::move(*waiting);
         waiting.reset();
-        return hand_out(state, std::move(second));
+        return hand_out_one_of_several(system, state, std::move(second));
       }
     StepTrial trial = find_trial(system, state);
     record_changes(state, trial);
     TakenStep &last = trial.steps.back();
     if (parameters.end_time - last.state.time <= round_off * last.report.step_size)
       last.state.time = parameters.end_time;
-    if (trial.steps.size() > 1)
-      waiting = std::move(last);
-    return hand_out(state, std::move(trial.steps.front()));
+    if (trial.steps.size() == 1)
+      return hand_out(state, std::move(last));
+    waiting = std::move(last);
+    return hand_out_one_of_several(system, state, std::move(trial.steps.front()));
   }
 
 
@@ -171,6 +172,15 @@ namespace signorini
     // Round-off would decide whether a step that ends at the touch sees it. Not nearer, either: a
     // tiny part of an impact, seen by a whole step, says little about the rest of it.
     return std::abs(touch - size) < clear ? touch + clear : size;
+  }
+
+
+  StepReport
+  AdaptiveSteps::hand_out_one_of_several(DynamicalSystem &system, State &state, TakenStep &&step)
+  {
+    if (MovingContact *contact = system.capabilities().moving_contact)
+      contact->return_to(state, step.state); // it has the geometry of the last one
+    return hand_out(state, std::move(step));
   }
 
 

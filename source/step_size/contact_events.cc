@@ -14,7 +14,7 @@ namespace signorini
 {
   ActiveSet contact_statuses(const DynamicalSystem &system, const State &state)
   {
-    const NormalGap force   = system.relative_normal(state.contact_force);
+    const NormalGap force   = system.own_normal_forces(state.contact_force);
     double          largest = 0.;
     for (const double value : force)
       largest = std::max(largest, std::abs(value));

@@ -105,6 +105,18 @@ namespace signorini
 
 
   template <int dim>
+  NormalGap ElasticContactSystem<dim>::own_normal_forces(const Vector &nodal_forces) const
+  {
+    Vector entries = nodal_forces;
+    coordinates.force_to_contact(entries);
+    NormalGap result;
+    for (const unsigned int i : coordinates.normal_entries())
+      result.push_back(entries.local_element(i));
+    return result;
+  }
+
+
+  template <int dim>
   double ElasticContactSystem<dim>::solver_tolerance(const StepMatrix<dim>     &matrix,
                                                      const double               step_size,
                                                      const Vector              &right_hand_side,

@@ -28,10 +28,12 @@ namespace signorini
   double StepContact<dim>::geometry_work(const Vector &contact_force) const
   {
     const std::vector<double> missed = geometry->missed_gaps();
-    double                    work   = 0.;
+    Vector                    force  = contact_force;
+    coordinates.force_to_contact(force); // without what others hand on to a node
+    double work = 0.;
     for (std::size_t k = 0; k < missed.size(); ++k)
       if (missed[k] != 0.)
-        work -= surface.nodes()[k].normal_force(contact_force) * missed[k];
+        work -= force.local_element(surface.nodes()[k].entry()) * missed[k];
     return dealii::Utilities::MPI::sum(work, contact_force.get_mpi_communicator());
   }
 
@@ -58,6 +60,36 @@ namespace signorini
 
 
   template <int dim>
+  void StepContact<dim>::return_to(const State &start, const State &end)
+  {
+    Vector increment = end.displacement;
+    increment -= start.displacement;
+    geometry->begin_step(start.displacement, increment, start.time, end.time, latest_normals);
+    take_over_geometry();
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::take_back(const State &start)
+  {
+    while (!moments.empty() && moments.front().time > start.time)
+      moments.pop_front();
+    if (moments.size() < 2)
+      {
+        arrive(start.displacement, start.time);
+        return;
+      }
+    State                           before;
+    const std::vector<unsigned int> contact = entries();
+    before.time                             = moments[1].time;
+    before.displacement                     = start.displacement;
+    for (std::size_t i = 0; i < contact.size(); ++i)
+      before.displacement.local_element(contact[i]) = moments[1].displacement[i];
+    return_to(before, start);
+  }
+
+
+  template <int dim>
   void StepContact<dim>::begin_step(const State      &start,
                                     const double      step_size,
                                     const StepNormals normals)
@@ -67,6 +99,7 @@ namespace signorini
                          start.time,
                          start.time + step_size,
                          normals);
+    latest_normals = normals;
     take_over_geometry();
     is_repetition = false;
   }

@@ -45,6 +45,7 @@ namespace signorini
       return {wall - displacement(0)};
     }
     NormalGap relative_normal(const Vector &motion) const override { return {motion(0)}; }
+    NormalGap own_normal_forces(const Vector &forces) const override { return {forces(0)}; }
 
     Vector solve_mass(const Vector &force) override
     {

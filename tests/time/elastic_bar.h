@@ -98,6 +98,11 @@ namespace signorini
       return {-motion(0), motion(motion.size() - 1)};
     }
 
+    NormalGap own_normal_forces(const Vector &nodal_forces) const override
+    {
+      return relative_normal(nodal_forces);
+    }
+
     double length() const override { return 1.; }
 
     Vector solve_mass(const Vector &force) override

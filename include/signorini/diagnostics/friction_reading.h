@@ -31,6 +31,10 @@ namespace signorini
   template <int dim>
   FrictionReading<dim>
   friction_at(const ContactSurface<dim> &surface, const FrictionState &friction, unsigned int k);
+
+  /** Friction whose forces are own_forces(), with all else as it is. Collective. */
+  template <int dim>
+  FrictionState own_friction(const ContactSurface<dim> &surface, const FrictionState &friction);
 } // namespace signorini
 
 #endif

@@ -36,10 +36,10 @@ namespace signorini
       unsigned int index, condition, component;
     };
 
-    const DirichletConditions<dim>      &dirichlet;
-    const std::vector<ContactNode<dim>> &contact_nodes;
-    std::vector<Entry>                   entries; ///< prescribed ones of vectors
-    std::vector<Entry>                   oblique; ///< their indices are those of contact nodes
+    const DirichletConditions<dim> &dirichlet;
+    const ContactSurface<dim>      &surface;
+    std::vector<Entry>              entries; ///< prescribed ones of vectors
+    std::vector<Entry>              oblique; ///< their indices are those of contact nodes
 
     Forces over_all_processes(Forces &&forces) const;
   };

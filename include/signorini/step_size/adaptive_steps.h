@@ -102,6 +102,8 @@ namespace signorini
     std::optional<StepTrial> attempt(DynamicalSystem &system, const State &state, double size);
     void                     reject(int levels);
     StepReport               hand_out(State &state, TakenStep &&step);
+    /** The same, with the geometry that it was made with. */
+    StepReport hand_out_one_of_several(DynamicalSystem &system, State &state, TakenStep &&step);
   };
 } // namespace signorini
 

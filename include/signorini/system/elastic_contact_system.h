@@ -59,6 +59,7 @@ namespace signorini
     {
       return surface.relative_normal(motion);
     }
+    NormalGap    own_normal_forces(const Vector &nodal_forces) const override;
     double       length() const override { return discretization.mesh().body_size(); }
     void         solve(const IncrementProblem &problem, IncrementSolution &solution) override;
     Vector       solve_mass(const Vector &force) override { return mass_problems.solve(force); }

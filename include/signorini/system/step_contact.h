@@ -36,6 +36,8 @@ namespace signorini
     ~StepContact() override;
 
     void   arrive(const Vector &displacement, double time) override;
+    void   return_to(const State &start, const State &end) override;
+    void   take_back(const State &start) override;
     void   begin_step(const State &start, double step_size, StepNormals normals) override;
     void   follow(const Vector &increment) override;
     void   let_steps_be_trials(bool they_are) override { is_tried = they_are; }
@@ -62,6 +64,7 @@ namespace signorini
     std::unique_ptr<FollowedContact<dim>>    geometry;
     const std::function<std::vector<bool>()> held;
     bool                                     is_repetition = false, is_tried = false;
+    StepNormals                              latest_normals = StepNormals::of_motion;
     Vector                                   motion_of_obstacles;
 
     /** Where the contact nodes were when the latest steps began, latest first. */

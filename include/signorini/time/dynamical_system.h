@@ -208,6 +208,17 @@ namespace signorini
     /** Look around at the start of a step; normals are those of the motion that is expected. */
     virtual void begin_step(const State &start, double step_size, StepNormals normals) = 0;
 
+    /**
+     * Return to the geometry of a step that was made before others, and that its forces belong to.
+     */
+    virtual void return_to(const State &start, const State &end) = 0;
+
+    /**
+     * The latest step does not count: return to the geometry of the one before it.
+     * @param start of the latest step
+     */
+    virtual void take_back(const State &start) = 0;
+
     /** Take the normals of a motion of the same step, which will be made again with them. */
     virtual void follow(const Vector &increment) = 0;
 
@@ -289,6 +300,12 @@ namespace signorini
 
     /** [w].nu per contact node, of displacements or velocities. */
     virtual NormalGap relative_normal(const Vector &motion) const = 0;
+
+    /**
+     * The normal entries of nodal forces of contact, per contact node: what a node bears itself,
+     * not what others hand on to it.
+     */
+    virtual NormalGap own_normal_forces(const Vector &nodal_forces) const = 0;
 
     /** The unit of length for tolerances: the size of the bodies. */
     virtual double length() const = 0;

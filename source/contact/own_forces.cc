@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/diagnostics/own_forces.h>
+#include <signorini/contact/own_forces.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,18 +41,6 @@ namespace signorini
   }
 
 
-  template <int dim>
-  FrictionState own_friction(const ContactSurface<dim> &surface, const FrictionState &friction)
-  {
-    FrictionState result = friction;
-    if (friction.any())
-      result.force = own_forces(surface, friction.force);
-    return result;
-  }
-
-
-  template Vector        own_forces(const ContactSurface<2> &, const Vector &);
-  template Vector        own_forces(const ContactSurface<3> &, const Vector &);
-  template FrictionState own_friction(const ContactSurface<2> &, const FrictionState &);
-  template FrictionState own_friction(const ContactSurface<3> &, const FrictionState &);
+  template Vector own_forces(const ContactSurface<2> &, const Vector &);
+  template Vector own_forces(const ContactSurface<3> &, const Vector &);
 } // namespace signorini

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_diagnostics_own_forces_h
-#define signorini_diagnostics_own_forces_h
+#ifndef signorini_contact_own_forces_h
+#define signorini_contact_own_forces_h
 
 #include <signorini/contact/contact_surface.h>
-#include <signorini/time/state.h>
 
 namespace signorini
 {
@@ -16,10 +15,6 @@ namespace signorini
    */
   template <int dim>
   Vector own_forces(const ContactSurface<dim> &surface, const Vector &forces);
-
-  /** The same of friction, with all else as it is. Collective. */
-  template <int dim>
-  FrictionState own_friction(const ContactSurface<dim> &surface, const FrictionState &friction);
 } // namespace signorini
 
 #endif
