@@ -99,11 +99,12 @@ namespace signorini
     ContactNode<dim>                                     node,
     const typename DirichletConditions<dim>::Components *conditions) const
   {
-    const Facing<dim> &facing = facings[order()[row]];
-    node.pair                 = facing.pair;
-    node.weight               = facing.area;
-    node.friction             = facing.friction;
-    node.n_bounds             = bounding.size();
+    const Facing<dim> &facing     = facings[order()[row]];
+    const bool         was_shared = node.is_shared();
+    node.pair                     = facing.pair;
+    node.weight                   = facing.area;
+    node.friction                 = facing.friction;
+    node.n_bounds                 = bounding.size();
     node.gap =
       row < node.n_bounds ? facing.condition.bound : std::numeric_limits<double>::infinity();
     node.partners        = {};
@@ -114,6 +115,8 @@ namespace signorini
       {
         node.gap      = std::numeric_limits<double>::infinity();
         node.relative = {};
+        if (was_shared) // and orthonormal
+          node.frame = contact_frame<dim>(node.direction(0));
         return node;
       }
 
@@ -133,7 +136,11 @@ namespace signorini
     else if (conditions == nullptr)
       node.frame = frame;
     else if (meet_in_free_directions<dim>(*conditions, normals[0], node))
-      node.gap /= node.free_part; // prescribed displacements rest
+      {
+        node.gap /= node.free_part; // prescribed displacements rest
+        // The law is one of nodal forces, of which the normal one is the free part.
+        node.friction.coefficient /= node.free_part;
+      }
     else
       node.gap = std::numeric_limits<double>::infinity();
     if (node.is_shared())

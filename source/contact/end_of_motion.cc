@@ -30,7 +30,9 @@ namespace signorini
      * be none that belongs to its own geometry.
      */
     constexpr unsigned int most_motions = 24;
-    constexpr double       unlimited    = std::numeric_limits<double>::infinity();
+    /** A mismatch that has no measure, in units of what is accepted. */
+    constexpr double as_large_as_bodies = 1e12;
+    constexpr double unlimited          = std::numeric_limits<double>::infinity();
   } // namespace
 
 
@@ -114,9 +116,9 @@ namespace signorini
         for (unsigned int f = 0; f < site.facings.size(); ++f)
           if (!site.is_bounded_by(f) && enters(site, site.facings[f], d)
               && !(site.facings[f].of_body && n_followed > most_motions))
-            largest = unlimited;
+            largest = std::max(largest, -gap_after(site, site.facings[f], d) / accepted);
       if (misses_a_side(site, d))
-        largest = unlimited;
+        largest = std::max(largest, as_large_as_bodies);
     });
     return Utilities::MPI::max(largest, discretization.communicator());
   }

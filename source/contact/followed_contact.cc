@@ -74,9 +74,10 @@ namespace signorini
       for (const Facing<dim> &facing : site.facings)
         {
           nodes.push_back(surface.nodes()[site.first]);
-          nodes.back().pair     = facing.pair;
-          nodes.back().weight   = facing.area;
-          nodes.back().friction = {};
+          nodes.back().pair      = facing.pair;
+          nodes.back().weight    = facing.area;
+          nodes.back().free_part = 1.; // turns with the motion, see ContactSite::contact_node()
+          nodes.back().friction  = {};
         }
     assign_friction(discretization, dirichlet, surface.pairs(), nodes);
     auto node = nodes.begin();
@@ -137,16 +138,15 @@ namespace signorini
   {
     const double            tolerance = at_obstacles.end_tolerance();
     std::pair<bool, double> closest(true, infinity); // whether it does not carry; gap
+    for (Facing<dim> &facing : site.facings)
+      facing.gap = infinity;
+    update_opposite(site);
     for (unsigned int f = 0; f < site.facings.size(); ++f)
       {
         Facing<dim>            &facing = site.facings[f];
         std::pair<bool, double> rank;
-        facing.gap = infinity;
         if (facing.of_body)
-          {
-            update_opposite(site);
-            rank = {facing.opposite == nullptr, facing.gap};
-          }
+          rank = {facing.opposite == nullptr, facing.gap};
         else
           {
             const auto way =

@@ -87,10 +87,11 @@ namespace signorini
     start     = displacement;
     looked_at = Vector();
     missed_gaps.clear();
-    search_middle(expected);
-    for (auto &[pair, of_pair] : conditions)
-      for (auto &[node, condition] : of_pair)
-        bound(condition, condition.gap_at_start);
+    follow(expected);
+    // What clipped bounds are expected to miss, so that a motion as expected needs no repetition.
+    for (const auto &[pair, of_pair] : conditions)
+      for (const auto &[node, condition] : of_pair)
+        missed_gaps[pair][node] = condition.missed();
   }
 
 
@@ -161,18 +162,22 @@ namespace signorini
   {
     Vector middle = start;
     middle.add(at_end ? 1. : 0.5, increment);
-    std::vector<bool> excluded(discretization.matrices().pattern.n_owned, false);
+    const std::vector<bool> none(discretization.matrices().pattern.n_owned, false);
+    std::map<unsigned int, std::vector<bool>> excluded; // by slave; in a ring of bodies for all
     conditions.clear();
     for (const unsigned int pair : order)
       {
-        const auto nodes =
-          geometries[pair]->at(middle, reach(pair, increment), is_cyclic ? &excluded : nullptr);
-        auto &coupling = couplings[pair];
-        coupling       = std::make_unique<NodeCoupling<dim>>(
+        const unsigned int slave = descriptions[pair].slave, master = descriptions[pair].master;
+        std::vector<bool> &followed = excluded.emplace(is_cyclic ? 0 : slave, none).first->second;
+        const auto         nodes = geometries[pair]->at(middle, reach(pair, increment), &followed);
+        auto              &coupling = couplings[pair];
+        coupling                    = std::make_unique<NodeCoupling<dim>>(
           nodes, discretization.matrices().pattern.partitioner, true);
-        // A ring of bodies must not make a node follow itself.
+        // No node must follow itself: in a ring of bodies, or where two pairs of a body leave a
+        // node without multiplier to each other's nodes.
         for (const unsigned int node : coupling->owned_partners())
-          excluded[node] = true;
+          if (is_cyclic || (slave != master && geometries[pair]->slave_nodes().count(node) > 0))
+            followed[node] = true;
         Conditions &of_pair = conditions[pair];
         for (const ContactNode<dim> &node : nodes)
           {

@@ -132,23 +132,48 @@ namespace signorini
     std::vector<Complaint>                              &complaints) const
   {
     const PairDescription &pair = pairs[contact_node.pair];
-    const bool turns = motion == ContactMotion::follow && !obstacle(contact_node.pair).is_flat();
+    const auto complain = [&](const unsigned int c, const unsigned int of_pair, const bool turns) {
+      std::ostringstream message;
+      message << "Bodies/" << discretization.mesh().bodies()[pair.slave].name << "/Dirichlet: at ("
+              << contact_node.position << ") the displacement in "
+              << "xyz"[c] << " is prescribed and changes in time, and the obstacle '"
+              << obstacles[pairs[of_pair].obstacle].name << "' is "
+              << (turns ? "curved or turns" : "oblique to it")
+              << ". Such a motion opens and closes the gap by itself, which "
+                 "is not implemented. Prescribe a displacement that rests, move another part "
+                 "of the boundary, or turn the scene until the obstacle and the prescribed "
+                 "direction are parallel or at right angles.";
+      complaints.emplace_back(std::abs(contact_node.prescribed_part[c]), message.str());
+    };
     for (unsigned int c = 0; c < dim; ++c)
-      if (conditions[c] != DirichletConditions<dim>::none && dirichlet.moves(conditions[c], c)
-          && (contact_node.prescribed_part[c] != 0. || turns))
-        {
-          std::ostringstream message;
-          message << "Bodies/" << discretization.mesh().bodies()[pair.slave].name
-                  << "/Dirichlet: at (" << contact_node.position << ") the displacement in "
-                  << "xyz"[c] << " is prescribed and changes in time, and the obstacle '"
-                  << obstacles[pair.obstacle].name << "' is "
-                  << (turns ? "curved or turns" : "oblique to it")
-                  << ". Such a motion opens and closes the gap by itself, which "
-                     "is not implemented. Prescribe a displacement that rests, move another part "
-                     "of the boundary, or turn the scene until the obstacle and the prescribed "
-                     "direction are parallel or at right angles.";
-          complaints.emplace_back(std::abs(contact_node.prescribed_part[c]), message.str());
-        }
+      {
+        if (conditions[c] == DirichletConditions<dim>::none || !dirichlet.moves(conditions[c], c))
+          continue;
+        if (motion == ContactMotion::linearised && contact_node.prescribed_part[c] != 0.)
+          complain(c, contact_node.pair, false);
+        if (motion == ContactMotion::follow) // it may come to any of its obstacles
+          for (const auto &[of_pair, area] : surface_nodes.at(contact_node.node).areas)
+            {
+              const bool turns = !obstacle(of_pair).is_flat();
+              if (turns || is_oblique_to(of_pair, contact_node, conditions)[c])
+                complain(c, of_pair, turns);
+            }
+      }
+  }
+
+
+  template <int dim>
+  std::array<bool, dim> ObstacleContact<dim>::is_oblique_to(
+    const unsigned int                                   pair,
+    ContactNode<dim>                                     node,
+    const typename DirichletConditions<dim>::Components &conditions) const
+  {
+    std::array<bool, dim> result{};
+    if (meet_in_free_directions<dim>(
+          conditions, obstacle(pair).project(node.position).normal, node))
+      for (unsigned int c = 0; c < dim; ++c)
+        result[c] = node.prescribed_part[c] != 0.;
+    return result;
   }
 
 

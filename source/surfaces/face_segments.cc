@@ -152,25 +152,35 @@ namespace signorini
     }
 
 
-    /** Points and weights on a convex polygon, on each triangle of a fan. */
+    /**
+     * Points and weights on a polygon, on each triangle of a fan: around its centre, which is more
+     * accurate on other quadrilaterals than parallelograms, or from a corner, which needs fewer.
+     */
     std::vector<std::pair<Point<2>, double>> quadrature(const Polygon    &polygon,
                                                         const SegmentRule wanted)
     {
       static const QWitherdenVincentSimplex<2> degree_5(3), degree_9(5);
-      const auto &rule = wanted == SegmentRule::degree_5 ? degree_5 : degree_9;
+      const bool                               from_corner = wanted == SegmentRule::degree_5;
+      const auto                              &rule        = from_corner ? degree_5 : degree_9;
       std::vector<std::pair<Point<2>, double>> result;
-      result.reserve((polygon.size() - 2) * rule.size());
-      for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+      result.reserve(polygon.size() * rule.size());
+      Point<2> apex = polygon[0];
+      if (!from_corner)
         {
-          const Tensor<1, 2> a = polygon[i] - polygon[0], b = polygon[i + 1] - polygon[0];
+          apex = Point<2>();
+          for (const Point<2> &p : polygon)
+            apex += p / static_cast<double>(polygon.size());
+        }
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+        {
+          const Tensor<1, 2> a = polygon[i] - apex, b = polygon[(i + 1) % polygon.size()] - apex;
           const double       jacobian = a[0] * b[1] - a[1] * b[0];
-          for (unsigned int q = 0; q < rule.size(); ++q)
-            result.emplace_back(polygon[0] + rule.point(q)[0] * a + rule.point(q)[1] * b,
+          for (unsigned int q = 0; q < rule.size() && jacobian > 0.; ++q)
+            result.emplace_back(apex + rule.point(q)[0] * a + rule.point(q)[1] * b,
                                 jacobian * rule.weight(q));
         }
       return result;
     }
-
   } // namespace
 
 

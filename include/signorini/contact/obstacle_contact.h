@@ -113,6 +113,11 @@ namespace signorini
                               const typename DirichletConditions<dim>::Components &conditions,
                               const ContactNode<dim>                              &contact_node,
                               std::vector<Complaint> &complaints) const;
+    /** Which prescribed directions a plane obstacle is oblique to, for a node that may meet it. */
+    std::array<bool, dim>
+    is_oblique_to(unsigned int                                         pair,
+                  ContactNode<dim>                                     node,
+                  const typename DirichletConditions<dim>::Components &conditions) const;
 
     /** Enter a node, and the rows of further obstacles. */
     void add_with_rows(ContactNode<dim> contact_node);
