@@ -42,6 +42,7 @@ class RandomMotion:
         self.friction = decades(source, 1e-2, 3) if source.random() < 0.4 else 0.0
         self.processes = 2 if source.random() < 0.2 else 1
         self.shapes = []
+        self.bodies = ["body"]
         self.scene = self.write()
 
     def direction(self):
@@ -50,26 +51,35 @@ class RandomMotion:
         length = math.hypot(*components)
         return [component / length for component in components]
 
-    def body(self):
-        """Its middle is the origin, and it is thrown in some direction."""
-        half = self.size / 2
-        keys = {
-            **material(self.density, self.wave_speed, self.poisson),
-            "Initial velocity": vector(*[self.speed * c for c in self.direction()]),
-        }
-        if self.round:
-            keys |= {"Shape": "ball", "Radius": half, "Refinements": 4 - self.dimension}
+    def body(self, name, size, is_round, middle, flies):
+        """The keys of a body; it is thrown in some direction."""
+        half = size / 2
+        keys = material(self.density, self.wave_speed, self.poisson)
+        if flies:
+            keys["Initial velocity"] = vector(*[self.speed * c for c in self.direction()])
+        if is_round:
+            keys |= {
+                "Shape": "ball",
+                "Centre": point(*middle),
+                "Radius": half,
+                "Refinements": 4 - self.dimension,
+            }
         else:
             keys |= {
                 "Shape": "box",
-                "Lower corner": point(*[-half] * self.dimension),
-                "Upper corner": point(*[half] * self.dimension),
-                "Repetitions": point(*[self.n_cells] * self.dimension),
+                "Lower corner": point(*[c - half for c in middle]),
+                "Upper corner": point(*[c + half for c in middle]),
+                "Repetitions": point(*[self.source.choice((-1, 0, 1)) + self.n_cells]
+                                     * self.dimension),
             }
         if self.source.random() < 0.5:
-            weight = self.density * self.speed**2 / self.size * self.source.uniform(0, 3)
-            keys["Body force"] = vector(*[weight * c for c in self.direction()])
-        return {f"Bodies/body/{key}": value for key, value in keys.items()}
+            gravity = self.speed**2 / self.size * self.source.uniform(0, 3)
+            keys["Body force"] = vector(*[gravity * c for c in self.direction()])
+        return {f"Bodies/{name}/{key}": value for key, value in keys.items()}
+
+    def other_bodies(self):
+        """The keys of what the body may meet beside obstacles."""
+        return {}
 
     def obstacle(self):
         """The keys of something beside the body, at a distance of up to half of its size."""
@@ -122,42 +132,42 @@ class RandomMotion:
     def write(self):
         """All sections."""
         names = [f"o{n}" for n in range(self.source.choice((1, 2, 3, 4)))]
+        middle = [0.0] * self.dimension
+        bodies = self.body("body", self.size, self.round, middle, True) | self.other_bodies()
+        pairs = [f"body : {name}" for name in names]
+        pairs += [f"{a} : {b}" for k, a in enumerate(self.bodies) for b in self.bodies[k + 1 :]]
         keys = {
             "Dimension": self.dimension,
             "Time/Scheme": self.scheme["name"],
             "Time/Step size": self.step,
             "Time/End time": N_STEPS * self.step,
-            "Bodies/Names": "body",
-            **self.body(),
+            "Bodies/Names": ", ".join(self.bodies),
+            **bodies,
             "Obstacles/Names": ", ".join(names),
-            "Contact/Pairs": ", ".join(f"body : {name}" for name in names),
+            "Contact/Pairs": ", ".join(pairs),
             "Contact/Motion": "follow",
             "Output/VTU": "false",
         }
         for name in names:
             keys |= {f"Obstacles/{name}/{key}": value for key, value in self.obstacle().items()}
-            if self.friction:
-                keys[f"Contact/body : {name}/Friction coefficient"] = self.friction
+        if self.friction:
+            keys |= {f"Contact/{pair}/Friction coefficient": self.friction for pair in pairs}
         return Scene(keys, self.size)
 
     def title(self):
         """In words."""
         return (
             f"{self.number}: {self.scheme['name']}, {self.dimension}d"
-            f"{', round' if self.round else ''}, {', '.join(self.shapes)}"
+            f"{', round' if self.round else ''}, {', '.join(self.shapes + self.bodies[1:])}"
             f"{f', friction {self.friction:.2g}' if self.friction else ''},"
             f" size {self.size:.2g}, {self.processes} process(es)"
         )
 
 
+def may_follow(scheme):
+    """Of a scheme, as the table of schemes tells: what keeps nodes outside, and moves masses."""
+    return scheme["moving_contact"] and scheme["inertia"] and not scheme["penetrates"]
+
+
 if __name__ == "__main__":
-    # Of those that keep nodes outside, and move masses.
-    sys.exit(
-        random_runs.main(
-            __doc__,
-            RandomMotion,
-            lambda scheme: scheme["moving_contact"]
-            and scheme["inertia"]
-            and not scheme["penetrates"],
-        )
-    )
+    sys.exit(random_runs.main(__doc__, RandomMotion, may_follow))

@@ -75,11 +75,7 @@ namespace signorini
             " %. Strains are linear, and so is Hooke's law: the error is about as large.");
       return result;
     }
-  } // namespace
 
-
-  namespace
-  {
     /**
      * Contact of bodies that follows the motion sees no farther than a step; the straight way to
      * the other body is that of linearised contact.
@@ -105,7 +101,8 @@ namespace signorini
             }
           catch (const UserError &)
             {
-              // They do not look at each other now, and may do so later.
+              // They do not look at each other now, and may do so later; what else forbids
+              // contact that is linearised here is no matter of expectations.
             }
       return touches;
     }

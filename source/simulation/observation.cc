@@ -110,7 +110,8 @@ namespace signorini
   std::vector<std::string>
   Observation<dim>::observe(const State &state, const StepReport &report, const bool is_last)
   {
-    meshed->surface.move_obstacles(state.time, state.time); // half steps come after each other
+    // Obstacles are where the latest step that was tried has put them.
+    meshed->surface.move_obstacles(state.time, state.time);
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)

@@ -86,10 +86,21 @@ def no_penetration(run):
     depth = max(run.columns["max_penetration"]) / run.scene.size
     if not run.scheme["penetrates"] and not depth <= DEPTH:
         yield f"penetration of {depth:.2g} of the size"
-    if run.scene.settings.get("Contact/Motion") == "follow":
+    if follows(run) and not run.scheme["penetrates"]:
         true_depth = max(run.columns["geometric_penetration"]) / run.scene.size
         if not true_depth <= DEPTH:
             yield f"true penetration of {true_depth:.2g} of the size"
+
+
+def follows(run):
+    """Whether contact follows the motion: the scene says so, or nothing forbids it."""
+    motion = run.scene.settings.get("Contact/Motion", "automatic")
+    can = (
+        run.scheme.get("moving_contact")
+        and run.scheme.get("massless_nodes") != "needed"
+        and run.scene.settings.get("Time/Mass") != "redistributed"
+    )
+    return motion == "follow" or motion == "automatic" and can
 
 
 def friction_takes(run):
