@@ -10,6 +10,7 @@ the result is that of a mesh that is fine everywhere, on any number of processes
 import math
 
 import check_history
+import following_scenes as following
 import test_corners as corners
 import test_moving_obstacles as punches
 
@@ -204,6 +205,24 @@ class ChangingMeshes(check_history.SceneTest):
         self.assertLess(min(history["work_friction"]), 0)
         work, external = punches.work_of_punch(history), sum(history["work_external"])
         self.assertAlmostEqual(work, external, delta=1e-10 * energy)
+
+    def test_bodies_are_refined_where_they_are_near(self):
+        """Two discs that fly towards each other are as they were while they are far away; then the
+        cells around the spot become fine on both sides. A quarter of their surfaces would be twice
+        as many cells."""
+        discs = [
+            following.disc("upper", "0, 1.15", "set Initial velocity = 0; -1"),
+            following.disc("lower", "0, -1.15", "set Initial velocity = 0; 1"),
+        ]
+        scene = following.scene(discs, ["upper : lower"], 0.3) + ADAPTIVITY.format(
+            indicator="distance", level=6
+        ).replace("800", "4000")
+        history = check_history.Run(scene, "near", ["Adaptivity/Distance=0.1"]).history
+        cells = history["cells"]
+        self.assertEqual(cells[5], cells[0])
+        self.assertGreater(max(history["contact_force"]), 0)
+        self.assertGreater(max(cells), 1.2 * cells[0])
+        self.assertLess(max(cells), 1.6 * cells[0])
 
     def test_depth_that_a_finer_mesh_shows_is_admitted(self):
         """Cells are refined below a disc that lies: new nodes on its round surface are inside of

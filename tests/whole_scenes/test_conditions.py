@@ -145,6 +145,18 @@ class Conditions(check_history.SceneTest):
         for part in ("Bodies/block/Dirichlet", "'slope'", "in x", "changes in time"):
             self.assertIn(part, message)
 
+    def test_it_is_refused_at_any_obstacle_that_a_node_may_meet(self):
+        """A block that is drawn along a floor, which is parallel, onto a ramp."""
+        overrides = [
+            "Bodies/block/Dirichlet=2: 0.1*t; -",
+            "Obstacles/Names=slope, ramp",
+            "Obstacles/slope/Normal=0, 1",
+            "Obstacles/ramp/Point=3, 0",
+            "Obstacles/ramp/Normal=-1, 1",
+            "Contact/Pairs=block[2] : slope, block[2] : ramp",
+        ]
+        self.assertIn("'ramp' is oblique", self.refusal("ramp", BLOCK, overrides))
+
 
 if __name__ == "__main__":
     check_history.main()
