@@ -25,6 +25,10 @@ namespace signorini
     constexpr double held_normal = 0.3, free_normal = 0.95;
     // Of the sum of normals: below it they are no direction.
     constexpr double smallest_normal = 1e-3;
+    // Of a force between bodies in the force of its node. Less is left where a node that is hardly
+    // covered extrapolates over a neighbour without multiplier; below zero bodies would have to
+    // come closer to widen the gap.
+    constexpr double smallest_transmission = 0.1;
     // What is added to the bluntness of both sides: two flat surfaces have the mean of both
     // normals.
     constexpr double equally_flat = 0.01;
@@ -88,8 +92,10 @@ namespace signorini
     , rules(rules)
   {
     const auto faces   = integrate(surfaces);
-    const auto carries = choose_multipliers(faces, dirichlet);
-    assemble_rows(faces, carries);
+    auto       carries = choose_multipliers(faces, dirichlet);
+    do
+      assemble_rows(faces, carries);
+    while (drop_what_transmits_little(carries));
   }
 
 
@@ -304,6 +310,8 @@ namespace signorini
 
     for (ContactNode<dim> &contact_node : contact_nodes)
       {
+        contact_node.gap = 0.;
+        contact_node.partners.clear();
         const auto node =
           discretization.matrices().pattern.partitioner->local_to_global(dim * contact_node.node)
           / dim;
@@ -317,6 +325,25 @@ namespace signorini
                               * distance.local_element(dim * contact_node.node + c)
                               / contact_node.weight;
       }
+  }
+
+
+  template <int dim>
+  bool MortarCoupling<dim>::drop_what_transmits_little(Vector &carries)
+  {
+    const auto little = [](const ContactNode<dim> &node) {
+      return node.transmission < smallest_transmission;
+    };
+    for (const ContactNode<dim> &node : contact_nodes)
+      if (little(node))
+        carries.local_element(dim * node.node) = 0.;
+    contact_nodes.erase(std::remove_if(contact_nodes.begin(), contact_nodes.end(), little),
+                        contact_nodes.end());
+    const unsigned int before = n_global;
+    n_global                  = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()),
+                                   discretization.communicator());
+    carries.update_ghost_values();
+    return n_global < before;
   }
 
 

@@ -5,7 +5,8 @@
 // node is along its normal, and the gap is its length, so that forces have no moment; a rigid
 // motion of all turns normals and changes nothing else; the gap of blocks that are moved as a whole
 // is the distance of their faces; an edge on a face takes the normal of the face, whichever is
-// slave; and nothing faces anything where bodies are far apart.
+// slave; nothing faces anything where bodies are far apart; and whatever nodes are left without
+// multiplier, the others mean by a positive gap that bodies are apart.
 
 #include "two_bodies.h"
 
@@ -246,4 +247,25 @@ TEST(FacingPair, WhatIsFarFacesNothing)
     return body == 0 ? Tensor<1, 2>({0., 0.6}) : Tensor<1, 2>();
   };
   EXPECT_EQ(number(two.pair.at(two.displacement(apart), 0.1)), 0u);
+}
+
+
+TEST(FacingPair, NoNodeWidensItsGapWhereBodiesComeCloser)
+{
+  // A strip of the only slave face is covered, and the two nodes at one of its ends must not carry
+  // multipliers. That of the nearer one of the other two would transmit -51 times its own force: it
+  // is left out, and the last node has the mean of the strip.
+  const Facing2<3>  two(stacked<3>(block<3>("upper", {0., 0., 0.1}, {1., 1., 1.1}, {{1, 1, 1}}),
+                                  block<3>("lower", {0.2, -1., -1.}, {0.3, 0.7, 0.}, {{1, 2, 2}})));
+  std::vector<bool> excluded;
+  for (const Point<3> &position : two.assembled.discretization.node_positions())
+    excluded.push_back(std::abs(position[1]) < 1e-6);
+  excluded.resize(two.assembled.discretization.matrices().pattern.n_owned);
+  const auto nodes = two.pair.at(two.assembled.discretization.make_vector(), 0.2, &excluded);
+  EXPECT_EQ(number(nodes), 1u);
+  for (const ContactNode<3> &node : nodes)
+    {
+      EXPECT_NEAR(node.transmission, 0.1 * 0.7 / (0.025 * 0.245), 1e-11);
+      EXPECT_NEAR(node.gap * node.distance_per_gap(), 0.1, 1e-13);
+    }
 }

@@ -142,6 +142,8 @@ namespace signorini
                               const DirichletConditions<dim>      &dirichlet);
     /** Dual basis face by face: partners, gaps. */
     void assemble_rows(const std::vector<CoveredFace<dim>> &faces, const Vector &carries);
+    /** Take the multipliers of nodes whose rows turn out not to be usable. @return whether any */
+    bool drop_what_transmits_little(Vector &carries);
     /** Sum the rows of all processes at the owners of the nodes. */
     Rows send_to_owners(const Rows &rows) const;
   };
