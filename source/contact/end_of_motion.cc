@@ -80,7 +80,7 @@ namespace signorini
         // A clipped bound cannot meet the true gap; what it misses comes to an end, too.
         const double missed = opposite->missed(),
                      wrong  = opposite->is_clipped ? missed - opposite->missed_before : missed;
-        return std::abs(wrong) / (bodies_by_obstacles * accepted);
+        return std::abs(wrong) / (bodies_by_obstacles * wanted);
       }
     const MovedObstacle<dim> &faced = obstacle(facing);
     if (facing.gap == unlimited || faced.is_flat() || (!is_held && !is_in_reach(facing, d)))
@@ -92,7 +92,7 @@ namespace signorini
     const double gap    = way->gap - (was_inside(facing) ? facing.gap : 0.);
     double       result = 0.;
     if ((is_held && facing.condition.is_exact) || gap < 0.)
-      result = std::abs(gap - facing.condition.gap_after(d)) / accepted;
+      result = std::abs(gap - facing.condition.gap_after(d)) / wanted;
     if (is_held && normals_of_step == StepNormals::at_end)
       result = std::max(result, (way->normal - facing.condition.normal).norm() / normals_agree);
     return result;

@@ -19,6 +19,11 @@ namespace signorini
   {
     /** Of the size of the bodies. Beyond it contact would do work: a gap is one in the energy. */
     constexpr double relative_tolerance = 1e-12;
+    /**
+     * A gap that is wrong by this part of what contact strains makes forces wrong by about as much;
+     * of the size of the bodies at least, where round-off begins.
+     */
+    constexpr double part_of_strain = 1e-12, finest_tolerance = 1e-14;
     /** Times in a step that an obstacle may take the place of another one that bounds a node. */
     constexpr unsigned int most_changes = 6;
     /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
@@ -99,6 +104,24 @@ namespace signorini
 
 
   template <int dim>
+  void FollowedContact<dim>::expect_forces(const Vector &contact_force)
+  {
+    double softest = infinity;
+    for (const auto &body : discretization.mesh().bodies())
+      softest = std::min(softest, body.material.youngs_modulus);
+    std::vector<double> force_and_area(2, 0.);
+    for (const Site &site : sites)
+      if (const double force = motion(site, contact_force).norm(); force > 0.)
+        {
+          force_and_area[0] += force;
+          force_and_area[1] += surface.nodes()[site.first].weight;
+        }
+    Utilities::MPI::sum(force_and_area, discretization.communicator(), force_and_area);
+    strain = force_and_area[1] > 0. ? force_and_area[0] / force_and_area[1] / softest : 0.;
+  }
+
+
+  template <int dim>
   void FollowedContact<dim>::begin_step(const Vector     &displacement,
                                         const Vector     &expected,
                                         const double      start,
@@ -125,10 +148,15 @@ namespace signorini
       face_sides(site, motion(site, expected));
       look_around(site);
     });
-    largest_coordinate = Utilities::MPI::max(largest_coordinate, discretization.communicator());
-    accepted           = relative_tolerance * discretization.mesh().body_size()
-               + 16. * std::numeric_limits<double>::epsilon() * largest_coordinate;
-    n_followed = 0;
+    largest_coordinate     = Utilities::MPI::max(largest_coordinate, discretization.communicator());
+    const double size      = discretization.mesh().body_size(),
+                 round_off = 16. * std::numeric_limits<double>::epsilon() * largest_coordinate;
+    accepted               = relative_tolerance * size + round_off;
+    wanted                 = strain > 0.
+                               ? std::clamp(part_of_strain * strain, finest_tolerance, relative_tolerance) * size
+                   + round_off
+                               : accepted;
+    n_followed             = 0;
     follow(expected);
   }
 
@@ -256,6 +284,8 @@ namespace signorini
         pairs.follow(of_geometry);
       }
     latest = increment;
+    if (n_followed > most_full_steps)
+      wanted = accepted;
     for_each_site(sites, discretization.communicator(), [&](Site &site) {
       const Tensor<1, dim> d = motion(site, increment);
       update_opposite(site);

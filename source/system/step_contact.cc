@@ -94,6 +94,7 @@ namespace signorini
                                     const double      step_size,
                                     const StepNormals normals)
   {
+    geometry->expect_forces(start.contact_force);
     geometry->begin_step(start.displacement,
                          expected_increment(start, step_size),
                          start.time,

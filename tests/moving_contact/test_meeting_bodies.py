@@ -251,6 +251,30 @@ class MeetingBodies(check_history.SceneTest):
         self.expect_contact(one)
         self.expect_same_history(two, one, 1e-8)
 
+    def test_processes_under_light_contact(self):
+        """A block slides off a table onto another block. Its weight strains it by 1e-4: a gap that
+        is wrong by 1e-12 of the size changes forces by 1e-7. One and two processes agree to
+        1e-8 nevertheless."""
+        weight = "set Body force = 0; -0.1"
+        bodies = [
+            box("a", "-2.1, 0", "-0.1, 1", "8, 4", "set Initial velocity = 1; 0", weight),
+            box("b", "0.1, -1", "3, 0", "12, 4", "set Dirichlet = 2: 0; 0", weight),
+        ]
+        table = ["set Shape = box", "set Lower corner = -9, -1", "set Upper corner = 0, 0"]
+        text = scene(
+            bodies,
+            ["a : table", "a : b"],
+            0.5,
+            "contact-stabilized-projected",
+            laws=friction("a : table", 0.1) + friction("a : b", 0.2),
+            obstacles=obstacles({"table": table}),
+        )
+        one = check_history.Run(text, "light-one")
+        two = check_history.Run(text, "light-two", processes=2)
+        self.expect_laws(one, momentum=False)
+        self.assertGreater(max(one.table("pairs")["pair_1_normal_force"]), 0)
+        self.expect_same_history(two, one, 1e-8)
+
     def test_a_ring_is_squashed_until_it_touches_itself(self):
         """Between two plates, one of which comes down by 1.78 of the height of 2: the walls of the
         ring, 0.1 thick each, have 0.02 between them then if they do not bend, and touch. What the

@@ -36,6 +36,12 @@ namespace signorini
                     ContactSurface<dim>            &surface);
 
     /**
+     * Forces such as these act in the steps to come: what strains bodies little wants gaps that are
+     * the more exact. Where none act, nothing is known of them. Collective.
+     */
+    void expect_forces(const Vector &contact_force);
+
+    /**
      * Look what every node faces at the start of a step.
      * @param expected   increment of the step
      * @param start, end times of the step
@@ -53,8 +59,9 @@ namespace signorini
 
     /**
      * By how much the gaps at the end of a motion differ from what their conditions say, at the
-     * nodes that matter, and at those that penetrate: the largest, in units of what is accepted,
-     * 1e-12 of the size of the bodies and the round-off of coordinates. Collective.
+     * nodes that matter, and at those that penetrate: the largest, in units of what is wanted,
+     * 1e-12 of the size of the bodies and the round-off of coordinates; less under light contact,
+     * see expect_forces(). Collective.
      * @param matters per contact node
      */
     double mismatch(const Vector &increment, const std::vector<bool> &matters);
@@ -101,9 +108,10 @@ namespace signorini
     const ObstacleContact<dim>     &at_obstacles;
     FollowedPairs<dim>             &pairs;
     std::vector<Site>               sites;
-    bool                            some_move       = false;
-    double                          accepted        = 0.; ///< length
-    unsigned int                    n_followed      = 0;  ///< motions of this step
+    bool                            some_move = false;
+    double                          strain    = 0.;             ///< of contact, mean
+    double                          accepted = 0., wanted = 0.; ///< lengths
+    unsigned int                    n_followed      = 0;        ///< motions of this step
     StepNormals                     normals_of_step = StepNormals::of_motion;
     Vector                          latest; ///< motion of this step
 
