@@ -32,10 +32,12 @@ namespace signorini
                                       const DirichletConditions<dim>        &dirichlet,
                                       const std::vector<NamedObstacle<dim>> &obstacles,
                                       const std::vector<PairDescription>    &pairs,
-                                      const ContactMotion                    motion)
+                                      const ContactMotion                    motion,
+                                      const std::string                     &how_to_follow)
     : discretization(discretization)
     , descriptions(pairs)
     , motion(motion)
+    , how_to_follow(how_to_follow)
     , obstacle_contact(discretization, dirichlet, obstacles, pairs, motion)
     , contact_nodes(obstacle_contact.nodes())
     , n_left_to_dirichlet(obstacle_contact.n_left_to_dirichlet_conditions())
@@ -80,8 +82,9 @@ namespace signorini
                       + "no face of the slave looks at a face of the master along its normal. Who "
                         "meets whom is decided once, in the initial configuration: check the "
                         "boundary ids and the positions of the bodies, and let bodies that fly "
-                        "towards each other start when they are near. Or set `Contact/Motion = "
-                        "follow`.");
+                        "towards each other start when they are near. Or let contact follow the "
+                        "motion: "
+                      + how_to_follow + ".");
     if (mortar.n_nodes() == 0 && mortar.n_left_to_dirichlet_conditions() == 0)
       throw UserError(
         head
@@ -162,7 +165,8 @@ namespace signorini
         << "nodes of their edge. Make the other body the slave if its surface ends elsewhere. "
         << "Two blocks that stand side by side need surfaces without common nodes: in a mesh "
         << "file (`Shape = file`), give the faces next to the edge a boundary id that no pair "
-        << "names. With `Contact/Motion = follow` nodes may have several partners.";
+        << "names. Where contact follows the motion nodes may have several partners: "
+        << how_to_follow << ".";
       complaints.emplace_back(0., message.str());
     };
     for (std::size_t k = 1; k < contact_nodes.size() && complaints.empty(); ++k)

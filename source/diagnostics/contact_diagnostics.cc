@@ -3,11 +3,13 @@
 
 #include <signorini/contact/own_forces.h>
 #include <signorini/diagnostics/contact_diagnostics.h>
+#include <signorini/diagnostics/counted_nodes.h>
 #include <signorini/diagnostics/friction_reading.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini
 {
@@ -20,6 +22,7 @@ namespace signorini
     const std::vector<double> gap          = surface.distance(state.displacement);
     const Vector              own          = own_forces(surface, state.contact_force);
     const FrictionState       of_nodes     = own_friction(surface, state.friction);
+    const double              round_off = force_of_round_off(surface, discretization, state, own);
     ContactSummary            summary;
     for (unsigned int k = 0; k < gap.size(); ++k)
       {
@@ -31,9 +34,10 @@ namespace signorini
         summary.friction_force += node.transmission * friction.force.norm();
         for (unsigned int c = 0; c < dim; ++c)
           summary.resultant[c] += node.transmission * all[c];
-        summary.n_active += bears_force(force);
-        summary.n_stick += (bears_force(force) && friction.status == contact_status::stick);
-        summary.n_slip += (bears_force(force) && friction.status == contact_status::slip);
+        const bool is_active = std::abs(force) > round_off;
+        summary.n_active += is_active;
+        summary.n_stick += (is_active && friction.status == contact_status::stick);
+        summary.n_slip += (is_active && friction.status == contact_status::slip);
         summary.max_slip        = std::max(summary.max_slip, friction.slip_path);
         summary.max_tension     = std::max(summary.max_tension, force);
         summary.max_penetration = std::max(summary.max_penetration, -gap[k]);

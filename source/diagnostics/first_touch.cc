@@ -80,9 +80,12 @@ namespace signorini
                    patch * std::pow(nodes[first].weight, 1. / (dim - 1)),
                    nodes[first].position,
                    nodes[first].frame};
-        place       = Utilities::MPI::broadcast(communicator, place, times.min_index);
-        touch.time  = times.min;
-        touch.speed = place.speed;
+        place          = Utilities::MPI::broadcast(communicator, place, times.min_index);
+        touch.time     = times.min;
+        touch.speed    = place.speed;
+        touch.distance = place.distance;
+        for (unsigned int c = 0; c < dim; ++c)
+          touch.position[c] = place.position[c];
         std::copy_n(place.frame.begin(), dim, touch.normal.begin());
         fit(pair, place, touch);
         return touch;

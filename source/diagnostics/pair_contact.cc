@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/contact/own_forces.h>
+#include <signorini/diagnostics/counted_nodes.h>
 #include <signorini/diagnostics/friction_reading.h>
 #include <signorini/diagnostics/pair_contact.h>
 
@@ -118,7 +119,8 @@ namespace signorini
     const std::vector<double> gaps   = surface.distance(state.displacement);
     const auto                places = surface.follows() ? levers_at(&state.displacement) : levers;
     const Vector              own    = own_forces(surface, state.contact_force);
-    const FrictionState       of_nodes = own_friction(surface, state.friction);
+    const FrictionState       of_nodes  = own_friction(surface, state.friction);
+    const double              round_off = force_of_round_off(surface, discretization, state, own);
     for (unsigned int k = 0; k < surface.nodes().size(); ++k)
       {
         const ContactNode<dim>    &node         = surface.nodes()[k];
@@ -134,7 +136,7 @@ namespace signorini
           }
         pair.normal_force += node.transmission * std::abs(normal_force);
         pair.friction_force += node.transmission * friction.force.norm();
-        pair.n_active += bears_force(normal_force);
+        pair.n_active += std::abs(normal_force) > round_off;
         if (!surface.faces_nothing(k))
           pair.smallest_gap = std::min(pair.smallest_gap, gaps[k]);
       }

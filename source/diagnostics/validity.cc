@@ -43,8 +43,7 @@ namespace signorini
        0.01,
        " % of its size deep in an obstacle, by the true geometry",
        "Contact is linearised about the initial configuration, with one obstacle per node: do not "
-       "trust motion along a curved obstacle, in a corner or past an edge; set `Contact/Motion = "
-       "follow`.",
+       "trust motion along a curved obstacle, in a corner or past an edge.",
        "A node has come in past the end of a plane, or more obstacles meet it than can hold it, as "
        "where a component is prescribed: do not trust the forces there. Give what ends as a box, "
        "prescribe less, or move the obstacles apart."},
@@ -98,11 +97,13 @@ namespace signorini
   Validity::Validity(const std::vector<std::string> &bodies,
                      const std::vector<std::string> &pairs,
                      const bool                      contact_follows,
-                     const std::string              &scheme_that_turns)
+                     const std::string              &scheme_that_turns,
+                     const std::string              &how_to_follow)
     : bodies(bodies)
     , pairs(pairs)
     , contact_follows(contact_follows)
     , scheme_that_turns(scheme_that_turns)
+    , how_to_follow(how_to_follow)
   {
   }
 
@@ -111,8 +112,13 @@ namespace signorini
   {
     if (limit.values == &ValidityReading::turning)
       return limit.consequence + " Take `Time/Scheme = " + scheme_that_turns + "`.";
-    return contact_follows && !limit.consequence_if_followed.empty() ? limit.consequence_if_followed
-                                                                     : limit.consequence;
+    if (contact_follows && !limit.consequence_if_followed.empty())
+      return limit.consequence_if_followed;
+    const bool of_linearised_contact =
+      limit.values == &ValidityReading::depth || limit.values == &ValidityReading::sliding;
+    return limit.consequence
+           + (of_linearised_contact ? " Let contact follow the motion: " + how_to_follow + "."
+                                    : "");
   }
 
 
@@ -140,9 +146,13 @@ namespace signorini
               doubts.insert({{l, subject}, {reading.time, values[subject]}});
             doubt->second.largest = std::max(doubt->second.largest, values[subject]);
             if (is_new)
-              news.push_back("at time " + number(reading.time) + " "
-                             + sentence(limit, subject, values[subject]) + ". "
-                             + consequence(limit));
+              {
+                std::string text = "at time " + number(reading.time) + " "
+                                   + sentence(limit, subject, values[subject]) + ".";
+                if (explained.insert(l).second) // the advice once, not for each body
+                  text += " " + consequence(limit);
+                news.push_back(text);
+              }
           }
       }
     return news;
@@ -151,14 +161,16 @@ namespace signorini
 
   std::vector<std::string> Validity::summary() const
   {
-    std::vector<std::string> result;
+    std::map<std::size_t, std::string> of_limits; // the advice once, not for each body
     for (const auto &[what, doubt] : doubts)
       {
-        const Limit &limit = limits()[what.first];
-        result.push_back("since time " + number(doubt.since) + " "
-                         + sentence(limit, what.second, doubt.largest) + " (the most of the run). "
-                         + consequence(limit));
+        std::string &text = of_limits[what.first];
+        text += (text.empty() ? "since time " : ", since time ") + number(doubt.since) + " "
+                + sentence(limits()[what.first], what.second, doubt.largest);
       }
+    std::vector<std::string> result;
+    for (const auto &[limit, text] : of_limits)
+      result.push_back(text + " (the most of the run). " + consequence(limits()[limit]));
     return result;
   }
 } // namespace signorini

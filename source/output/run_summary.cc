@@ -19,6 +19,23 @@ namespace signorini
       return std::abs(value) < 1e-9 ? 0. : value;
     }
 
+    /** Parts of the energy: StepReport::work_geometry that is worth a line, and a warning. */
+    constexpr double hardly_missed = 1e-4, much_missed = 1e-2;
+
+    /** @param part of the energy */
+    std::string about_missed_gaps(const double part)
+    {
+      std::ostringstream text;
+      text
+        << std::setprecision(3)
+        << "contact of bodies misses their true gaps: forces times what is missed are up to "
+        << 100. * part
+        << " % of the energy in a step. Forces act between nodes that are apart, or bodies "
+           "overlap. Finer contact surfaces help (`Refinements`, `Local refinements`, or section "
+           "Adaptivity), smaller steps do not.";
+      return text.str();
+    }
+
     double energy_of_motion(const HistoryRow &row)
     {
       return row.energy.kinetic + row.energy.elastic;
@@ -28,8 +45,9 @@ namespace signorini
 
   void RunSummary::start(const HistoryRow &row)
   {
-    initial_energy = row.energy.total();
-    largest_energy = energy_of_motion(row);
+    initial_energy    = row.energy.total();
+    initial_potential = row.energy.external;
+    largest_energy    = energy_of_motion(row);
     fewest_cells = most_cells = row.cells;
   }
 
@@ -41,6 +59,10 @@ namespace signorini
     largest_change   = std::max(largest_change, change);
     largest_energy   = std::max(largest_energy, energy_of_motion(row));
     largest_residual = std::max(largest_residual, std::abs(row.booking.residual));
+    booked_from_outside += row.booking.external;
+    largest_brought = std::max(
+      largest_brought, std::abs(booked_from_outside - (row.energy.external - initial_potential)));
+    largest_missed_gap = std::max(largest_missed_gap, std::abs(row.booking.geometry));
     work_friction += row.booking.friction;
     largest_gain =
       std::max(largest_gain, row.booking.contact + row.booking.predictor + row.booking.friction);
@@ -89,10 +111,7 @@ namespace signorini
 
   double RunSummary::scale() const
   {
-    // Bodies that start at rest bring hardly any energy of their own; then the largest energy of
-    // the motion is the measure.
-    const double initial = std::abs(initial_energy);
-    return initial > 1e-3 * largest_energy ? initial : largest_energy;
+    return std::max(largest_energy, largest_brought);
   }
 
 
@@ -138,6 +157,8 @@ namespace signorini
           100. * largest_gain / largest_energy,
           " % of the energy in one step, which this scheme never does where a body keeps to its "
           "obstacle: it passed an edge or a corner, or began inside. Do not trust what follows.");
+    if (relative(largest_missed_gap) > much_missed)
+      result.push_back(about_missed_gaps(relative(largest_missed_gap)));
     if (!subject.has_inertia)
       return result;
     if (relative(-work_scheme) > 0.1)
@@ -191,6 +212,10 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n";
     else
       text << "  contact           none\n";
+    if (relative(largest_missed_gap) > hardly_missed)
+      text << "  missed gaps       forces of contact between bodies times what is missed of their "
+              "gaps: "
+           << 100. * relative(largest_missed_gap) << " % of the energy in a step at most\n";
     if (n_rejected > 0)
       text << "  rejected          " << n_rejected
            << " attempts at steps, which were repeated in parts, with another size or on another "

@@ -46,6 +46,38 @@ namespace signorini
     }
 
 
+    /**
+     * The schemes that follow the motion and that the scene could take instead of its own.
+     */
+    template <int dim>
+    std::string schemes_that_follow(const Scene<dim> &scene)
+    {
+      const SchemeInfo &scheme        = scheme_info(scene.time.scheme);
+      const bool        with_friction = has_friction(scene.pairs);
+      const bool        massless      = scene.time.mass.has_massless_contact_nodes();
+      return join(schemes_where([&](const SchemeInfo &info) {
+                    return info.moving_contact && info.inertia == scheme.inertia
+                           && (info.friction || !with_friction)
+                           && info.massless
+                                != (massless ? MasslessNodesAre::refused
+                                             : MasslessNodesAre::needed);
+                  }),
+                  ", ");
+    }
+
+
+    /** See Scene::how_to_follow. @param cannot why the scheme does not follow; empty if it does */
+    template <int dim>
+    std::string how_to_follow(const Scene<dim> &scene, const std::string &cannot)
+    {
+      if (cannot.empty())
+        return "set `Contact/Motion = follow`";
+      return "take one of the schemes " + schemes_that_follow(scene)
+             + " (`Time/Scheme`) with `Contact/Motion = follow`, as " + scene.time.scheme
+             + " cannot";
+    }
+
+
     /** What contact follows only where the scene says so; empty if there is nothing of the kind. */
     template <int dim>
     std::string why_only_if_asked(const Scene<dim> &scene)
@@ -67,7 +99,9 @@ namespace signorini
     template <int dim>
     void check_linearised(const SectionReader &in, const Scene<dim> &scene, const std::string &why)
     {
-      const std::string remedy = why.empty() ? "Set `Motion = follow`" : "Take another scheme";
+      const std::string remedy = why.empty()
+                                   ? "Set `Motion = follow`"
+                                   : "Take one of the schemes " + schemes_that_follow(scene);
       for (const NamedObstacle<dim> &obstacle : scene.obstacles)
         if (obstacle.motion)
           in.fail("Motion",
@@ -113,12 +147,11 @@ namespace signorini
     const MotionChoice choice        = in.choice<MotionChoice>("Motion");
     const std::string  cannot        = why_not_follow(scene);
     const std::string  only_if_asked = why_only_if_asked(scene);
+    scene.how_to_follow              = how_to_follow(scene, cannot);
     if (choice == MotionChoice::follow && !cannot.empty())
-      in.fail(
-        "Motion",
-        "follow does not go with " + cannot + ". Take one of the schemes "
-          + join(schemes_where([](const SchemeInfo &info) { return info.moving_contact; }), ", ")
-          + or_linearised);
+      in.fail("Motion",
+              "follow does not go with " + cannot + ". Take one of the schemes "
+                + schemes_that_follow(scene) + or_linearised);
     if (choice == MotionChoice::follow
         || (choice == MotionChoice::automatic && cannot.empty() && only_if_asked.empty()))
       {

@@ -7,6 +7,8 @@
 #include <signorini/diagnostics/resolution.h>
 #include <signorini/simulation/expectations.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -106,6 +108,63 @@ namespace signorini
             }
       return touches;
     }
+
+
+    /** Whether the way of the first node of a touch leads through a box. */
+    template <int dim>
+    bool leads_through(const FirstTouch &touch, const dealii::BoundingBox<dim> &box)
+    {
+      // Corners of a box around a round body are empty.
+      constexpr double filled = 0.8;
+      double           begin = 0., end = touch.distance;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          const double from = touch.position[c] - box.center()[c],
+                       half = 0.5 * filled * box.side_length(c), way = touch.normal[c];
+          if (std::abs(way) < 1e-12)
+            {
+              if (std::abs(from) >= half)
+                return false;
+              continue;
+            }
+          begin = std::max(begin, (-from - std::copysign(half, way)) / way);
+          end   = std::min(end, (-from + std::copysign(half, way)) / way);
+        }
+      return begin < end;
+    }
+
+
+    /** The sides of a pair, bodies first: an obstacle counts behind the bodies. */
+    std::array<std::size_t, 2> sides(const PairDescription &pair, const std::size_t n_bodies)
+    {
+      return {{pair.slave, pair.of_two_bodies() ? pair.master : n_bodies + pair.obstacle}};
+    }
+
+
+    /** Whether a third body is between the sides of a pair, and meets one of them before. */
+    template <int dim>
+    bool third_body_is_hit_before(const std::vector<FirstTouch> &touches,
+                                  const std::size_t              p,
+                                  const MeshedScene<dim>        &meshed)
+    {
+      const auto &pairs  = meshed.surface.pairs();
+      const auto &mesh   = meshed.discretization.mesh();
+      const auto  of_p   = sides(pairs[p], mesh.bodies().size());
+      const auto  is_one = [&](const std::size_t side) {
+        return side == of_p[0] || side == of_p[1];
+      };
+      for (std::size_t q = 0; q < touches.size(); ++q)
+        if (touches[q].time < touches[p].time)
+          for (unsigned int one = 0; one < 2; ++one)
+            {
+              const auto of_q  = sides(pairs[q], mesh.bodies().size());
+              const auto third = of_q[1 - one];
+              if (is_one(of_q[one]) && !is_one(third) && third < mesh.bodies().size()
+                  && leads_through<dim>(touches[p], mesh.bounding_box(third)))
+                return true;
+            }
+      return false;
+    }
   } // namespace
 
 
@@ -124,6 +183,8 @@ namespace signorini
         const FirstTouch &touch = touches[p];
         if (!touch.is_smooth || state.time + touch.time >= scene.time.end_time)
           continue;
+        if (third_body_is_hit_before(touches, p, meshed))
+          continue; // which changes the motion that would have led there
         const PairDescription &pair = meshed.surface.pairs()[p];
         const auto             side = [&](const unsigned int body) {
           return collider(bodies[body], masses[body], touch.normal);

@@ -42,8 +42,12 @@ namespace signorini
     , surface(timed(timer,
                     "mesh: contact surface",
                     [&] {
-                      return ContactSurface<dim>(
-                        discretization, dirichlet, scene.obstacles, scene.pairs, scene.motion);
+                      return ContactSurface<dim>(discretization,
+                                                 dirichlet,
+                                                 scene.obstacles,
+                                                 scene.pairs,
+                                                 scene.motion,
+                                                 scene.how_to_follow);
                     }))
     , mass_note(give_mass(discretization, surface, scene.time.mass))
     , coordinates(discretization, surface, dirichlet)

@@ -47,7 +47,8 @@ namespace signorini
     , validity(names_of(scene.bodies),
                names_of(scene.pairs),
                scene.motion == ContactMotion::follow,
-               schemes_where([](const SchemeInfo &info) { return info.projects_velocity; }).front())
+               schemes_where([](const SchemeInfo &info) { return info.projects_velocity; }).front(),
+               scene.how_to_follow)
     , missing_pairs(scene.bodies.size(), scene.obstacles, scene.pairs)
     , velocity_zigzags(probes.size())
     , clock(meshed.discretization.communicator(), false)

@@ -165,6 +165,8 @@ namespace signorini
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
           news = observation.observe(state, report, stepping.finished(state));
+          for (const std::string &sentence : stepping.news())
+            news.push_back(sentence);
           for (const std::string &warning : news)
             log.warning(warning);
           meshed->system.set_energy(observation.energy_of_motion());

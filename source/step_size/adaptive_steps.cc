@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace signorini
 {
@@ -21,6 +22,14 @@ namespace signorini
     constexpr double part_of_approach = 9. / 16.;
     /** Steps end this part of their size, or of the first size, before or after a touch. */
     constexpr double clear_of_touch = 1. / 8.;
+
+    /**
+     * Trials in sequence that are accepted at the smallest size in spite of their errors. A shock
+     * has some: nodes close and open. More of them are a tolerance that cannot be met.
+     */
+    constexpr unsigned int many_inaccurate = 20;
+    /** Tolerance with which impacts are followed: doc/step_size.md. */
+    constexpr double enough_for_impacts = 0.1;
 
     int level_below(const double size, const double first)
     {
@@ -83,6 +92,21 @@ namespace signorini
   }
 
 
+  void AdaptiveSteps::count(const StepTrial &trial, const State &state)
+  {
+    ++now.n_trials;
+    if (trial.error <= parameters.tolerance)
+      {
+        now.n_inaccurate_now = 0;
+        return;
+      }
+    ++now.n_inaccurate;
+    if (now.n_inaccurate_now++ == 0 && !has_said_inaccurate)
+      inaccurate_since = state.time;
+    says_inaccurate |= now.n_inaccurate_now == many_inaccurate && !has_said_inaccurate;
+  }
+
+
   void AdaptiveSteps::try_longer(const StepTrial &trial, const double factor)
   {
     if (now.rest > 0 || !trial.is_known)
@@ -123,6 +147,7 @@ namespace signorini
             : 2.; // of the size
         if (trial->error <= parameters.tolerance || now.level <= lowest)
           {
+            count(*trial, state);
             try_longer(*trial, factor);
             trial->steps.front().report.rejected_steps = rejected;
             return std::move(*trial);
@@ -221,12 +246,34 @@ namespace signorini
   }
 
 
+  std::vector<std::string> AdaptiveSteps::news()
+  {
+    if (!std::exchange(says_inaccurate, false))
+      return {};
+    has_said_inaccurate = true;
+    std::ostringstream text;
+    text.precision(3);
+    text << "since time " << inaccurate_since << " steps stay at the smallest size, "
+         << std::ldexp(parameters.first, lowest)
+         << ", with errors above `Time/Step tolerance = " << parameters.tolerance
+         << "`, and cost what fixed steps of that size do. "
+         << (parameters.tolerance < enough_for_impacts
+               ? "Impacts and friction seldom allow less than 0.1: give a larger tolerance"
+               : "Give a larger tolerance or fixed steps")
+         << ", or a smaller `Time/Minimum step size` if such errors are too large.";
+    return {text.str()};
+  }
+
+
   std::string AdaptiveSteps::summary() const
   {
     std::ostringstream text;
     text << "  steps             " << now.n_accepted << " accepted, sizes from "
          << now.smallest_size << " to " << now.largest_size << "; " << n_rejected
          << " attempts rejected; " << n_solved << " steps computed for that\n";
+    if (now.n_inaccurate > 0)
+      text << "                    of " << now.n_trials << " sizes that were tried and accepted "
+           << now.n_inaccurate << " are the smallest one, with errors above the tolerance\n";
     return text.str();
   }
 } // namespace signorini

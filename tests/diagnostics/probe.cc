@@ -29,9 +29,10 @@ namespace
   State pressed_state(const ContactProblem<2> &problem)
   {
     State state;
-    state.displacement  = field<2>(problem.discretization, {{"0", "-0.2 - 0.04*x"}});
-    state.velocity      = field<2>(problem.discretization, {{"9", "-x"}});
-    state.contact_force = problem.discretization.make_vector();
+    state.displacement = field<2>(problem.discretization, {{"0", "-0.2 - 0.04*x"}});
+    state.velocity     = field<2>(problem.discretization, {{"9", "-x"}});
+    state.momentum = state.internal_force = state.contact_force =
+      problem.discretization.make_vector();
     for (const ContactNode<2> &node : problem.surface.nodes())
       state.contact_force.local_element(2 * node.node + 1) = node.position[0] == 0.5  ? 3.
                                                              : node.position[0] == 1. ? 1.

@@ -56,6 +56,36 @@ TEST(Validity, SaysWhatBeginsOnceAndTheLargestAtTheEnd)
   expect_parts(summary[1], {"since time 0.3", "'ball : anvil'", "1.5 times"});
 }
 
+// Two bodies that turn need one sentence about what follows from it, not two.
+TEST(Validity, AdviceIsGivenOnceInTheRunAndOnceAtItsEnd)
+{
+  Validity    validity({"ball", "anvil"}, {});
+  std::string said;
+  for (const double angle : {0.06, 0.1})
+    for (const std::string &news : validity.judge({angle, {}, {angle, 0.6 * angle}, {}, {}}))
+      said += news + "\n";
+  expect_parts(said, {"at time 0.06 the body 'ball'", "at time 0.1 the body 'anvil'"});
+  const std::string advice = "end the run earlier";
+  EXPECT_LT(said.find(advice), said.find("'anvil'"));
+  EXPECT_EQ(said.find(advice), said.rfind(advice)) << said;
+  const auto summary = validity.summary();
+  ASSERT_EQ(summary.size(), 1u);
+  expect_parts(summary[0],
+               {"since time 0.06 the body 'ball' is 5.73 degrees turned",
+                "since time 0.1 the body 'anvil' is 3.44 degrees turned",
+                advice});
+  EXPECT_EQ(summary[0].find(advice), summary[0].rfind(advice)) << summary[0];
+}
+
+// What helps depends on the scheme, which this module does not know.
+TEST(Validity, RemedyOfLinearisedContactIsThatOfTheScene)
+{
+  Validity validity({"ball"}, {"ball : anvil"}, false, "", "take another");
+  for (const std::string &news : validity.judge({1., {0.02}, {0.}, {0.}, {2.}}))
+    expect_parts(news, {"Let contact follow the motion: take another."});
+  EXPECT_EQ(validity.summary().size(), 2u);
+}
+
 TEST(Validity, DepthAndStrain)
 {
   Validity validity({"ball"}, {});

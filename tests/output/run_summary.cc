@@ -3,6 +3,7 @@
 
 // The summary of a run counts every step, and warns of what makes its results doubtful: only then.
 
+#include <signorini/diagnostics/resolution.h>
 #include <signorini/output/run_summary.h>
 
 #include <gtest/gtest.h>
@@ -67,6 +68,74 @@ TEST(RunSummary, EnergyIsMeasuredByThatOfTheMotionIfItBeginsAtRest)
   HistoryRow row = pressed(state);
   summary.add(row);
   EXPECT_DOUBLE_EQ(summary.relative_energy_change(), 1.);
+}
+
+namespace
+{
+  /** Energies of a state, and what has been booked since the one before. */
+  HistoryRow energies(const State &state, const double motion, const double external = 0.)
+  {
+    HistoryRow row{state};
+    row.energy.kinetic  = motion;
+    row.energy.external = external;
+    return row;
+  }
+
+  double change_of(const std::vector<HistoryRow> &rows)
+  {
+    RunSummary summary({});
+    summary.start(rows[0]);
+    for (std::size_t k = 1; k < rows.size(); ++k)
+      summary.add(rows[k]);
+    return summary.relative_energy_change();
+  }
+} // namespace
+
+// Changes are parts of what there was to lose: of the energy of the motion, or of the work that
+// came from outside.
+TEST(RunSummary, EnergyIsMeasuredByTheLargestThereWas)
+{
+  const State state;
+  EXPECT_DOUBLE_EQ(change_of({energies(state, 2.), energies(state, 1.)}), -0.5) << "free";
+  EXPECT_DOUBLE_EQ(change_of({energies(state, 1.), energies(state, 3., -3.)}), -1. / 3.)
+    << "thrown, falls by 3";
+  EXPECT_DOUBLE_EQ(change_of({energies(state, 1., -7.), energies(state, 1., -10.)}), -1.)
+    << "slides down a slope without getting faster, and the reference of heights is no matter";
+  EXPECT_NEAR(change_of({energies(state, 1., -2.), energies(state, 0.9, -2.)}), -0.1, 1e-14)
+    << "released from under a load";
+
+  // An arm that is slow at the start is driven by 5, and friction takes 4 of it.
+  HistoryRow driven       = energies(state, 1.01);
+  driven.booking.external = 5.;
+  driven.booking.friction = -4.;
+  EXPECT_DOUBLE_EQ(change_of({energies(state, 0.01), driven}), 1. / 5.);
+  // A load that turns its sign while the body is 10 units away does no work.
+  HistoryRow turned       = energies(state, 1., 10.);
+  turned.booking.external = 20.;
+  EXPECT_DOUBLE_EQ(change_of({energies(state, 1., -10.), turned}), 20.);
+}
+
+// Gaps between bodies that are missed by more than a hundredth of the energy are warned of; the sum
+// over the steps would grow with their number.
+TEST(RunSummary, MissedGapsAreThoseOfAStep)
+{
+  const State state;
+  HistoryRow  row      = pressed(state);
+  row.booking.geometry = -0.016; // of an energy of 2
+  const auto text_of   = [&](const unsigned int n_steps) {
+    RunSummary summary({});
+    summary.start(row);
+    for (unsigned int step = 0; step < n_steps; ++step)
+      summary.add(row);
+    EXPECT_TRUE(n_steps < few_steps || summary.warnings().empty());
+    return summary.text();
+  };
+  EXPECT_NE(text_of(20).find("0.8 % of the energy in a step"), std::string::npos) << text_of(20);
+  row.booking.geometry = 1e-5;
+  EXPECT_EQ(text_of(1).find("missed gaps"), std::string::npos);
+  row.booking.geometry = -0.03;
+  EXPECT_NE(warnings_of(row).find("up to 1.5 % of the energy in a step"), std::string::npos);
+  EXPECT_NE(warnings_of(row).find("smaller steps do not"), std::string::npos);
 }
 
 TEST(RunSummary, WarnsOfWhatIsDoubtful)

@@ -52,7 +52,7 @@ TEST(Combinations, OfSchemesAndContactThatFollows)
   expect({{"Contact/Motion", "follow"}, {"Time/Scheme", "moreau-jean"}}, // the floor is flat
          {"Motion = follow", "how deep"});
   expect({{"Obstacles/floor/Velocity", "0; 0; -1"}, {"Time/Scheme", "newmark"}},
-         {"'floor' moves", "cannot follow with Time/Scheme = newmark", "another scheme"});
+         {"'floor' moves", "cannot follow with Time/Scheme = newmark", "contact-implicit"});
   expect({{"Obstacles/floor/Velocity", "0; 0; -1"},
           {"Time/Scheme", "contact-implicit"},
           {"Time/Mass", "redistributed"}},
@@ -71,6 +71,26 @@ TEST(Combinations, ThatContactFollowsByDefault)
   expect_words(decided({{"Time/Scheme", "moreau-jean"}}), {"cannot", "moreau-jean", "how deep"});
   expect_words(decided({{"Time/Scheme", "contact-implicit"}, {"Time/Mass", "redistributed"}}),
                {"contact nodes without mass", "`Motion = follow` asks for it"});
+}
+
+// Messages of contact name what lets it follow: the key where the scheme follows, and where it does
+// not, schemes that do and that know the rest of the scene, too.
+TEST(Combinations, WhatLetsContactFollow)
+{
+  const auto remedy = [](const std::vector<Override> &overrides) {
+    const TemporaryFile file(correct_scene());
+    return read_scene<3>(file.name, overrides).how_to_follow;
+  };
+  const std::string the_key = "set `Contact/Motion = follow`";
+  EXPECT_EQ(remedy({{"Contact/Motion", "linearised"}}), the_key);
+  EXPECT_EQ(remedy({{"Time/Scheme", "contact-implicit"}, {"Time/Mass", "redistributed"}}), the_key);
+  for (const std::string motion : {"automatic", "linearised"})
+    {
+      const std::string text = remedy({{"Contact/Motion", motion}, {"Time/Scheme", "moreau-jean"}});
+      expect_words(text, {"contact-stabilized-projected", "laursen-love", "moreau-jean cannot"});
+      for (const char *wrong : {"newmark", "nonsmooth", "static", "reference", "hager"})
+        EXPECT_EQ(text.find(wrong), std::string::npos) << wrong << ": " << text;
+    }
 }
 
 TEST(Combinations, OfSchemes)

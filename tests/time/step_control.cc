@@ -22,9 +22,11 @@ namespace
 
   struct Record
   {
-    std::vector<State>  states; ///< after each accepted step
-    std::vector<double> sizes;
-    unsigned int        solved = 0, rejected = 0;
+    std::vector<State>       states; ///< after each accepted step
+    std::vector<double>      sizes;
+    unsigned int             solved = 0, rejected = 0;
+    std::vector<std::string> news; ///< of all steps
+    std::string              summary;
   };
 
   template <typename Estimate>
@@ -49,11 +51,14 @@ namespace
       {
         record.sizes.push_back(steps.advance(system, state).step_size);
         record.states.push_back(state);
+        for (const std::string &sentence : steps.news())
+          record.news.push_back(sentence);
         if (record.sizes.size() > 20000)
           throw std::runtime_error("the run does not end");
       }
     record.solved   = steps.solved();
     record.rejected = steps.rejected();
+    record.summary  = steps.summary();
     return record;
   }
 
@@ -123,6 +128,21 @@ TYPED_TEST(StepControl, TheEndIsMetExactly)
         sum += size;
       EXPECT_NEAR(sum, end, 1e-13);
     }
+}
+
+// A tolerance that is only met with steps below the smallest size makes them all that small: the
+// run says so once, soon, and counts them at the end. One that is met is not blamed.
+TYPED_TEST(MotionControl, SaysThatAToleranceIsNotMet)
+{
+  ElasticBar   system = make_bar(0.5);
+  const Record strict = run<TypeParam>(system, flying(system, 1.), 1e-7, 1.5);
+  ASSERT_EQ(strict.news.size(), 1u);
+  for (const char *part : {"0.00125", "tolerance = 1e-07", "larger tolerance"})
+    EXPECT_NE(strict.news[0].find(part), std::string::npos) << strict.news[0];
+  EXPECT_NEAR(std::stod(strict.news[0].substr(std::string("since time ").size())), 0.5, 0.01);
+  EXPECT_NE(strict.summary.find("above the tolerance"), std::string::npos) << strict.summary;
+  const Record usual = run<TypeParam>(system, flying(system, 1.), 0.3, 1.5);
+  EXPECT_TRUE(usual.news.empty()) << usual.news[0];
 }
 
 TYPED_TEST(MotionControl, FirstTouchIsMetByASmallStep)

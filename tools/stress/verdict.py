@@ -30,6 +30,8 @@ KINDS = {
     "some twenty": "few steps",
     "contact took": "loss",
     "strain": "strained",
+    "misses their true gaps": "missed gaps",
+    "stay at the smallest size": "tolerance",
     "cells in its thickness": "thin",
     "suddenly": "sudden",
     "no node can come": "no contact",

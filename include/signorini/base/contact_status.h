@@ -61,15 +61,6 @@ namespace signorini
   }
 
   /**
-   * Whether a node of a solved step is in contact; schemes with a condition on the velocity may
-   * also pull.
-   */
-  inline bool bears_force(const double normal_force)
-  {
-    return normal_force != 0.;
-  }
-
-  /**
    * Nodal forces and stresses below this part of the largest one are round-off, where they came
    * from another mesh.
    */
@@ -77,9 +68,10 @@ namespace signorini
 
   /**
    * Forces below this part of the largest one, or of the energy of the motion over the size of the
-   * bodies, do not count as contact for the size of the steps: they would hardly be noticed. A step
-   * may end at the touch within round-off, a part of 1e-9 of the step or less. With that part of
-   * the force of an impact it counts as open, and what follows is decided as without any force.
+   * bodies, do not count as contact for the size of the steps and in the numbers of active nodes:
+   * they would hardly be noticed, and differ between one process and two. A step may end at the
+   * touch within round-off, a part of 1e-9 of the step or less. With that part of the force of an
+   * impact it counts as open, and what follows is decided as without any force.
    */
   constexpr double unnoticed_force = 1e-7;
 } // namespace signorini

@@ -27,12 +27,15 @@ namespace signorini
     /**
      * @throws UserError if a pair of bodies has no surfaces that face each other, or two pairs
      * share a node
+     * @param how_to_follow what the user of this scene has to do so that contact follows the
+     * motion: a clause in the imperative, for messages
      */
     ContactSurface(const Discretization<dim>             &discretization,
                    const DirichletConditions<dim>        &dirichlet,
                    const std::vector<NamedObstacle<dim>> &obstacles,
                    const std::vector<PairDescription>    &pairs,
-                   ContactMotion                          motion = ContactMotion::linearised);
+                   ContactMotion                          motion = ContactMotion::linearised,
+                   const std::string &how_to_follow              = "set `Contact/Motion = follow`");
     ContactSurface(ContactSurface &&) noexcept;
     ~ContactSurface();
 
@@ -171,6 +174,7 @@ namespace signorini
     const Discretization<dim>          &discretization;
     const std::vector<PairDescription>  descriptions;
     const ContactMotion                 motion;
+    const std::string                   how_to_follow;
     ObstacleContact<dim>                obstacle_contact;
     std::vector<ContactNode<dim>>       contact_nodes;
     std::unique_ptr<FollowedPairs<dim>> bodies; ///< where contact follows the motion

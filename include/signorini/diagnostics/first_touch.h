@@ -27,6 +27,9 @@ namespace signorini
     double       node_spacing = 0.;    ///< mean distance of nodes at that place
     unsigned int n_at_once    = 0;     ///< nodes that meet together with the first one
     double       area         = 0.;    ///< of these nodes
+    /** The first node in the reference configuration, and its way along the normal. */
+    std::array<double, 3> position{};
+    double                distance = 0.;
   };
 
   /**

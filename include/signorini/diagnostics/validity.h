@@ -5,6 +5,7 @@
 #define signorini_diagnostics_validity_h
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace signorini
   /**
    * Watches whether the run is still within what the method can do: linear strains, contact that is
    * linearised about the initial configuration. What is exceeded is said once, when it begins, and
-   * again at the end with the largest value.
+   * again at the end with the largest value; what to do about it, each time for the first body.
    */
   class Validity
   {
@@ -35,11 +36,13 @@ namespace signorini
     /**
      * @param contact_follows   the motion, and is not linearised
      * @param scheme_that_turns the name of one that is right where normals turn
+     * @param how_to_follow     see ContactSurface
      */
     Validity(const std::vector<std::string> &bodies,
              const std::vector<std::string> &pairs,
              bool                            contact_follows   = false,
-             const std::string              &scheme_that_turns = "");
+             const std::string              &scheme_that_turns = "",
+             const std::string              &how_to_follow     = "set `Contact/Motion = follow`");
 
     /** @return what begins to be doubtful, a sentence each with the time */
     std::vector<std::string> judge(const ValidityReading &reading);
@@ -59,8 +62,9 @@ namespace signorini
 
     const std::vector<std::string>                       bodies, pairs;
     const bool                                           contact_follows;
-    const std::string                                    scheme_that_turns;
-    std::map<std::pair<std::size_t, std::size_t>, Doubt> doubts; ///< by limit, then body or pair
+    const std::string                                    scheme_that_turns, how_to_follow;
+    std::map<std::pair<std::size_t, std::size_t>, Doubt> doubts;    ///< by limit, then body or pair
+    std::set<std::size_t>                                explained; ///< limits
 
     static const std::vector<Limit> &limits();
     std::string                      consequence(const Limit &limit) const;

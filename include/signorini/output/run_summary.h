@@ -46,8 +46,8 @@ namespace signorini
     void change_mesh(unsigned long cells);
 
     /**
-     * Change of the total energy since the start, relative to the initial one (to that of the
-     * motion if that is tiny).
+     * Change of the total energy since the start, relative to the largest energy that the bodies
+     * have had or have been given until now: of their motion, or work from outside.
      */
     double relative_energy_change() const { return relative(change); }
 
@@ -68,8 +68,11 @@ namespace signorini
            largest_residual = 0., largest_penetration = 0., work_contact = 0., impulse = 0.,
            work_friction = 0., transferred = 0., largest_slip = 0.;
     double        work_damping = 0., work_scheme = 0.;
-    double        largest_gain    = 0.; ///< by contact and friction in a step
-    double        standard_change = 0.; ///< change of the total energy with the consistent mass
+    double        initial_potential   = 0.; ///< of the loads, where the bodies are at the start
+    double        booked_from_outside = 0., largest_brought = 0.; ///< see scale()
+    double        largest_missed_gap = 0.; ///< StepReport::work_geometry of a step, its size
+    double        largest_gain       = 0.; ///< by contact and friction in a step
+    double        standard_change    = 0.; ///< change of the total energy with the consistent mass
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
     /** Of laursen-love, per node. */
@@ -79,7 +82,13 @@ namespace signorini
     unsigned int   n_contact_steps = 0, phase = 0, longest_phase = 0; ///< steps with contact
     ContactSummary largest_contact;                                   ///< at the largest force
 
-    /** The energy that changes are compared with. */
+    /**
+     * The energy that changes are compared with: the largest one of the motion, or the largest
+     * work from outside since the start, if that is more. The work of loads is what their potential
+     * has lost, but for what their own changes did to it (booked as external, as is the work of
+     * prescribed nodes and moving obstacles). For a free body this is the energy that it starts
+     * with; what starts at rest, or is driven slowly, is measured by what drives it.
+     */
     double scale() const;
     double relative(double energy) const;
     void   add_contact(const HistoryRow &row);

@@ -53,6 +53,8 @@ namespace signorini
     std::vector<NamedObstacle<dim>>   obstacles;
     std::vector<PairDescription>      pairs;
     ContactMotion                     motion = ContactMotion::linearised;
+    /** What has to be done so that contact follows the motion: a clause in the imperative. */
+    std::string how_to_follow;
     std::string why_linearised; ///< why contact cannot follow the motion, if it shall where it can
     std::vector<ProbeDescription<dim>>      probes;
     std::vector<PointProbeDescription<dim>> point_probes;

@@ -63,11 +63,13 @@ namespace signorini
 
     AdaptiveSteps(std::unique_ptr<StepEstimate> estimate, const Parameters &parameters);
 
-    StepReport  advance(DynamicalSystem &system, State &state) override;
-    double      fraction_done(const State &state) const override;
-    void        forget() override;
-    void        take_back() override;
-    std::string summary() const override;
+    StepReport advance(DynamicalSystem &system, State &state) override;
+    double     fraction_done(const State &state) const override;
+    void       forget() override;
+    void       take_back() override;
+    /** Says once, with the time, that steps stay at the smallest size with too large errors. */
+    std::vector<std::string> news() override;
+    std::string              summary() const override;
 
     unsigned int rejected() const { return n_rejected; }
     unsigned int solved() const { return n_solved; }
@@ -90,11 +92,16 @@ namespace signorini
       unsigned int rest          = 0; ///< steps that are not to be followed by a longer one
       unsigned int n_accepted    = 0;
       double       smallest_size = 0., largest_size = 0.; ///< accepted so far
+      /** Accepted trials whose error was too large for them: in sequence until now, and in all. */
+      unsigned int n_inaccurate_now = 0, n_inaccurate = 0, n_trials = 0;
     };
     Memory now, before; ///< the step that was handed out last
+    bool   says_inaccurate = false, has_said_inaccurate = false;
+    double inaccurate_since = 0.; ///< time at which the sequence began that is told of
 
     double    minimum() const;
     void      approach(double touch);
+    void      count(const StepTrial &trial, const State &state);
     void      try_longer(const StepTrial &trial, double factor);
     StepTrial find_trial(DynamicalSystem &system, const State &state);
     double    span(const State &state, double touch) const;

@@ -7,6 +7,7 @@
 #include <signorini/step_size/step_estimate.h>
 
 #include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -35,6 +36,9 @@ namespace signorini
 
     /** The step that was handed out last does not count: it is repeated on another mesh. */
     virtual void take_back() {}
+
+    /** What has become doubtful about the sizes since this was last asked, a sentence each. */
+    virtual std::vector<std::string> news() { return {}; }
 
     /** How the sizes came out, in words; empty if there is nothing to say. */
     virtual std::string summary() const { return ""; }
