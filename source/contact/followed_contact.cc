@@ -28,7 +28,11 @@ namespace signorini
     constexpr unsigned int most_changes = 6;
     /** Of an obstacle in a step, radians: its mean rotation is far from a rotation beyond. */
     constexpr double largest_turn = 1.;
-    /** Motions of a step from which on the geometry of bodies is that between two of them. */
+    /**
+     * Motions of a step after which the geometry of bodies follows no more: where nodes appear and
+     * vanish with the motion there may be none that has its own geometry. That of the motion that
+     * was expected is kept then, because it does not depend on where the repetitions have led.
+     */
     constexpr unsigned int most_full_steps = 12;
     constexpr double       infinity        = std::numeric_limits<double>::infinity();
 
@@ -275,15 +279,13 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::follow(const Vector &increment)
   {
-    if (pairs.any() && n_followed > 0)
-      {
-        // Where geometries take turns, that between them is tried.
-        Vector of_geometry = increment;
-        if (n_followed > most_full_steps)
-          of_geometry.sadd(0.5, 0.5, latest);
-        pairs.follow(of_geometry);
-      }
-    latest = increment;
+    if (n_followed == 0)
+      first = increment;
+    else if (pairs.any() && n_followed == most_full_steps
+             && normals_of_step == StepNormals::of_motion)
+      pairs.keep_geometry(first);
+    else if (pairs.any())
+      pairs.follow(increment);
     if (n_followed > most_full_steps)
       wanted = accepted;
     for_each_site(sites, discretization.communicator(), [&](Site &site) {

@@ -86,6 +86,7 @@ namespace signorini
     at_end    = normals == StepNormals::at_end;
     start     = displacement;
     looked_at = Vector();
+    is_kept   = false;
     missed_gaps.clear();
     follow(expected);
     // What clipped bounds are expected to miss, so that a motion as expected needs no repetition.
@@ -105,9 +106,18 @@ namespace signorini
 
 
   template <int dim>
+  void FollowedPairs<dim>::keep_geometry(const Vector &increment)
+  {
+    follow(increment);
+    is_kept = true;
+  }
+
+
+  template <int dim>
   void FollowedPairs<dim>::follow(const Vector &increment)
   {
-    search_middle(increment);
+    if (!is_kept)
+      search_middle(increment);
     if (looked_at.size() == 0)
       search_end(increment);
     take_end_over();

@@ -113,7 +113,7 @@ namespace signorini
     double                          accepted = 0., wanted = 0.; ///< lengths
     unsigned int                    n_followed      = 0;        ///< motions of this step
     StepNormals                     normals_of_step = StepNormals::of_motion;
-    Vector                          latest; ///< motion of this step
+    Vector                          first; ///< motion of this step: the expected one
 
     /** The laws of friction of all facings. Collective. */
     void find_friction();

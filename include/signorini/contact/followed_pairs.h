@@ -86,6 +86,12 @@ namespace signorini
      */
     void follow(const Vector &increment);
 
+    /**
+     * The same, and from now on in this step normals and partners stay; only bounds change with the
+     * motion. Collective.
+     */
+    void keep_geometry(const Vector &increment);
+
     /** See where a motion ends; the conditions stay. Collective. */
     void look_at_end(const Vector &increment);
 
@@ -121,7 +127,7 @@ namespace signorini
     std::map<unsigned int, Conditions>                         conditions; ///< by pair
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
     Vector                                                     start; ///< displacement
-    bool                                                       at_end = false;
+    bool                                                       at_end = false, is_kept = false;
     Vector                                                 looked_at; ///< the latest motion, if any
     std::map<unsigned int, std::map<unsigned int, double>> end_gaps;  ///< of it, by pair and node
     std::map<unsigned int, std::map<unsigned int, double>> missed_gaps; ///< of it, likewise
