@@ -21,7 +21,7 @@ namespace signorini
   namespace
   {
     /** Cosines of the angles at which faces begin to look at each other, and do so fully. */
-    constexpr double begins_to_face = 0.2, faces_fully = 0.6;
+    constexpr FacingWeight facing{0.2, 0.6};
     /**
      * How far faces look beyond the motion of a step, in their diameters: what begins a step
      * outside is not deep inside when it ends.
@@ -31,15 +31,6 @@ namespace signorini
     constexpr double part_of_thickness = 0.3;
     /** Largest change of a weight of P, as a part of it. */
     constexpr double largest_shift = 0.5;
-
-
-    /** 0 where faces turn away from each other, 1 where they face, smooth between. */
-    double facing_weight(const double cosine)
-    {
-      const double x =
-        std::clamp((cosine - begins_to_face) / (faces_fully - begins_to_face), 0., 1.);
-      return x * x * (3. - 2. * x);
-    }
 
 
     template <int dim>
@@ -114,6 +105,11 @@ namespace signorini
     , owned_master_nodes(owned_nodes(masters, discretization))
   {
     measure_slave();
+    for (const SurfaceFace<dim> &face : slaves)
+      largest_face = std::max(largest_face, face.diameter());
+    largest_face   = Utilities::MPI::max(largest_face, discretization.communicator());
+    n_master_nodes = Utilities::MPI::sum(static_cast<unsigned int>(owned_master_nodes.size()),
+                                         discretization.communicator());
     if (is_of_one_body())
       measure_thickness();
   }
@@ -126,15 +122,19 @@ namespace signorini
     std::vector<Sweep<dim>> sweeps;
     for (const SurfaceFace<dim> &face : slaves)
       sweeps.emplace_back(face, size, 0.);
-    const auto surfaces = find_facing_surfaces(slaves,
-                                               masters,
-                                               sweeps,
-                                               discretization.communicator(),
-                                               MayMeet<dim>(share_no_node<dim>),
-                                               SegmentRule::degree_5);
-    for (std::size_t f = 0; f < slaves.size(); ++f)
-      for (const Segment<dim> &segment : surfaces.segments[f])
-        slaves[f].thickness = std::min(slaves[f].thickness, -segment.gap);
+    SearchRules<dim> rules;
+    rules.rule     = SegmentRule::degree_5;
+    rules.may_meet = share_no_node<dim>;
+    find_opposite<dim>(slaves,
+                       masters,
+                       sweeps,
+                       discretization.communicator(),
+                       rules,
+                       [&](const FacedByMasters<dim> &face) {
+                         double &thickness = slaves[face.slave].thickness;
+                         for (const Segment<dim> &segment : face.segments)
+                           thickness = std::min(thickness, -segment.gap);
+                       });
   }
 
 
@@ -176,8 +176,7 @@ namespace signorini
     for (const unsigned int node : owned_master_nodes)
       sum += motion_of<dim>(node, increment);
     const Tensor<1, dim> mean =
-      Utilities::MPI::sum(sum, communicator)
-      / Utilities::MPI::sum(static_cast<double>(owned_master_nodes.size()), communicator);
+      Utilities::MPI::sum(sum, communicator) / static_cast<double>(n_master_nodes);
     std::vector<double> largest(2, 0.);
     for (const unsigned int node : owned_slave_nodes)
       largest[0] = std::max(largest[0], (motion_of<dim>(node, increment) - mean).norm());
@@ -189,13 +188,14 @@ namespace signorini
 
 
   template <int dim>
-  BoundingBox<dim> FacingPair<dim>::box_of(const std::vector<unsigned int> &nodes,
-                                           const Vector                    &displacement) const
+  std::vector<BoundingBox<dim>> FacingPair<dim>::boxes(const Vector &displacement) const
   {
-    CommonBoxes<dim> box;
-    for (const unsigned int node : nodes)
-      box.add(discretization.node_positions()[node] + motion_of<dim>(node, displacement));
-    return box.around_all(discretization.communicator()).front();
+    CommonBoxes<dim> result(2);
+    for (const unsigned int node : owned_slave_nodes)
+      result.add(discretization.node_positions()[node] + motion_of<dim>(node, displacement), 0);
+    for (const unsigned int node : owned_master_nodes)
+      result.add(discretization.node_positions()[node] + motion_of<dim>(node, displacement), 1);
+    return result.around_all(discretization.communicator());
   }
 
 
@@ -223,8 +223,8 @@ namespace signorini
   template <int dim>
   double FacingPair<dim>::distance_of_boxes(const Vector &displacement) const
   {
-    const auto slave  = box_of(owned_slave_nodes, displacement).get_boundary_points(),
-               master = box_of(owned_master_nodes, displacement).get_boundary_points();
+    const auto     both  = boxes(displacement);
+    const auto     slave = both[0].get_boundary_points(), master = both[1].get_boundary_points();
     Tensor<1, dim> apart;
     for (unsigned int c = 0; c < dim; ++c)
       apart[c] =
@@ -238,12 +238,8 @@ namespace signorini
                                                     const double             reach,
                                                     const std::vector<bool> *excluded) const
   {
-    BoundingBox<dim> slave_box  = box_of(owned_slave_nodes, displacement),
-                     master_box = box_of(owned_master_nodes, displacement);
-    double largest_face         = 0.;
-    for (const SurfaceFace<dim> &face : slaves)
-      largest_face = std::max(largest_face, face.diameter());
-    largest_face = Utilities::MPI::max(largest_face, discretization.communicator());
+    const auto       both      = boxes(displacement);
+    BoundingBox<dim> slave_box = both[0], master_box = both[1];
     slave_box.extend(reach + largest_face);
     master_box.extend(reach + largest_face);
     if (!boost::geometry::intersects(slave_box, master_box))
@@ -251,36 +247,36 @@ namespace signorini
 
     Vector ghosted = displacement;
     ghosted.update_ghost_values();
-    const auto              near = displaced(slaves, ghosted, master_box);
-    std::vector<Sweep<dim>> sweeps;
-    for (const SurfaceFace<dim> &face : near)
-      sweeps.emplace_back(
+    FacingSurfaces<dim> surfaces;
+    surfaces.slaves  = displaced(slaves, ghosted, master_box);
+    surfaces.masters = displaced(masters, ghosted, slave_box);
+    surfaces.sweeps.reserve(surfaces.slaves.size());
+    for (const SurfaceFace<dim> &face : surfaces.slaves)
+      surfaces.sweeps.emplace_back(
         face,
         std::min(reach + behind * face.diameter(), part_of_thickness * face.thickness),
         reach + ahead * face.diameter());
-    const auto surfaces =
-      find_facing_surfaces(near,
-                           displaced(masters, ghosted, slave_box),
-                           sweeps,
-                           discretization.communicator(),
-                           is_of_one_body() ? MayMeet<dim>(may_meet_itself<dim>) : nullptr,
-                           SegmentRule::degree_5);
-    std::vector<ContactNode<dim>> nodes = couple(surfaces, excluded);
+    SearchRules<dim> rules;
+    rules.rule   = SegmentRule::degree_5;
+    rules.facing = facing;
+    if (is_of_one_body())
+      rules.may_meet = may_meet_itself<dim>;
+    std::vector<ContactNode<dim>> nodes = couple(
+      CoveredSurface<dim>(std::move(surfaces), discretization.communicator(), rules), excluded);
     align(nodes, displacement);
     return nodes;
   }
 
 
   template <int dim>
-  std::vector<ContactNode<dim>> FacingPair<dim>::couple(const FacingSurfaces<dim> &surfaces,
+  std::vector<ContactNode<dim>> FacingPair<dim>::couple(const CoveredSurface<dim> &surface,
                                                         const std::vector<bool>   *excluded) const
   {
     MortarRules rules;
-    rules.facing                    = facing_weight;
     rules.bluntness                 = &bluntness;
     rules.excluded                  = excluded;
     const auto nodes_by_these_rules = [&] {
-      return MortarCoupling<dim>(discretization, dirichlet, pairs, pair, surfaces, rules).nodes();
+      return MortarCoupling<dim>(discretization, dirichlet, pairs, pair, surface, rules).nodes();
     };
     std::vector<ContactNode<dim>> nodes = nodes_by_these_rules();
     if (!is_of_one_body())

@@ -217,11 +217,12 @@ namespace signorini
     end_gaps.clear();
     for (const auto &[pair, geometry] : geometries)
       {
-        const auto nodes = geometry->at(end, reach(pair, increment));
+        const double in_reach = reach(pair, increment);
+        const auto   nodes    = geometry->at(end, in_reach);
         for (const ContactNode<dim> &node : nodes)
           end_gaps[pair][node.node] = node.gap;
         end_depths[pair] = FacingPair<dim>::depth(nodes);
-        clear[pair]      = std::max(geometry->distance_of_boxes(end), reach(pair, increment));
+        clear[pair]      = std::max(geometry->distance_of_boxes(end), in_reach);
       }
   }
 

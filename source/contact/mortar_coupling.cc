@@ -5,10 +5,12 @@
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/surfaces/contact_frame.h>
 #include <signorini/surfaces/dual_basis.h>
+#include <signorini/surfaces/nodal_face.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 namespace signorini
@@ -17,9 +19,9 @@ namespace signorini
 
   namespace
   {
-    // A sliver this small has no well-conditioned dual basis, and a node of which so little is
-    // covered (on the faces that are covered at all) would extrapolate.
-    constexpr double smallest_covered_face = 1e-3, smallest_covered_node = 2e-2;
+    // A node of which so little is covered (on the faces that are covered at all) would
+    // extrapolate.
+    constexpr double smallest_covered_node = 2e-2;
     // Part of a normal in the free directions: below the first, about 18 degrees, the normal is
     // prescribed; above the second the prescribed directions are tangential.
     constexpr double held_normal = 0.3, free_normal = 0.95;
@@ -61,6 +63,20 @@ namespace signorini
         contact_frame_with_dirichlet<dim>(normal / free_part, held, contact_node.frame);
       return free_part;
     }
+
+
+    /** To a row that is ascending. */
+    void add_to(NodeWeights &row, const types::global_dof_index node, const double value)
+    {
+      const auto entry =
+        std::lower_bound(row.begin(), row.end(), node, [](const auto &known, const auto other) {
+          return known.first < other;
+        });
+      if (entry != row.end() && entry->first == node)
+        entry->second += value;
+      else
+        row.insert(entry, {node, value});
+    }
   } // namespace
 
 
@@ -73,7 +89,9 @@ namespace signorini
                      dirichlet,
                      pairs,
                      pair,
-                     find_facing_surfaces(discretization, pairs[pair]),
+                     CoveredSurface<dim>(facing_surfaces(discretization, pairs[pair]),
+                                         discretization.communicator(),
+                                         SearchRules<dim>()),
                      MortarRules())
   {
   }
@@ -84,62 +102,28 @@ namespace signorini
                                       const DirichletConditions<dim>     &dirichlet,
                                       const std::vector<PairDescription> &pairs,
                                       const unsigned int                  pair,
-                                      const FacingSurfaces<dim>          &surfaces,
+                                      const CoveredSurface<dim>          &surface,
                                       const MortarRules                  &rules)
     : discretization(discretization)
     , pair(pair)
     , pair_name(pairs[pair].name)
     , rules(rules)
+    , weights(surface.weights_of_normals())
+    , total_area(surface.area())
+    , total_covered_area(surface.covered_area())
+    , any_segment(surface.any())
   {
-    const auto faces   = integrate(surfaces);
-    auto       carries = choose_multipliers(faces, dirichlet);
+    Vector carries = choose_multipliers(surface.faces(), dirichlet);
     do
-      assemble_rows(faces, carries);
+      assemble_rows(surface.faces(), carries);
     while (drop_what_transmits_little(carries));
   }
 
 
   template <int dim>
-  std::vector<CoveredFace<dim>> MortarCoupling<dim>::integrate(const FacingSurfaces<dim> &surfaces)
+  unsigned int MortarCoupling<dim>::local_node(const types::global_dof_index node) const
   {
-    MeanCurvature<dim>            slave_curvature, master_curvature;
-    std::vector<CoveredFace<dim>> result;
-    for (std::size_t f = 0; f < surfaces.slaves.size(); ++f)
-      {
-        const SurfaceFace<dim> &slave = surfaces.slaves[f];
-        CoveredFace<dim>        face(slave);
-        total_area += face.full.sum();
-
-        double covered = 0.;
-        for (const Segment<dim> &segment : surfaces.segments[f])
-          covered += segment.area;
-        any_segment = any_segment || covered > 0.;
-        if (covered < smallest_covered_face * projected_area(slave))
-          continue;
-
-        for (const Segment<dim> &segment : surfaces.segments[f])
-          face.add(segment, surfaces.masters[segment.master], rules.facing);
-        if (rules.bluntness == nullptr)
-          for (const Segment<dim> &segment : surfaces.segments[f])
-            for (const SegmentPoint<dim> &point : segment.points)
-              {
-                const Point<dim> position = slave.position(point.slave);
-                slave_curvature.add(point.weight, position, point.normal);
-                master_curvature.add(point.weight, position + point.apart, point.opposite);
-              }
-        if (rules.facing && face.mass.sum() < smallest_covered_face * face.full.sum())
-          continue;
-        total_covered_area += face.mass.sum();
-        result.push_back(std::move(face));
-      }
-    const MPI_Comm communicator = discretization.communicator();
-    if (rules.bluntness == nullptr)
-      weights = weights_of_normals(slave_curvature.value(communicator),
-                                   master_curvature.value(communicator));
-    any_segment = Utilities::MPI::max(static_cast<unsigned int>(any_segment), communicator) > 0;
-    total_area  = Utilities::MPI::sum(total_area, communicator);
-    total_covered_area = Utilities::MPI::sum(total_covered_area, communicator);
-    return result;
+    return discretization.matrices().pattern.partitioner->global_to_local(dim * node) / dim;
   }
 
 
@@ -154,21 +138,20 @@ namespace signorini
     for (unsigned int i = 0; i < dim * discretization.matrices().pattern.n_local; ++i)
       sums.clearance.local_element(i) = std::numeric_limits<double>::max();
     for (const CoveredFace<dim> &face : faces)
-      {
-        const Eigen::VectorXd integrals = face.mass.rowwise().sum();
-        for (std::size_t i = 0; i < face.nodes.size(); ++i)
+      for (int v = 0; v < face.n_vertices; ++v)
+        for (const auto &[node, weight] : face.slave->nodes[v])
           {
-            const auto first = dim * face.nodes[i];
-            sums.covered(first) += integrals[i];
-            sums.full(first) += face.full[i];
-            sums.clearance(first) = std::min(sums.clearance(first), face.clearance);
+            const unsigned int first = dim * local_node(node);
+            sums.covered.local_element(first) += weight * face.mass.row(v).sum();
+            sums.full.local_element(first) += weight * face.full[v];
+            double &clearance = sums.clearance.local_element(first);
+            clearance         = std::min(clearance, face.clearance);
             for (unsigned int c = 0; c < dim; ++c)
               {
-                sums.normals(first + c) += face.normals(i, c);
-                sums.opposite(first + c) += face.opposite(i, c);
+                sums.normals.local_element(first + c) += weight * face.normals(v, c);
+                sums.opposite.local_element(first + c) += weight * face.opposite(v, c);
               }
           }
-      }
     for (Vector *sum : {&sums.covered, &sums.full, &sums.normals, &sums.opposite})
       sum->compress(VectorOperation::add);
     sums.clearance.compress(VectorOperation::min);
@@ -276,46 +259,78 @@ namespace signorini
 
 
   template <int dim>
+  void MortarCoupling<dim>::add_rows(const CoveredFace<dim> &face,
+                                     const Vector           &carries,
+                                     Rows                   &rows,
+                                     Vector                 &integrals,
+                                     Vector                 &distance) const
+  {
+    const auto carries_one = [&](const auto node) {
+      return carries.local_element(dim * local_node(node)) > 0.;
+    };
+    const auto add_row = [&](const unsigned int node, const auto &psi, const double integral) {
+      for (const auto &[partner, product] : face.mixed)
+        {
+          double value = 0.;
+          for (int v = 0; v < face.n_vertices; ++v)
+            value += psi[v] * product[v];
+          add_to(rows[node], partner, value);
+        }
+      integrals.local_element(dim * node) += integral;
+      for (unsigned int c = 0; c < dim; ++c)
+        for (int v = 0; v < face.n_vertices; ++v)
+          distance.local_element(dim * node + c) += psi[v] * face.distance(v, c);
+    };
+
+    const auto &vertices = face.slave->nodes;
+    if (is_plain(*face.slave) && std::all_of(vertices.begin(), vertices.end(), [&](const auto &w) {
+          return carries_one(w[0].first);
+        }))
+      {
+        const auto psi       = dual_basis(face.mass);
+        const auto integrals = (psi * face.mass).rowwise().sum().eval();
+        for (int i = 0; i < face.n_vertices; ++i)
+          add_row(local_node(vertices[i][0].first), psi.row(i), integrals[i]);
+        return;
+      }
+    const NodalFace<dim> nodal(face);
+    std::vector<bool>    face_carries;
+    for (const auto node : nodal.nodes)
+      face_carries.push_back(carries_one(node));
+    if (std::find(face_carries.begin(), face_carries.end(), true) == face_carries.end())
+      return;
+    const Eigen::MatrixXd psi           = dual_basis(nodal.mass, face_carries);
+    const Eigen::MatrixXd slave_product = psi * nodal.mass, at_vertices = psi * nodal.of_vertices;
+    for (std::size_t i = 0; i < nodal.nodes.size(); ++i)
+      if (face_carries[i])
+        {
+          const unsigned int node = local_node(nodal.nodes[i]);
+          add_row(node, at_vertices.row(i), slave_product.row(i).sum());
+          for (std::size_t k = 0; k < nodal.nodes.size(); ++k)
+            if (!face_carries[k])
+              add_to(rows[node], nodal.nodes[k], -slave_product(i, k));
+        }
+  }
+
+
+  template <int dim>
   void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace<dim>> &faces,
                                           const Vector                        &carries)
   {
-    Rows   rows;
+    Rows   rows(discretization.matrices().pattern.n_local);
     Vector integrals = discretization.make_vector(), distance = integrals;
     for (const CoveredFace<dim> &face : faces)
-      {
-        std::vector<bool> face_carries;
-        for (const auto node : face.nodes)
-          face_carries.push_back(carries(dim * node) > 0.);
-        if (std::find(face_carries.begin(), face_carries.end(), true) == face_carries.end())
-          continue;
-        const Eigen::MatrixXd psi           = dual_basis(face.mass, face_carries);
-        const Eigen::MatrixXd slave_product = psi * face.mass, gap = psi * face.distance;
-        for (std::size_t i = 0; i < face.nodes.size(); ++i)
-          if (face_carries[i])
-            {
-              auto &row = rows[face.nodes[i]];
-              for (const auto &[node, product] : face.mixed)
-                row[node] += psi.row(i) * product;
-              for (std::size_t k = 0; k < face.nodes.size(); ++k)
-                if (!face_carries[k])
-                  row[face.nodes[k]] -= slave_product(i, k);
-              integrals(dim * face.nodes[i]) += slave_product.row(i).sum();
-              for (unsigned int c = 0; c < dim; ++c)
-                distance(dim * face.nodes[i] + c) += gap(i, c);
-            }
-      }
+      add_rows(face, carries, rows, integrals, distance);
     integrals.compress(VectorOperation::add);
     distance.compress(VectorOperation::add);
-    rows = send_to_owners(rows);
+    send_to_owners(rows);
 
     for (ContactNode<dim> &contact_node : contact_nodes)
       {
         contact_node.gap = 0.;
         contact_node.partners.clear();
-        const auto node =
-          discretization.matrices().pattern.partitioner->local_to_global(dim * contact_node.node)
-          / dim;
-        for (const auto &[partner, value] : rows[node])
+        contact_node.partners.reserve(rows[contact_node.node].size());
+        for (const auto &[partner, value] : rows[contact_node.node])
           if (std::abs(value) > 1e-14 * contact_node.weight)
             contact_node.partners.emplace_back(partner, value / contact_node.weight);
         contact_node.transmission =
@@ -348,30 +363,32 @@ namespace signorini
 
 
   template <int dim>
-  typename MortarCoupling<dim>::Rows MortarCoupling<dim>::send_to_owners(const Rows &rows) const
+  void MortarCoupling<dim>::send_to_owners(Rows &rows) const
   {
-    const IndexSet &owned = discretization.locally_owned();
-    IndexSet        strangers(owned.size());
-    for (const auto &[node, row] : rows)
-      if (!owned.is_element(dim * node))
-        strangers.add_index(dim * node);
-    const auto owners =
-      Utilities::MPI::compute_index_owner(owned, strangers, discretization.communicator());
+    if (Utilities::MPI::n_mpi_processes(discretization.communicator()) == 1)
+      return;
+    const auto        &partitioner = *discretization.matrices().pattern.partitioner;
+    const unsigned int n_owned     = discretization.matrices().pattern.n_owned;
+    const auto         global_node = [&](const unsigned int node) {
+      return partitioner.local_to_global(dim * node) / dim;
+    };
+    IndexSet strangers(partitioner.size());
+    for (unsigned int node = n_owned; node < rows.size(); ++node)
+      if (!rows[node].empty())
+        strangers.add_index(dim * global_node(node));
+    const auto owners = Utilities::MPI::compute_index_owner(
+      discretization.locally_owned(), strangers, discretization.communicator());
 
-    Rows                                                                                 result;
     std::map<unsigned int, std::vector<std::pair<types::global_dof_index, NodeWeights>>> outgoing;
-    for (const auto &[node, row] : rows)
-      if (owned.is_element(dim * node))
-        result[node] = row;
-      else
-        outgoing[owners[strangers.index_within_set(dim * node)]].emplace_back(
-          node, NodeWeights(row.begin(), row.end()));
+    for (unsigned int node = n_owned; node < rows.size(); ++node)
+      if (!rows[node].empty())
+        outgoing[owners[strangers.index_within_set(dim * global_node(node))]].emplace_back(
+          global_node(node), std::move(rows[node]));
     for (const auto &[rank, parts] :
          Utilities::MPI::some_to_some(discretization.communicator(), outgoing))
       for (const auto &[node, row] : parts)
         for (const auto &[partner, value] : row)
-          result[node][partner] += value;
-    return result;
+          add_to(rows[local_node(node)], partner, value);
   }
 
 

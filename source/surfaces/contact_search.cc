@@ -24,6 +24,7 @@ namespace signorini
     Boxes<dim> bounding_boxes(const std::vector<SurfaceFace<dim>> &faces)
     {
       Boxes<dim> boxes;
+      boxes.reserve(faces.size());
       for (const SurfaceFace<dim> &face : faces)
         boxes.push_back(face.bounding_box());
       return boxes;
@@ -32,12 +33,15 @@ namespace signorini
 
     /** Send each master face to the processes in whose boxes it lies. */
     template <int dim>
-    std::vector<SurfaceFace<dim>> exchange(const std::vector<SurfaceFace<dim>> &owned,
-                                           const Boxes<dim>                    &search_boxes,
-                                           const MPI_Comm                       communicator)
+    std::vector<SurfaceFace<dim>> exchange(std::vector<SurfaceFace<dim>>  owned,
+                                           const std::vector<Sweep<dim>> &sweeps,
+                                           const MPI_Comm                 communicator)
     {
       if (Utilities::MPI::n_mpi_processes(communicator) == 1)
         return owned;
+      Boxes<dim> search_boxes;
+      for (const Sweep<dim> &sweep : sweeps)
+        search_boxes.push_back(sweep.box());
       // A few boxes that contain all: the top of the tree.
       const Boxes<dim> summary =
         search_boxes.empty() ? Boxes<dim>() : extract_rtree_level(pack_rtree(search_boxes), 0);
@@ -79,81 +83,79 @@ namespace signorini
 
 
   template <int dim>
-  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
-                                           const PairDescription     &pair)
+  FacingSurfaces<dim> facing_surfaces(const Discretization<dim> &discretization,
+                                      const PairDescription     &pair)
   {
-    const auto slaves = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
-    std::vector<Sweep<dim>> sweeps;
-    for (const SurfaceFace<dim> &face : slaves)
-      sweeps.emplace_back(face,
-                          discretization.mesh().bounding_box(pair.slave),
-                          discretization.mesh().bounding_box(pair.master));
-    return find_facing_surfaces(
-      slaves,
-      owned_surface_faces(discretization, pair.master, pair.master_boundary_ids),
-      sweeps,
-      discretization.communicator(),
-      {},
-      SegmentRule::degree_9);
-  }
-
-
-  template <int dim>
-  FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
-                                           const std::vector<SurfaceFace<dim>> &masters,
-                                           const std::vector<Sweep<dim>>       &sweeps,
-                                           const MPI_Comm                       communicator,
-                                           const MayMeet<dim>                  &may_meet,
-                                           const SegmentRule                    rule)
-  {
-    AssertDimension(sweeps.size(), slaves.size());
     FacingSurfaces<dim> result;
-    result.slaves = std::move(slaves);
-    Boxes<dim> search_boxes;
-    for (const Sweep<dim> &sweep : sweeps)
-      search_boxes.push_back(sweep.box());
-    result.masters = exchange(masters, search_boxes, communicator);
-
-    const Boxes<dim> master_boxes = bounding_boxes(result.masters); // the tree refers to them
-    const auto       tree         = pack_rtree_of_indices(master_boxes);
-    result.segments.resize(result.slaves.size());
-    for (std::size_t f = 0; f < result.slaves.size(); ++f)
-      {
-        const SurfaceFace<dim> &slave = result.slaves[f];
-        double                  size  = slave.diameter();
-        for (const std::size_t m : sweeps[f].meets(tree))
-          {
-            if (!sweeps[f].reaches(result.masters[m])
-                || (may_meet && !may_meet(slave, result.masters[m])))
-              continue;
-            Segment<dim> segment = intersect(slave, result.masters[m], rule);
-            if (segment.points.empty() || segment.gap < -sweeps[f].depth()
-                || segment.gap > sweeps[f].height())
-              continue;
-            segment.master = m;
-            size           = std::max(size, result.masters[m].diameter());
-            result.segments[f].push_back(std::move(segment));
-          }
-        keep_closest_sheet(result.segments[f], size);
-      }
+    result.slaves  = owned_surface_faces(discretization, pair.slave, pair.slave_boundary_ids);
+    result.masters = owned_surface_faces(discretization, pair.master, pair.master_boundary_ids);
+    for (const SurfaceFace<dim> &face : result.slaves)
+      result.sweeps.emplace_back(face,
+                                 discretization.mesh().bounding_box(pair.slave),
+                                 discretization.mesh().bounding_box(pair.master));
     return result;
   }
 
 
-  template FacingSurfaces<2> find_facing_surfaces(const Discretization<2> &,
-                                                  const PairDescription &);
-  template FacingSurfaces<3> find_facing_surfaces(const Discretization<3> &,
-                                                  const PairDescription &);
-  template FacingSurfaces<2> find_facing_surfaces(std::vector<SurfaceFace<2>>,
-                                                  const std::vector<SurfaceFace<2>> &,
-                                                  const std::vector<Sweep<2>> &,
-                                                  MPI_Comm,
-                                                  const MayMeet<2> &,
-                                                  SegmentRule);
-  template FacingSurfaces<3> find_facing_surfaces(std::vector<SurfaceFace<3>>,
-                                                  const std::vector<SurfaceFace<3>> &,
-                                                  const std::vector<Sweep<3>> &,
-                                                  MPI_Comm,
-                                                  const MayMeet<3> &,
-                                                  SegmentRule);
+  template <int dim>
+  void find_opposite(const std::vector<SurfaceFace<dim>> &slaves,
+                     std::vector<SurfaceFace<dim>>        owned_masters,
+                     const std::vector<Sweep<dim>>       &sweeps,
+                     const MPI_Comm                       communicator,
+                     const SearchRules<dim>              &rules,
+                     const OnFace<dim>                   &on_face)
+  {
+    AssertDimension(sweeps.size(), slaves.size());
+    const auto       masters      = exchange(std::move(owned_masters), sweeps, communicator);
+    const Boxes<dim> master_boxes = bounding_boxes(masters); // the tree refers to them
+    const auto       tree         = pack_rtree_of_indices(master_boxes);
+
+    std::vector<std::size_t>  found;
+    std::vector<Segment<dim>> segments;
+    for (std::size_t f = 0; f < slaves.size(); ++f)
+      {
+        const SurfaceFace<dim> &slave = slaves[f];
+        double                  size = slave.diameter(), projected_area = 0.;
+        segments.clear();
+        if (sweeps[f].find(tree, found); !found.empty())
+          {
+            const SegmentFinder<dim> finder(
+              slave, rules.rule, rules.facing.value_or(FacingWeight()));
+            projected_area = finder.projected_area();
+            for (const std::size_t m : found)
+              {
+                if (!sweeps[f].reaches(masters[m])
+                    || (rules.may_meet && !rules.may_meet(slave, masters[m])))
+                  continue;
+                segments.emplace_back();
+                Segment<dim> &segment = segments.back();
+                finder.find(masters[m], segment);
+                if (segment.is_empty() || segment.gap < -sweeps[f].depth()
+                    || segment.gap > sweeps[f].height())
+                  {
+                    segments.pop_back();
+                    continue;
+                  }
+                segment.master = m;
+                size           = std::max(size, masters[m].diameter());
+              }
+            keep_closest_sheet(segments, size);
+          }
+        on_face({f, projected_area, segments, masters});
+      }
+  }
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template FacingSurfaces<dim> facing_surfaces(const Discretization<dim> &,                        \
+                                               const PairDescription &);                           \
+  template void                find_opposite(const std::vector<SurfaceFace<dim>> &,                \
+                                             std::vector<SurfaceFace<dim>>,                        \
+                                             const std::vector<Sweep<dim>> &,                      \
+                                             MPI_Comm,                                             \
+                                             const SearchRules<dim> &,                             \
+                                             const OnFace<dim> &)
+  INSTANTIATE(2);
+  INSTANTIATE(3);
+#undef INSTANTIATE
 } // namespace signorini

@@ -11,85 +11,55 @@ namespace signorini
 {
   using namespace dealii;
 
-  namespace
-  {
-    template <int dim>
-    using OfVertices = Eigen::Matrix<double, SurfaceFace<dim>::n_vertices, 1>;
-
-    template <int dim>
-    OfVertices<dim> shape_values(const Point<dim - 1> &xi)
-    {
-      return OfVertices<dim>(SurfaceFace<dim>::shape_values(xi).data());
-    }
-
-    template <int dim>
-    Eigen::Matrix<double, 1, dim> row(const Tensor<1, dim> &x)
-    {
-      return Eigen::Map<const Eigen::Matrix<double, 1, dim>>(x.begin_raw());
-    }
-  } // namespace
-
-
   template <int dim>
   CoveredFace<dim>::CoveredFace(const SurfaceFace<dim> &slave)
     : slave(&slave)
+    , full{}
   {
-    for (const NodeWeights &weights : slave.nodes)
-      for (const auto &[node, weight] : weights)
-        if (std::find(nodes.begin(), nodes.end(), node) == nodes.end())
-          nodes.push_back(node);
-    const Eigen::Index n = nodes.size();
-    of_vertices          = Eigen::MatrixXd::Zero(n, slave.n_vertices);
-    for (unsigned int v = 0; v < slave.n_vertices; ++v)
-      for (const auto &[node, weight] : slave.nodes[v])
-        of_vertices(std::find(nodes.begin(), nodes.end(), node) - nodes.begin(), v) += weight;
-
     static const QGauss<dim - 1> quadrature(3);
-    OfVertices<dim>              integrals = OfVertices<dim>::Zero();
+    const auto                   parts = slave.area_vector_parts();
     for (unsigned int q = 0; q < quadrature.size(); ++q)
-      integrals += quadrature.weight(q) * slave.area_vector(quadrature.point(q)).norm()
-                   * shape_values<dim>(quadrature.point(q));
-    full     = of_vertices * integrals;
-    mass     = Eigen::MatrixXd::Zero(n, n);
-    normals  = Eigen::MatrixXd::Zero(n, dim);
-    opposite = normals;
-    distance = normals;
+      {
+        Tensor<1, dim> area = parts[0];
+        for (unsigned int d = 0; d < dim - 1; ++d)
+          area += quadrature.point(q)[d] * parts[d + 1];
+        const double weight = quadrature.weight(q) * area.norm();
+        const auto   values = slave.shape_values(quadrature.point(q));
+        for (int v = 0; v < n_vertices; ++v)
+          full[v] += weight * values[v];
+      }
+    mass.setZero();
+    for (auto *sum : {&normals, &opposite, &distance})
+      sum->setZero();
   }
 
 
   template <int dim>
-  void CoveredFace<dim>::add(const Segment<dim>     &segment,
-                             const SurfaceFace<dim> &master,
-                             const FacingWeight     &facing)
+  void CoveredFace<dim>::add(const Segment<dim> &segment, const SurfaceFace<dim> &master)
   {
-    constexpr int                                 n_vertices = SurfaceFace<dim>::n_vertices;
-    Eigen::Matrix<double, n_vertices, n_vertices> slave_slave, slave_master;
-    Eigen::Matrix<double, n_vertices, dim>        normal, opposite_normal, apart;
-    for (auto *sum : {&slave_slave, &slave_master})
-      sum->setZero();
-    for (auto *sum : {&normal, &opposite_normal, &apart})
-      sum->setZero();
-    for (const SegmentPoint<dim> &point : segment.points)
-      {
-        const double weight =
-          facing ? facing(-(point.normal * point.opposite)) * point.weight : point.weight;
-        const OfVertices<dim> values = shape_values<dim>(point.slave), weighted = weight * values;
-        slave_slave += weighted * values.transpose();
-        slave_master += weighted * shape_values<dim>(point.master).transpose();
-        normal += weighted * row(point.normal);
-        opposite_normal += weighted * row(point.opposite);
-        apart += weighted * row(point.apart);
-      }
-    mass += of_vertices * slave_slave * of_vertices.transpose();
-    normals += of_vertices * normal;
-    opposite += of_vertices * opposite_normal;
-    distance += of_vertices * apart;
-    const Eigen::MatrixXd nodes_master = of_vertices * slave_master;
-    for (unsigned int v = 0; v < master.n_vertices; ++v)
+    mass += segment.slave_slave;
+    normals += segment.normals;
+    opposite += segment.opposite;
+    // From a place nearby, so that nothing cancels.
+    typename Segment<dim>::Vectors from, to;
+    for (int v = 0; v < n_vertices; ++v)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          from(v, c) = slave->vertices[v][c] - slave->vertices[0][c];
+          to(v, c)   = master.vertices[v][c] - slave->vertices[0][c];
+        }
+    distance += segment.slave_master * to - segment.slave_slave * from;
+    for (int v = 0; v < n_vertices; ++v)
       for (const auto &[node, weight] : master.nodes[v])
         {
-          const auto entry = mixed.emplace(node, Eigen::VectorXd::Zero(nodes.size())).first;
-          entry->second += weight * nodes_master.col(v);
+          auto entry = std::lower_bound(
+            mixed.begin(), mixed.end(), node, [](const auto &known, const auto other) {
+              return known.first < other;
+            });
+          if (entry == mixed.end() || entry->first != node)
+            entry = mixed.insert(entry, {node, {}});
+          for (int i = 0; i < n_vertices; ++i)
+            entry->second[i] += weight * segment.slave_master(i, v);
         }
     clearance = std::min(clearance, segment.smallest_gap);
   }

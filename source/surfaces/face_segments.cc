@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/surfaces/contact_frame.h>
 #include <signorini/surfaces/face_segments.h>
-#include <signorini/surfaces/polygon_clipping.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace signorini
@@ -17,98 +14,35 @@ namespace signorini
 
   namespace
   {
-    /** The auxiliary plane: through the centre of the slave face, across its normal there. */
+    /** Points and weights of a quadrature rule, lanes that are left over repeat the first point. */
     template <int dim>
-    struct FacePlane
+    struct LaneRule
     {
-      Point<dim>                          origin;
-      Tensor<1, dim>                      normal;
-      std::array<Tensor<1, dim>, dim - 1> axes;
+      std::vector<LanePoint<dim>> points;
+      std::vector<AtPoints<dim>>  weights;
 
-      explicit FacePlane(const SurfaceFace<dim> &face)
-        : origin(face.centre())
-        , normal(face.unit_normal())
+      explicit LaneRule(const Quadrature<dim - 1> &rule)
       {
-        const auto frame = contact_frame<dim>(normal);
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          for (unsigned int c = 0; c < dim; ++c)
-            axes[d][c] = frame[dim * (d + 1) + c];
-      }
-
-      Point<dim - 1> project(const Tensor<1, dim> &from_origin) const
-      {
-        Point<dim - 1> result;
-        for (unsigned int d = 0; d < dim - 1; ++d)
-          result[d] = axes[d] * from_origin;
-        return result;
-      }
-    };
-
-
-    /** A face seen in the plane: its projected vertices, and the way back from there. */
-    template <int dim>
-    class ProjectedFace
-    {
-    public:
-      ProjectedFace(const SurfaceFace<dim> &face, const FacePlane<dim> &plane)
-      {
-        for (unsigned int v = 0; v < face.n_vertices; ++v)
-          vertices[v] = plane.project(face.vertices[v] - plane.origin);
-      }
-
-      /** Counterclockwise (2d: two ascending coordinates). */
-      std::vector<Point<dim - 1>> outline() const
-      {
-        std::vector<Point<dim - 1>> points(vertices.begin(), vertices.end());
-        if constexpr (dim == 2)
+        constexpr unsigned int n_lanes = AtPoints<dim>::RowsAtCompileTime;
+        for (unsigned int first = 0; first < rule.size(); first += n_lanes)
           {
-            if (points[1][0] < points[0][0])
-              std::swap(points[0], points[1]);
-          }
-        else
-          {
-            std::swap(points[2], points[3]); // lexicographic to circular
-            if (area(points) < 0.)
-              std::reverse(points.begin(), points.end());
-          }
-        return points;
-      }
-
-      /**
-       * The reference coordinates of the point of the face that lies over a point of the plane: by
-       * Newton's method, which needs one step on a parallelogram.
-       */
-      Point<dim - 1> map_back(const Point<dim - 1> &target) const
-      {
-        if constexpr (dim == 2)
-          return Point<1>((target[0] - vertices[0][0]) / (vertices[1][0] - vertices[0][0]));
-        else
-          {
-            const Tensor<1, 2> a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
-                               bend = vertices[3] - vertices[2] - a;
-            Point<2> xi             = SurfaceFace<3>::middle();
-            for (unsigned int iteration = 0; iteration < 20; ++iteration)
+            LanePoint<dim> lane_points;
+            AtPoints<dim>  lane_weights;
+            for (unsigned int lane = 0; lane < n_lanes; ++lane)
               {
-                const Tensor<1, 2> defect = (target - vertices[0]) - xi[0] * a - xi[1] * b
-                                            - xi[0] * xi[1] * bend,
-                                   s = a + xi[1] * bend, t = b + xi[0] * bend;
-                const double       determinant = s[0] * t[1] - s[1] * t[0];
-                const Tensor<1, 2> change({(defect[0] * t[1] - defect[1] * t[0]) / determinant,
-                                           (s[0] * defect[1] - s[1] * defect[0]) / determinant});
-                xi += change;
-                if (change.norm() < 1e-14)
-                  break;
+                const unsigned int q = first + lane < rule.size() ? first + lane : 0;
+                for (unsigned int d = 0; d < dim - 1; ++d)
+                  lane_points[d][lane] = rule.point(q)[d];
+                lane_weights[lane] = first + lane < rule.size() ? rule.weight(q) : 0.;
               }
-            return xi;
+            points.push_back(lane_points);
+            weights.push_back(lane_weights);
           }
       }
-
-    private:
-      std::array<Point<dim - 1>, SurfaceFace<dim>::n_vertices> vertices;
     };
 
 
-    double measure(const std::vector<Point<1>> &interval)
+    double measure(const Outline<2> &interval)
     {
       return interval.empty() ? 0. : interval[1][0] - interval[0][0];
     }
@@ -117,54 +51,41 @@ namespace signorini
       return area(polygon);
     }
 
-    std::vector<Point<1>> overlap(const std::vector<Point<1>> &a, const std::vector<Point<1>> &b)
+    Outline<2> overlap(const Outline<2> &a, const Outline<2> &b)
     {
       const double lower = std::max(a[0][0], b[0][0]), upper = std::min(a[1][0], b[1][0]);
-      return lower < upper ? std::vector<Point<1>>{Point<1>(lower), Point<1>(upper)}
-                           : std::vector<Point<1>>();
+      return lower < upper ? Outline<2>{Point<1>(lower), Point<1>(upper)} : Outline<2>();
     }
-
     Polygon overlap(const Polygon &a, const Polygon &b)
     {
-      for (unsigned int d = 0; d < 2; ++d)
-        {
-          const auto less     = [d](const Point<2> &p, const Point<2> &q) { return p[d] < q[d]; };
-          const auto [a0, a1] = std::minmax_element(a.begin(), a.end(), less);
-          const auto [b0, b1] = std::minmax_element(b.begin(), b.end(), less);
-          if ((*a1)[d] <= (*b0)[d] || (*b1)[d] <= (*a0)[d])
-            return {};
-        }
       return clip(a, b);
     }
 
 
-    /** Points and weights on an interval, exact for the products of linear functions. */
-    std::vector<std::pair<Point<1>, double>> quadrature(const std::vector<Point<1>> &interval,
-                                                        SegmentRule)
+    /** Points on an interval, exact for the products of linear functions. */
+    template <typename Visit>
+    void visit_points(const Outline<2> &interval, SegmentRule, const Visit &visit)
     {
-      static const QGauss<1>                   rule(3);
-      const double                             length = measure(interval);
-      std::vector<std::pair<Point<1>, double>> result;
-      for (unsigned int q = 0; q < rule.size(); ++q)
-        result.emplace_back(interval[0] + length * Tensor<1, 1>(rule.point(q)),
-                            length * rule.weight(q));
-      return result;
+      static const LaneRule<2> rule{QGauss<1>(3)};
+      const double             length = measure(interval);
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        visit(LanePoint<2>{{interval[0][0] + length * rule.points[q][0]}},
+              length * rule.weights[q]);
     }
 
 
     /**
-     * Points and weights on a polygon, on each triangle of a fan: around its centre, which is more
-     * accurate on other quadrilaterals than parallelograms, or from a corner, which needs fewer.
+     * Points on a polygon, on each triangle of a fan: around its centre, which is more accurate on
+     * other quadrilaterals than parallelograms, or from a corner, which needs fewer.
      */
-    std::vector<std::pair<Point<2>, double>> quadrature(const Polygon    &polygon,
-                                                        const SegmentRule wanted)
+    template <typename Visit>
+    void visit_points(const Polygon &polygon, const SegmentRule wanted, const Visit &visit)
     {
-      static const QWitherdenVincentSimplex<2> degree_5(3), degree_9(5);
-      const bool                               from_corner = wanted == SegmentRule::degree_5;
-      const auto                              &rule        = from_corner ? degree_5 : degree_9;
-      std::vector<std::pair<Point<2>, double>> result;
-      result.reserve(polygon.size() * rule.size());
-      Point<2> apex = polygon[0];
+      static const LaneRule<3> degree_5{QWitherdenVincentSimplex<2>(3)},
+        degree_9{QWitherdenVincentSimplex<2>(5)};
+      const bool  from_corner = wanted == SegmentRule::degree_5;
+      const auto &rule        = from_corner ? degree_5 : degree_9;
+      Point<2>    apex        = polygon[0];
       if (!from_corner)
         {
           apex = Point<2>();
@@ -175,63 +96,207 @@ namespace signorini
         {
           const Tensor<1, 2> a = polygon[i] - apex, b = polygon[(i + 1) % polygon.size()] - apex;
           const double       jacobian = a[0] * b[1] - a[1] * b[0];
-          for (unsigned int q = 0; q < rule.size() && jacobian > 0.; ++q)
-            result.emplace_back(apex + rule.point(q)[0] * a + rule.point(q)[1] * b,
-                                jacobian * rule.weight(q));
+          for (std::size_t q = 0; q < rule.points.size() && jacobian > 0.; ++q)
+            {
+              const auto &[r, s] = rule.points[q];
+              visit(LanePoint<3>{{apex[0] + r * a[0] + s * b[0], apex[1] + r * a[1] + s * b[1]}},
+                    jacobian * rule.weights[q]);
+            }
         }
+    }
+
+
+    template <int dim>
+    AtPoints<dim> product(const std::array<AtPoints<dim>, dim> &a,
+                          const std::array<AtPoints<dim>, dim> &b)
+    {
+      AtPoints<dim> result = a[0] * b[0];
+      for (unsigned int c = 1; c < dim; ++c)
+        result += a[c] * b[c];
       return result;
     }
+
+
+    /** Points on two faces that lie over the same points of the plane. */
+    template <int dim>
+    struct OppositePoints
+    {
+      const LanePoint<dim>           slave, master; ///< reference coordinates
+      const LaneShapes<dim>          slave_shapes, master_shapes;
+      AtPoints<dim>                  surface;          ///< per area in the plane
+      std::array<AtPoints<dim>, dim> normal, opposite; ///< unit vectors out of the bodies
+
+      OppositePoints(const LanePoint<dim>     &point,
+                     const FacePlane<dim>     &plane,
+                     const ProjectedFace<dim> &slave_below,
+                     const ProjectedFace<dim> &master_below)
+        : slave(slave_below.map_back(point))
+        , master(master_below.map_back(point))
+        , slave_shapes(ProjectedFace<dim>::shape_values(slave))
+        , master_shapes(ProjectedFace<dim>::shape_values(master))
+        , normal(slave_below.area_vector(slave))
+        , opposite(master_below.area_vector(master))
+      {
+        for (auto *vector : {&normal, &opposite})
+          {
+            const AtPoints<dim> factor = 1. / product<dim>(*vector, *vector).sqrt();
+            for (AtPoints<dim> &component : *vector)
+              component *= factor;
+          }
+        surface = normal[0] * plane.normal[0];
+        for (unsigned int c = 1; c < dim; ++c)
+          surface += normal[c] * plane.normal[c];
+        surface = 1. / surface;
+      }
+    };
+
+
+    /** Of all lanes that have a weight. */
+    template <int dim>
+    void keep_points(const OppositePoints<dim>      &at,
+                     const AtPoints<dim>            &weights,
+                     const SurfaceFace<dim>         &slave,
+                     const SurfaceFace<dim>         &master,
+                     std::vector<SegmentPoint<dim>> &points)
+    {
+      for (Eigen::Index lane = 0; lane < weights.size(); ++lane)
+        if (weights[lane] > 0.)
+          {
+            SegmentPoint<dim> point;
+            for (unsigned int d = 0; d < dim - 1; ++d)
+              {
+                point.slave[d]  = at.slave[d][lane];
+                point.master[d] = at.master[d][lane];
+              }
+            point.weight = weights[lane] * at.surface[lane];
+            for (unsigned int c = 0; c < dim; ++c)
+              {
+                point.normal[c]   = at.normal[c][lane];
+                point.opposite[c] = at.opposite[c][lane];
+              }
+            point.apart = master.position(point.master) - slave.position(point.slave);
+            points.push_back(point);
+          }
+    }
   } // namespace
+
+
+  template <int dim>
+  SegmentFinder<dim>::SegmentFinder(const SurfaceFace<dim> &slave,
+                                    const SegmentRule       rule,
+                                    const FacingWeight     &facing)
+    : slave(slave)
+    , rule(rule)
+    , facing(facing)
+    , plane(slave)
+    , below(slave, plane)
+    , outline(below.outline())
+    , whole_area(measure(outline))
+  {
+    below.prepare(slave);
+  }
+
+
+  template <int dim>
+  void SegmentFinder<dim>::find(const SurfaceFace<dim> &master, Segment<dim> &segment) const
+  {
+    ProjectedFace<dim> master_below(master, plane);
+    if (!below.may_overlap(master_below))
+      return;
+    master_below.prepare(master);
+    // Beyond 84 degrees faces do not look at each other; a projection would be distorted without
+    // bound.
+    const Tensor<1, dim> opposite = master_below.area_vector_at_centre();
+    if (opposite * plane.normal > -0.1 * opposite.norm())
+      return;
+    const Outline<dim> common  = overlap(outline, master_below.outline());
+    const double       covered = measure(common);
+    if (!(covered > 1e-12 * whole_area))
+      return;
+    segment.area         = covered;
+    segment.smallest_gap = smallest_gap(common, master_below);
+    integrate(common, master, master_below, segment);
+  }
+
+
+  template <int dim>
+  double SegmentFinder<dim>::smallest_gap(const Outline<dim>       &common,
+                                          const ProjectedFace<dim> &master) const
+  {
+    constexpr std::size_t n_lanes = AtPoints<dim>::RowsAtCompileTime;
+    double                result  = std::numeric_limits<double>::max();
+    for (std::size_t first = 0; first < common.size(); first += n_lanes)
+      {
+        LanePoint<dim> corners;
+        for (std::size_t lane = 0; lane < n_lanes; ++lane)
+          for (unsigned int d = 0; d < dim - 1; ++d)
+            corners[d][lane] = common[std::min(first + lane, common.size() - 1)][d];
+        const auto shapes   = ProjectedFace<dim>::shape_values(below.map_back(corners)),
+                   opposite = ProjectedFace<dim>::shape_values(master.map_back(corners));
+        result = std::min(result, (master.height(opposite) - below.height(shapes)).minCoeff());
+      }
+    return result;
+  }
+
+
+  template <int dim>
+  void SegmentFinder<dim>::integrate(const Outline<dim>       &common,
+                                     const SurfaceFace<dim>   &master,
+                                     const ProjectedFace<dim> &master_below,
+                                     Segment<dim>             &segment) const
+  {
+    constexpr int n_vertices = Segment<dim>::n_vertices, n_factors = 2 * (n_vertices + dim),
+                  n_lanes = AtPoints<dim>::RowsAtCompileTime;
+    // Sums over lanes are left to the end.
+    Eigen::Array<double, n_lanes, n_vertices * n_factors> sums;
+    sums.setZero();
+    AtPoints<dim> gap = AtPoints<dim>::Zero();
+    visit_points(common, rule, [&](const LanePoint<dim> &point, const AtPoints<dim> &weights) {
+      const OppositePoints<dim> at(point, plane, below, master_below);
+      gap += weights * (master_below.height(at.master_shapes) - below.height(at.slave_shapes));
+      const AtPoints<dim> counted =
+        weights * at.surface * facing(AtPoints<dim>(-product<dim>(at.normal, at.opposite)));
+      for (int i = 0; i < n_vertices; ++i)
+        {
+          const AtPoints<dim> weighted = counted * at.slave_shapes[i];
+          auto                factor   = sums.template middleCols<n_factors>(i * n_factors);
+          for (int j = 0; j < n_vertices; ++j)
+            {
+              factor.col(j) += weighted * at.slave_shapes[j];
+              factor.col(n_vertices + j) += weighted * at.master_shapes[j];
+            }
+          for (int c = 0; c < dim; ++c)
+            {
+              factor.col(2 * n_vertices + c) += weighted * at.normal[c];
+              factor.col(2 * n_vertices + dim + c) += weighted * at.opposite[c];
+            }
+        }
+      if (rule == SegmentRule::degree_9)
+        keep_points(at, weights, slave, master, segment.points);
+    });
+    segment.gap                                              = gap.sum() / segment.area;
+    const Eigen::Array<double, 1, n_vertices *n_factors> all = sums.colwise().sum();
+    const Eigen::Map<const Eigen::Matrix<double, n_vertices, n_factors, Eigen::RowMajor>> rows(
+      all.data());
+    segment.slave_slave  = rows.template middleCols<n_vertices>(0);
+    segment.slave_master = rows.template middleCols<n_vertices>(n_vertices);
+    segment.normals      = rows.template middleCols<dim>(2 * n_vertices);
+    segment.opposite     = rows.template middleCols<dim>(2 * n_vertices + dim);
+  }
 
 
   template <int dim>
   Segment<dim>
   intersect(const SurfaceFace<dim> &slave, const SurfaceFace<dim> &master, const SegmentRule rule)
   {
-    Segment<dim>         segment;
-    const FacePlane<dim> plane(slave);
-    // Beyond 84 degrees faces do not look at each other; a projection would be distorted without
-    // bound.
-    if (master.unit_normal() * plane.normal > -0.1)
-      return segment;
-
-    const ProjectedFace<dim> slave_below(slave, plane), master_below(master, plane);
-    const auto               slave_outline = slave_below.outline();
-    const auto               common        = overlap(slave_outline, master_below.outline());
-    segment.area                           = measure(common);
-    if (!(segment.area > 1e-12 * measure(slave_outline)))
-      return segment;
-
-    segment.smallest_gap = std::numeric_limits<double>::max();
-    for (const Point<dim - 1> &corner : common)
-      segment.smallest_gap = std::min(segment.smallest_gap,
-                                      plane.normal
-                                        * (master.position(master_below.map_back(corner))
-                                           - slave.position(slave_below.map_back(corner))));
-    const auto points = quadrature(common, rule);
-    segment.points.reserve(points.size());
-    for (const auto &[point, weight] : points)
-      {
-        const Point<dim - 1> xi = slave_below.map_back(point), eta = master_below.map_back(point);
-        const Tensor<1, dim> normal = slave.unit_normal(xi),
-                             apart  = master.position(eta) - slave.position(xi);
-        segment.points.push_back(
-          {xi, eta, weight / (normal * plane.normal), normal, master.unit_normal(eta), apart});
-        segment.gap += weight / segment.area * (plane.normal * apart);
-      }
+    Segment<dim> segment;
+    SegmentFinder<dim>(slave, rule).find(master, segment);
     return segment;
   }
 
 
-  template <int dim>
-  double projected_area(const SurfaceFace<dim> &face)
-  {
-    return measure(ProjectedFace<dim>(face, FacePlane<dim>(face)).outline());
-  }
-
-
+  template class SegmentFinder<2>;
+  template class SegmentFinder<3>;
   template Segment<2> intersect(const SurfaceFace<2> &, const SurfaceFace<2> &, SegmentRule);
   template Segment<3> intersect(const SurfaceFace<3> &, const SurfaceFace<3> &, SegmentRule);
-  template double     projected_area(const SurfaceFace<2> &);
-  template double     projected_area(const SurfaceFace<3> &);
 } // namespace signorini

@@ -3,6 +3,9 @@
 
 #include <signorini/surfaces/polygon_clipping.h>
 
+#include <algorithm>
+#include <array>
+
 namespace signorini
 {
   using namespace dealii;
@@ -30,11 +33,15 @@ namespace signorini
     Polygon result = subject;
     for (std::size_t e = 0; e < window.size() && result.size() > 2; ++e)
       {
-        const Point<2>     &start = window[e];
-        const Tensor<1, 2>  edge  = window[(e + 1) % window.size()] - start;
-        std::vector<double> side; // distance to the left of the edge, times its length
-        for (const Point<2> &p : result)
-          side.push_back(cross(edge, p - start));
+        const Point<2>    &start = window[e];
+        const Tensor<1, 2> edge  = window[(e + 1) % window.size()] - start;
+        // Distances to the left of the edge, times its length.
+        std::array<double, Polygon::static_capacity> side;
+        for (std::size_t i = 0; i < result.size(); ++i)
+          side[i] = cross(edge, result[i] - start);
+        if (std::all_of(
+              side.begin(), side.begin() + result.size(), [](const double s) { return s >= 0.; }))
+          continue;
         Polygon clipped;
         for (std::size_t i = 0; i < result.size(); ++i)
           {

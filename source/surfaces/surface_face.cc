@@ -56,6 +56,22 @@ namespace signorini
 
 
   template <int dim>
+  std::array<Tensor<1, dim>, dim> SurfaceFace<dim>::area_vector_parts() const
+  {
+    const Tensor<1, dim> s = vertices[1] - vertices[0];
+    if constexpr (dim == 2)
+      return {{orientation * cross_product_2d(s), Tensor<1, 2>()}};
+    else
+      {
+        const Tensor<1, 3> t = vertices[2] - vertices[0], bend = (vertices[3] - vertices[2]) - s;
+        return {{orientation * cross_product_3d(s, t),
+                 orientation * cross_product_3d(s, bend),
+                 orientation * cross_product_3d(bend, t)}};
+      }
+  }
+
+
+  template <int dim>
   Point<dim - 1> SurfaceFace<dim>::middle()
   {
     Point<dim - 1> result;

@@ -59,14 +59,13 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<std::size_t> Sweep<dim>::meets(const Tree &tree) const
+  void Sweep<dim>::find(const Tree &tree, std::vector<std::size_t> &found) const
   {
-    std::vector<std::size_t> found;
+    found.clear();
     search(tree, -behind, ahead, found);
     // Neighbouring parts find the same; the order of sums must not depend on the tree.
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
   }
 
 

@@ -6,7 +6,7 @@
 
 #include <signorini/contact/contact_node.h>
 #include <signorini/discretization/dirichlet_conditions.h>
-#include <signorini/surfaces/contact_search.h>
+#include <signorini/surfaces/covered_surface.h>
 
 #include <map>
 
@@ -81,6 +81,8 @@ namespace signorini
     std::map<unsigned int, double>      areas;
     std::vector<unsigned int>           owned_slave_nodes, owned_master_nodes;
     std::vector<double>                 bluntness; ///< of the slave surface, per owned node
+    double       largest_face   = 0.;              ///< diameter in the reference configuration
+    unsigned int n_master_nodes = 0;               ///< on all processes
 
     /** Area and bluntness of the slave's nodes. Collective. */
     void measure_slave();
@@ -88,11 +90,10 @@ namespace signorini
     void measure_thickness();
     bool is_of_one_body() const { return pairs[pair].slave == pairs[pair].master; }
     /** The coupling of faces that face each other. Collective. */
-    std::vector<ContactNode<dim>> couple(const FacingSurfaces<dim> &surfaces,
+    std::vector<ContactNode<dim>> couple(const CoveredSurface<dim> &surface,
                                          const std::vector<bool>   *excluded) const;
-    /** Around the owned nodes of a surface on all processes. Collective. */
-    dealii::BoundingBox<dim> box_of(const std::vector<unsigned int> &nodes,
-                                    const Vector                    &displacement) const;
+    /** Around the nodes of slave and master, those of all processes. Collective. */
+    std::vector<dealii::BoundingBox<dim>> boxes(const Vector &displacement) const;
     /** Faces in a configuration, as far as they are in a box. */
     std::vector<SurfaceFace<dim>> displaced(const std::vector<SurfaceFace<dim>> &faces,
                                             const Vector                        &displacement,

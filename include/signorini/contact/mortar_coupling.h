@@ -6,23 +6,13 @@
 
 #include <signorini/contact/contact_node.h>
 #include <signorini/discretization/dirichlet_conditions.h>
-#include <signorini/surfaces/contact_search.h>
-#include <signorini/surfaces/covered_face.h>
-#include <signorini/surfaces/mean_curvature.h>
-
-#include <functional>
-#include <map>
+#include <signorini/surfaces/covered_surface.h>
 
 namespace signorini
 {
   /** Where normals of a pair of bodies come from, and which nodes and parts of faces count. */
   struct MortarRules
   {
-    /**
-     * How much a point counts, by the cosine between the normal of the slave and the opposite one
-     * of the master. Null: always 1.
-     */
-    std::function<double(double)> facing;
     /**
      * Per owned node 1 - |mean of the unit normals| of the slave faces around it: 0 on a flat
      * surface. If given, the normal of a contact node is that of the side that is flatter there, so
@@ -70,12 +60,12 @@ namespace signorini
                    const std::vector<PairDescription> &pairs,
                    unsigned int                        pair);
 
-    /** With surfaces that are in any configuration. Collective. */
+    /** With a surface in any configuration. Collective. */
     MortarCoupling(const Discretization<dim>          &discretization,
                    const DirichletConditions<dim>     &dirichlet,
                    const std::vector<PairDescription> &pairs,
                    unsigned int                        pair,
-                   const FacingSurfaces<dim>          &surfaces,
+                   const CoveredSurface<dim>          &surface,
                    const MortarRules                  &rules);
 
     /** The owned nodes that carry a multiplier, ascending. */
@@ -98,21 +88,22 @@ namespace signorini
     unsigned int n_left_to_dirichlet_conditions() const { return n_left_to_dirichlet; }
 
   private:
-    using Rows =
-      std::map<dealii::types::global_dof_index, std::map<dealii::types::global_dof_index, double>>;
+    /** Rows of P times D, ascending, by local node: owned ones, then ghosts. */
+    using Rows = std::vector<NodeWeights>;
 
     const Discretization<dim>    &discretization;
     const unsigned int            pair;
     const std::string             pair_name;
     const MortarRules             rules;
     NormalWeights                 weights; ///< of the whole pair, without MortarRules::bluntness
+    const double                  total_area, total_covered_area;
+    const bool                    any_segment;
     std::vector<ContactNode<dim>> contact_nodes;
-    double                        total_area = 0., total_covered_area = 0.;
     unsigned int                  n_left_to_dirichlet = 0, n_global = 0;
-    bool                          any_segment = false;
-    double                        turn        = 0.;
+    double                        turn = 0.;
 
-    std::vector<CoveredFace<dim>> integrate(const FacingSurfaces<dim> &surfaces);
+    /** Owned, or ghost. */
+    unsigned int local_node(dealii::types::global_dof_index node) const;
     /** Sums of integrals over the faces around each node. */
     struct NodeIntegrals
     {
@@ -144,8 +135,14 @@ namespace signorini
     void assemble_rows(const std::vector<CoveredFace<dim>> &faces, const Vector &carries);
     /** Take the multipliers of nodes whose rows turn out not to be usable. @return whether any */
     bool drop_what_transmits_little(Vector &carries);
+    /** The part of a face in the rows of its nodes, in their integrals and distances. */
+    void add_rows(const CoveredFace<dim> &face,
+                  const Vector           &carries,
+                  Rows                   &rows,
+                  Vector                 &integrals,
+                  Vector                 &distance) const;
     /** Sum the rows of all processes at the owners of the nodes. */
-    Rows send_to_owners(const Rows &rows) const;
+    void send_to_owners(Rows &rows) const;
   };
 } // namespace signorini
 

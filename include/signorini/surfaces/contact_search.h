@@ -8,52 +8,64 @@
 #include <signorini/surfaces/sweep.h>
 
 #include <functional>
+#include <optional>
 
 namespace signorini
 {
-  /**
-   * The owned slave faces of a pair, the master faces that they may meet, and the segments on each
-   * slave face.
-   */
+  /** The owned faces of a pair of bodies, and for each slave face how far it looks. */
   template <int dim>
   struct FacingSurfaces
   {
     std::vector<SurfaceFace<dim>> slaves, masters;
-    std::vector<std::vector<Segment<dim>>>
-      segments; ///< per slave face; empty where nothing is opposite
+    std::vector<Sweep<dim>>       sweeps; ///< per slave face
   };
 
   /**
-   * Find what is opposite to the slave faces of a pair of bodies, along their normals. If several
-   * sheets of the master surface are opposite, the closest counts. Collective: each process
-   * receives the master faces near its own slave faces and no others; bounding boxes, a few per
-   * process, tell who may need what.
-   *
-   * Parts of the master that lie behind the slave face count as long as they are less than a
-   * quarter of both bodies deep; so bodies that overlap are noticed, and the far sides of bodies
-   * are not mistaken for contact.
+   * Those of the reference configuration. Parts of the master that lie behind the slave face count
+   * as long as they are less than a quarter of both bodies deep; so bodies that overlap are
+   * noticed, and the far sides of bodies are not mistaken for contact.
    */
   template <int dim>
-  FacingSurfaces<dim> find_facing_surfaces(const Discretization<dim> &discretization,
-                                           const PairDescription     &pair);
+  FacingSurfaces<dim> facing_surfaces(const Discretization<dim> &discretization,
+                                      const PairDescription     &pair);
 
   template <int dim>
-  using MayMeet = std::function<bool(const SurfaceFace<dim> &, const SurfaceFace<dim> &)>;
+  struct SearchRules
+  {
+    SegmentRule rule = SegmentRule::degree_9;
+    /** How much points count. Without: 1. */
+    std::optional<FacingWeight> facing;
+    /** Whether a slave face (the first one) and a master face may meet at all. Null: any. */
+    std::function<bool(const SurfaceFace<dim> &, const SurfaceFace<dim> &)> may_meet;
+  };
+
+  /** What is opposite to a slave face. */
+  template <int dim>
+  struct FacedByMasters
+  {
+    std::size_t                          slave;          ///< index
+    double                               projected_area; ///< of the slave face; 0 if none is near
+    const std::vector<Segment<dim>>     &segments;       ///< empty where nothing is opposite
+    const std::vector<SurfaceFace<dim>> &masters;        ///< what the segments refer to
+  };
+
+  template <int dim>
+  using OnFace = std::function<void(const FacedByMasters<dim> &)>;
 
   /**
-   * The same with faces in any configuration, and for each slave face how far it looks.
-   * @param slaves, masters owned faces
-   * @param may_meet whether a slave face (the first one) and a master face may face each other at
-   * all; null: any
-   * @param rule see intersect()
+   * Find what is opposite to the slave faces of a pair of bodies, along their normals, and hand it
+   * over face by face, in their order: all segments would take more memory than all else. If
+   * several sheets of the master surface are opposite, the closest counts. Collective: each process
+   * receives the master faces near its own slave faces and no others; bounding boxes, a few per
+   * process, tell who may need what.
    */
   template <int dim>
-  FacingSurfaces<dim> find_facing_surfaces(std::vector<SurfaceFace<dim>>        slaves,
-                                           const std::vector<SurfaceFace<dim>> &masters,
-                                           const std::vector<Sweep<dim>>       &sweeps,
-                                           MPI_Comm                             communicator,
-                                           const MayMeet<dim>                  &may_meet,
-                                           SegmentRule                          rule);
+  void find_opposite(const std::vector<SurfaceFace<dim>> &slaves,
+                     std::vector<SurfaceFace<dim>>        masters,
+                     const std::vector<Sweep<dim>>       &sweeps,
+                     MPI_Comm                             communicator,
+                     const SearchRules<dim>              &rules,
+                     const OnFace<dim>                   &on_face);
 } // namespace signorini
 
 #endif

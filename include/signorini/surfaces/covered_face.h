@@ -6,41 +6,31 @@
 
 #include <signorini/surfaces/face_segments.h>
 
-#include <Eigen/Core>
-
-#include <functional>
 #include <limits>
-#include <map>
 
 namespace signorini
 {
-  /** What a pair of points that face each other counts, by the cosine of their angle. */
-  using FacingWeight = std::function<double(double)>;
-
-  /** Integrals over the covered part of a slave face; one row per node that moves the face. */
+  /** Integrals over the covered part of a slave face; one row per vertex. */
   template <int dim>
   struct CoveredFace
   {
-    /** Nodes and full integrals; nothing is covered yet. The face must outlive this. */
+    static constexpr int n_vertices = SurfaceFace<dim>::n_vertices;
+
+    /** Full integrals; nothing is covered yet. The face must outlive this. */
     explicit CoveredFace(const SurfaceFace<dim> &slave);
 
-    /** Add a segment to the integrals. @param facing null: 1 */
-    void
-    add(const Segment<dim> &segment, const SurfaceFace<dim> &master, const FacingWeight &facing);
+    /** Add a segment to the integrals. */
+    void add(const Segment<dim> &segment, const SurfaceFace<dim> &master);
 
-    const SurfaceFace<dim>                      *slave;
-    std::vector<dealii::types::global_dof_index> nodes;
-    Eigen::MatrixXd                              mass; ///< int N_i N_j
-    std::map<dealii::types::global_dof_index, Eigen::VectorXd>
-                    mixed;                                 ///< per master node l: int N_i N_l(chi)
-    Eigen::MatrixXd normals;                               ///< int N_i nu, dim columns
-    Eigen::MatrixXd opposite;                              ///< int N_i n(chi), dim columns
-    Eigen::MatrixXd distance;                              ///< int N_i (X(chi) - X), dim columns
-    Eigen::VectorXd full;                                  ///< int N_i over the whole face
+    const SurfaceFace<dim>           *slave;
+    typename Segment<dim>::OfVertices mass;                ///< int N_i N_j
+    typename Segment<dim>::Vectors    normals;             ///< int N_i nu
+    typename Segment<dim>::Vectors    opposite;            ///< int N_i n(chi)
+    typename Segment<dim>::Vectors    distance;            ///< int N_i (X(chi) - X)
+    std::array<double, n_vertices>    full;                ///< int N_i over the whole face
     double clearance = std::numeric_limits<double>::max(); ///< smallest distance to the master
-
-  private:
-    Eigen::MatrixXd of_vertices; ///< N_i at the vertices of the face
+    /** For the master nodes l, ascending: int N_i N_l(chi). */
+    std::vector<std::pair<dealii::types::global_dof_index, std::array<double, n_vertices>>> mixed;
   };
 } // namespace signorini
 

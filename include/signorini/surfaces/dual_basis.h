@@ -4,7 +4,7 @@
 #ifndef signorini_surfaces_dual_basis_h
 #define signorini_surfaces_dual_basis_h
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 
 #include <vector>
 
@@ -28,6 +28,14 @@ namespace signorini
    * @param carries whether a node carries a multiplier; at least one has to
    */
   Eigen::MatrixXd dual_basis(const Eigen::MatrixXd &mass, const std::vector<bool> &carries);
+
+  /** The same where all nodes carry a multiplier: psi = D M^-1. */
+  template <int n>
+  Eigen::Matrix<double, n, n> dual_basis(const Eigen::Matrix<double, n, n> &mass)
+  {
+    return mass.rowwise().sum().asDiagonal()
+           * Eigen::Matrix<double, n, n>(mass.fullPivLu().inverse());
+  }
 } // namespace signorini
 
 #endif

@@ -6,12 +6,15 @@
 
 #include <deal.II/base/point.h>
 
-#include <vector>
+#include <boost/container/static_vector.hpp>
 
 namespace signorini
 {
-  /** Vertices in counterclockwise order. */
-  using Polygon = std::vector<dealii::Point<2>>;
+  /**
+   * Vertices in counterclockwise order. There is room for what two quadrilaterals have in common,
+   * also if they are not convex.
+   */
+  using Polygon = boost::container::static_vector<dealii::Point<2>, 16>;
 
   /** Signed area, positive for counterclockwise order. */
   double area(const Polygon &polygon);

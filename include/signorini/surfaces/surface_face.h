@@ -48,6 +48,9 @@ namespace signorini
     /** Outward normal times the surface element. */
     dealii::Tensor<1, dim> area_vector(const dealii::Point<dim - 1> &xi) const;
 
+    /** The same is linear: the constant part, and what reference coordinates are multiplied by. */
+    std::array<dealii::Tensor<1, dim>, dim> area_vector_parts() const;
+
     /** Reference coordinates of the centre. */
     static dealii::Point<dim - 1> middle();
 

@@ -45,7 +45,13 @@ namespace signorini
      * The boxes of a tree that it meets, and some that it misses by less than about the diameter of
      * the face; ascending.
      */
-    std::vector<std::size_t> meets(const Tree &tree) const;
+    void                     find(const Tree &tree, std::vector<std::size_t> &found) const;
+    std::vector<std::size_t> meets(const Tree &tree) const
+    {
+      std::vector<std::size_t> found;
+      find(tree, found);
+      return found;
+    }
 
   private:
     const dealii::Tensor<1, dim>   normal;
