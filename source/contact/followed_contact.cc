@@ -153,14 +153,12 @@ namespace signorini
       look_around(site);
     });
     largest_coordinate     = Utilities::MPI::max(largest_coordinate, discretization.communicator());
-    const double size      = discretization.mesh().body_size(),
-                 round_off = 16. * std::numeric_limits<double>::epsilon() * largest_coordinate;
-    accepted               = relative_tolerance * size + round_off;
-    wanted                 = strain > 0.
-                               ? std::clamp(part_of_strain * strain, finest_tolerance, relative_tolerance) * size
-                   + round_off
-                               : accepted;
-    n_followed             = 0;
+    const double size      = discretization.mesh().body_size();
+    const double round_off = 16. * std::numeric_limits<double>::epsilon() * largest_coordinate;
+    const double part = std::clamp(part_of_strain * strain, finest_tolerance, relative_tolerance);
+    accepted          = relative_tolerance * size + round_off;
+    wanted            = strain > 0. ? part * size + round_off : accepted;
+    n_followed        = 0;
     follow(expected);
   }
 
