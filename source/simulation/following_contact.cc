@@ -108,17 +108,17 @@ namespace signorini
       }
 
     private:
-      TimeScheme                     &scheme;
-      DynamicalSystem                &system;
-      MovingContact                  &contact;
-      const State                    &start;
-      const double                    step_size;
-      const std::vector<unsigned int> entries; ///< on which normals depend
-      State                           end;
-      Vector                          increment;
-      double                          latest_mismatch = 0.;
-      StepReport                      report;
-      SolveReport                     correctors, predictors;
+      TimeScheme                      &scheme;
+      DynamicalSystem                 &system;
+      MovingContact                   &contact;
+      const State                     &start;
+      const double                     step_size;
+      const std::vector<unsigned int> &entries; ///< on which normals depend
+      State                            end;
+      Vector                           increment;
+      double                           latest_mismatch = 0.;
+      StepReport                       report;
+      SolveReport                      correctors, predictors;
 
       void follow(const Vector &motion_of_entries)
       {

@@ -17,6 +17,9 @@ namespace signorini
     , geometry(std::make_unique<FollowedContact<dim>>(discretization, dirichlet, surface))
     , held(held)
   {
+    for (const unsigned int node : geometry->nodes())
+      for (unsigned int c = 0; c < dim; ++c)
+        entries_of_contact.push_back(dim * node + c);
   }
 
 
@@ -35,17 +38,6 @@ namespace signorini
       if (missed[k] != 0.)
         work -= force.local_element(surface.nodes()[k].entry()) * missed[k];
     return dealii::Utilities::MPI::sum(work, contact_force.get_mpi_communicator());
-  }
-
-
-  template <int dim>
-  std::vector<unsigned int> StepContact<dim>::entries() const
-  {
-    std::vector<unsigned int> result;
-    for (const unsigned int node : geometry->nodes())
-      for (unsigned int c = 0; c < dim; ++c)
-        result.push_back(dim * node + c);
-    return result;
   }
 
 
@@ -79,10 +71,10 @@ namespace signorini
         arrive(start.displacement, start.time);
         return;
       }
-    State                           before;
-    const std::vector<unsigned int> contact = entries();
-    before.time                             = moments[1].time;
-    before.displacement                     = start.displacement;
+    State                            before;
+    const std::vector<unsigned int> &contact = entries();
+    before.time                              = moments[1].time;
+    before.displacement                      = start.displacement;
     for (std::size_t i = 0; i < contact.size(); ++i)
       before.displacement.local_element(contact[i]) = moments[1].displacement[i];
     return_to(before, start);
@@ -109,7 +101,7 @@ namespace signorini
   template <int dim>
   Vector StepContact<dim>::expected_increment(const State &start, const double step_size)
   {
-    const std::vector<unsigned int> contact = entries();
+    const std::vector<unsigned int> &contact = entries();
     while (!moments.empty() && moments.front().time >= start.time)
       moments.pop_front(); // the step is made again
     moments.push_front({start.time, {}});

@@ -45,9 +45,9 @@ namespace signorini
     bool   repeats() const override { return is_repetition; }
     double mismatch(const Vector &increment) override;
     bool   passes_through(const Vector &increment) const override;
-    std::vector<unsigned int> entries() const override;
-    const Vector             *obstacle_motion() const override;
-    double                    geometry_work(const Vector &contact_force) const override;
+    const std::vector<unsigned int> &entries() const override { return entries_of_contact; }
+    const Vector                    *obstacle_motion() const override;
+    double                           geometry_work(const Vector &contact_force) const override;
 
     /**
      * The motion of the obstacles along the tangents on which friction acts, in contact
@@ -63,6 +63,7 @@ namespace signorini
     const ContactSurface<dim>               &surface;
     std::unique_ptr<FollowedContact<dim>>    geometry;
     const std::function<std::vector<bool>()> held;
+    std::vector<unsigned int>                entries_of_contact;
     bool                                     is_repetition = false, is_tried = false;
     StepNormals                              latest_normals = StepNormals::of_motion;
     Vector                                   motion_of_obstacles;

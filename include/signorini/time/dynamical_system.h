@@ -242,7 +242,7 @@ namespace signorini
     virtual bool passes_through(const Vector &increment) const = 0;
 
     /** Entries (owned, local) of increments on which normals depend. */
-    virtual std::vector<unsigned int> entries() const = 0;
+    virtual const std::vector<unsigned int> &entries() const = 0;
 
     /**
      * The motion of what the contact nodes face, in the step: an increment for each contact node,
