@@ -277,12 +277,9 @@ namespace signorini
   template <int dim>
   void FollowedContact<dim>::follow(const Vector &increment)
   {
-    if (n_followed == 0)
-      first = increment;
-    else if (pairs.any() && n_followed == most_full_steps
-             && normals_of_step == StepNormals::of_motion)
-      pairs.keep_geometry(first);
-    else if (pairs.any())
+    if (pairs.any() && n_followed == most_full_steps && normals_of_step == StepNormals::of_motion)
+      pairs.keep_geometry_of_expected();
+    else if (pairs.any() && n_followed > 0)
       pairs.follow(increment);
     if (n_followed > most_full_steps)
       wanted = accepted;

@@ -80,11 +80,12 @@ namespace signorini
 
   template <int dim>
   void FollowedPairs<dim>::begin_step(const Vector     &displacement,
-                                      const Vector     &expected,
+                                      const Vector     &expected_motion,
                                       const StepNormals normals)
   {
     at_end    = normals == StepNormals::at_end;
     start     = displacement;
+    expected  = expected_motion;
     looked_at = Vector();
     is_kept   = false;
     missed_gaps.clear();
@@ -106,9 +107,9 @@ namespace signorini
 
 
   template <int dim>
-  void FollowedPairs<dim>::keep_geometry(const Vector &increment)
+  void FollowedPairs<dim>::keep_geometry_of_expected()
   {
-    follow(increment);
+    follow(expected);
     is_kept = true;
   }
 

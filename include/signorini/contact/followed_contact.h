@@ -113,7 +113,6 @@ namespace signorini
     double                          accepted = 0., wanted = 0.; ///< lengths
     unsigned int                    n_followed      = 0;        ///< motions of this step
     StepNormals                     normals_of_step = StepNormals::of_motion;
-    Vector                          first; ///< motion of this step: the expected one
 
     /** The laws of friction of all facings. Collective. */
     void find_friction();

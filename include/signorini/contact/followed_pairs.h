@@ -87,10 +87,10 @@ namespace signorini
     void follow(const Vector &increment);
 
     /**
-     * The same, and from now on in this step normals and partners stay; only bounds change with the
-     * motion. Collective.
+     * From now on in this step normals and partners are those of the motion that was expected; only
+     * bounds change with the motion. Collective.
      */
-    void keep_geometry(const Vector &increment);
+    void keep_geometry_of_expected();
 
     /** See where a motion ends; the conditions stay. Collective. */
     void look_at_end(const Vector &increment);
@@ -126,7 +126,8 @@ namespace signorini
     bool                                                       is_cyclic = false;
     std::map<unsigned int, Conditions>                         conditions; ///< by pair
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
-    Vector                                                     start; ///< displacement
+    Vector                                                     start;    ///< displacement
+    Vector                                                     expected; ///< motion
     bool                                                       at_end = false, is_kept = false;
     Vector                                                 looked_at; ///< the latest motion, if any
     std::map<unsigned int, std::map<unsigned int, double>> end_gaps;  ///< of it, by pair and node
