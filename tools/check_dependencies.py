@@ -47,6 +47,7 @@ MAY_USE["system"] = (
 MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
 MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics", "finite_elements"}
+MAY_USE["checkpoint"] = MAY_USE["adaptivity"] | MAY_USE["output"] | {"adaptivity", "output"}
 MAY_USE["simulation"] = set(MAY_USE)
 
 HOLDS = {
@@ -77,6 +78,7 @@ HOLDS = {
     "adaptivity": "error indicators, which cells they change, the state on the new mesh",
     "diagnostics": "energy ledger, momentum, contact force, penetration, errors",
     "output": "fields, tables, log",
+    "checkpoint": "mesh and state on the disk, and which checkpoint is whole",
     "simulation": "the order of verbs, nothing else",
 }
 

@@ -74,7 +74,7 @@ namespace signorini
                                       : 3. * cell.diameter() / std::sqrt(double(dim));
     };
     double largest_cell = 0.;
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         largest_cell = std::max(largest_cell, distance_of(*cell));
     // Beyond, cells may be coarsened anyway.
@@ -86,7 +86,7 @@ namespace signorini
 
     const Vector close = discretization.interpolate_hanging_nodes(closeness(discretization, near));
     dealii::Vector<double> result(discretization.mesh().triangulation().n_active_cells());
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         {
           double largest = 0.;

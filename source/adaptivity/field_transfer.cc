@@ -215,7 +215,7 @@ namespace signorini
       result.field = discretization->make_vector();
     const auto       &partitioner = *discretization->matrices().pattern.partitioner;
     std::vector<char> is_done(discretization->matrices().pattern.n_owned);
-    for (const auto &cell : discretization->dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization->cells())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           {
@@ -251,7 +251,7 @@ namespace signorini
     Vector                               result = discretization->make_vector();
     std::vector<types::global_dof_index> dofs(n_values);
     dealii::Vector<double>               local(n_values);
-    for (const auto &cell : discretization->dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization->cells())
       if (cell->is_locally_owned())
         {
           const CellFields &old        = cells[cell->active_cell_index()];

@@ -127,7 +127,7 @@ namespace signorini
         indicator, std::vector<bool>(n), std::vector<bool>(n), std::vector<bool>(n)};
       for (double &value : wishes.squares)
         value *= value;
-      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      for (const auto &cell : mesh.active_cells())
         if (cell->is_locally_owned())
           {
             const unsigned int index = cell->active_cell_index(), level = cell->level();
@@ -252,7 +252,7 @@ namespace signorini
       }
     force = discretization.interpolate_hanging_nodes(force);
     std::vector<bool> result(discretization.mesh().triangulation().n_active_cells());
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           if (force(cell->vertex_dof_index(v, 0)) > 0.)

@@ -13,6 +13,7 @@ namespace signorini
   {
     const std::vector<std::string> options = {"--set",
                                               "--validate",
+                                              "--resume",
                                               "--print-parameters",
                                               "--print-schemes",
                                               "--quiet",
@@ -37,6 +38,8 @@ namespace signorini
     {
       if (option == "--validate")
         result.validate = true;
+      else if (option == "--resume")
+        result.resume = true;
       else if (option == "--print-parameters")
         result.print_parameters = true;
       else if (option == "--print-schemes" || option == "--print-schemes=json")
@@ -78,6 +81,8 @@ namespace signorini
       }
     const bool only_information =
       result.help || result.version || result.print_parameters || result.print_schemes;
+    if (result.resume && result.validate)
+      throw UserError("--resume and --validate: a run goes on, or is checked. Name one of them.");
     if (result.print_schemes && result.scene_file == "json")
       throw UserError("--print-schemes: `json` is taken for a scene here. Write "
                       "--print-schemes=json.");
@@ -102,6 +107,7 @@ namespace signorini
            "  --set \"Section/Key=value\"  change a value of the scene (repeatable, applied after "
            "the file)\n"
            "  --validate                 check scene and physics, say what would run, and stop\n"
+           "  --resume                   go on from the latest checkpoint in the output directory\n"
            "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
            "  --print-schemes[=json]     print what is known about each time scheme, as a table or "
            "for programs\n"

@@ -36,14 +36,18 @@ namespace signorini
   }
 
 
-  void Interruption::check(const double time, const MPI_Comm communicator) const
+  bool Interruption::is_wanted(const MPI_Comm communicator)
   {
-    const int signal = dealii::Utilities::MPI::max(static_cast<int>(noted_signal), communicator);
-    if (signal == 0)
-      return;
+    signal = dealii::Utilities::MPI::max(static_cast<int>(noted_signal), communicator);
+    return signal != 0;
+  }
+
+
+  void Interruption::end(const double time, const std::string &remedy) const
+  {
     std::ostringstream message;
     message << "interrupted by " << (signal == SIGINT ? "SIGINT" : "SIGTERM") << " at the time "
-            << time << ".";
+            << time << ". " << remedy;
     throw Interrupted(message.str(), signal);
   }
 } // namespace signorini

@@ -232,7 +232,7 @@ namespace signorini
                                 update_values | update_normal_vectors | update_JxW_values);
     std::vector<types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
     dealii::Vector<double>               local_area(dofs.size()), local_normal(dofs.size());
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       for (const unsigned int f : cell->face_indices())
         if (is_surface_face<dim>(cell, f, pair.slave, pair.slave_boundary_ids))
           {
@@ -354,7 +354,7 @@ namespace signorini
                        discretization.communicator());
         ghosted.copy_locally_owned_data_from(initial_displacement);
         ghosted.update_ghost_values();
-        for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+        for (const auto &cell : discretization.cells())
           for (const unsigned int f : cell->face_indices())
             if (is_surface_face<dim>(cell, f, pair.slave, pair.slave_boundary_ids))
               for (const unsigned int v : cell->face(f)->vertex_indices())

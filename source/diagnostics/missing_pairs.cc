@@ -73,7 +73,7 @@ namespace signorini
       , surface(discretization.mesh().bodies().size())
     {
       std::vector<bool> known_vertices(discretization.mesh().triangulation().n_vertices());
-      for (const Cell &cell : discretization.dof_handler().active_cell_iterators())
+      for (const Cell &cell : discretization.cells())
         if (cell->is_locally_owned() && cell->at_boundary())
           add_points(cell, known_vertices);
       CommonBoxes<dim> around(surface.size());
@@ -135,7 +135,7 @@ namespace signorini
           own.push_back(point);
       std::vector<Cell>             cells;
       std::vector<BoundingBox<dim>> cell_boxes;
-      for (const Cell &cell : discretization.dof_handler().active_cell_iterators())
+      for (const Cell &cell : discretization.cells())
         if (cell->is_locally_owned() && cell->material_id() == other)
           {
             const auto             vertices = mapping.get_vertices(cell);

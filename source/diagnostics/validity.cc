@@ -159,6 +159,22 @@ namespace signorini
   }
 
 
+  void Validity::archive(Archive &archive)
+  {
+    struct Known
+    {
+      std::size_t limit, subject;
+      Doubt       doubt;
+    };
+    std::vector<Known> known;
+    for (const auto &[what, doubt] : doubts)
+      known.push_back({what.first, what.second, doubt});
+    archive(known, explained);
+    for (const auto &[limit, subject, doubt] : known)
+      doubts[{limit, subject}] = doubt;
+  }
+
+
   std::vector<std::string> Validity::summary() const
   {
     std::map<std::size_t, std::string> of_limits; // the advice once, not for each body

@@ -47,7 +47,7 @@ namespace signorini
     assign_with_room(sum.stiffness, sum.pattern.columns.size() + 1, {}); // a spare block, see Lanes
     CellAssembly<dim> assembly(couplings, sum);
     unsigned int      index = 0;
-    for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())
+    for (const auto &cell : discretization.mesh().active_cells())
       if (cell->is_locally_owned())
         assembly.add(index++, discretization.mesh().cell_matrices().of(cell));
 

@@ -31,7 +31,7 @@ namespace signorini
     local_nodes.n_owned     = owned.n_elements() / dim;
 
     std::vector<types::global_dof_index> dofs(dim * n_vertices), global_vertices;
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);

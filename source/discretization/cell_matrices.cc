@@ -83,13 +83,11 @@ namespace signorini
   template <int dim>
   void CellMatrices<dim>::forget_unused()
   {
-    if (n_kept() > capacity / 2)
-      {
-        for (auto entry = shapes.begin(); entry != shapes.end();)
-          entry = entry->second.second.last_mesh == mesh ? std::next(entry) : shapes.erase(entry);
-        for (auto entry = curved_cells.begin(); entry != curved_cells.end();)
-          entry = entry->second.last_mesh == mesh ? std::next(entry) : curved_cells.erase(entry);
-      }
+    // Which of many cells of one shape was computed must not depend on earlier meshes.
+    shapes = {};
+    if (curved_cells.size() > capacity / 2)
+      for (auto entry = curved_cells.begin(); entry != curved_cells.end();)
+        entry = entry->second.last_mesh == mesh ? std::next(entry) : curved_cells.erase(entry);
     ++mesh;
     latest = nullptr;
   }

@@ -32,7 +32,7 @@ namespace signorini
           // Flags travel as numbers: a process may own a node without owning a cell at this part of
           // the boundary.
           Vector flags = discretization.make_vector();
-          for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+          for (const auto &cell : discretization.cells())
             if (cell->is_locally_owned() && cell->material_id() == b)
               for (const unsigned int f : cell->face_indices())
                 if (cell->face(f)->at_boundary()

@@ -5,6 +5,7 @@
 #include <signorini/discretization/assemble_matrices.h>
 #include <signorini/discretization/discretization.h>
 
+#include <deal.II/dofs/dof_renumbering.h>
 #include <deal.II/dofs/dof_tools.h>
 
 #include <deal.II/fe/fe_q.h>
@@ -40,6 +41,10 @@ namespace signorini
     , numbering(mesh.triangulation())
   {
     numbering.distribute_dofs(element);
+    DoFRenumbering::hierarchical(numbering);
+    numbered_cells.reserve(mesh.active_cells().size());
+    for (const auto &cell : mesh.active_cells())
+      numbered_cells.emplace_back(&mesh.triangulation(), cell->level(), cell->index(), &numbering);
     DoFTools::extract_locally_relevant_dofs(numbering, relevant);
     hanging_nodes.reinit(relevant);
     DoFTools::make_hanging_node_constraints(numbering, hanging_nodes);
@@ -64,7 +69,7 @@ namespace signorini
 
     // Positions travel to the ghosts as a vector does.
     Vector places = make_vector();
-    for (const auto &cell : numbering.active_cell_iterators())
+    for (const auto &cell : cells())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           if (locally_owned().is_element(cell->vertex_dof_index(v, 0)))
@@ -84,7 +89,7 @@ namespace signorini
     const auto               &partitioner = *elastic_matrices.pattern.partitioner;
     std::vector<unsigned int> result(elastic_matrices.pattern.n_owned,
                                      numbers::invalid_unsigned_int);
-    for (const auto &cell : numbering.active_cell_iterators())
+    for (const auto &cell : cells())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           if (const auto dof = cell->vertex_dof_index(v, 0);
@@ -125,7 +130,7 @@ namespace signorini
     Vector                 result = make_vector();
     dealii::Vector<double> value(dim);
     std::vector<char>      done(elastic_matrices.pattern.n_owned);
-    for (const auto &cell : numbering.active_cell_iterators())
+    for (const auto &cell : cells())
       if (cell->is_locally_owned())
         for (const unsigned int v : cell->vertex_indices())
           {

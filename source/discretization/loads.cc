@@ -123,7 +123,7 @@ namespace signorini
     auto                                &function = mesh.function(condition.expressions);
     function.set_time(time);
     bool all_are_numbers = true;
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned() && cell->material_id() == body)
         for (const unsigned int f : cell->face_indices())
           if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == condition.boundary_id)

@@ -44,6 +44,19 @@ namespace signorini
       });
       return geometry.has_base() && !only_boxes ? 2 : 0;
     }
+
+
+    /** Append the active descendants of a cell: children follow each other along the curve. */
+    template <int dim, typename ActiveCell>
+    void append_active(const typename Triangulation<dim>::cell_iterator &cell,
+                       std::vector<ActiveCell>                          &result)
+    {
+      if (cell->is_active())
+        result.emplace_back(cell);
+      else
+        for (unsigned int child = 0; child < cell->n_children(); ++child)
+          append_active<dim>(cell->child(child), result);
+    }
   } // namespace
 
 
@@ -80,8 +93,20 @@ namespace signorini
 
 
   template <int dim>
+  void Mesh<dim>::order_cells()
+  {
+    ordered_cells.clear();
+    ordered_cells.reserve(cells.n_active_cells());
+    for (const auto coarse : cells.get_p4est_tree_to_coarse_cell_permutation())
+      append_active<dim>(typename dealii::Triangulation<dim>::cell_iterator(&cells, 0, coarse),
+                         ordered_cells);
+  }
+
+
+  template <int dim>
   void Mesh<dim>::update()
   {
+    order_cells();
     find_bounding_boxes();
     if (mapping().get_degree() == 1 && !geometry.has_base() && cells.has_hanging_nodes())
       straighten_hanging_vertices();
@@ -157,7 +182,7 @@ namespace signorini
   double Mesh<dim>::courant_number(const double step_size) const
   {
     double number = 0.;
-    for (const auto &cell : cells.active_cell_iterators())
+    for (const auto &cell : ordered_cells)
       if (cell->is_locally_owned())
         number = std::max(number,
                           descriptions[cell->material_id()].material.pressure_wave_speed()

@@ -53,7 +53,7 @@ namespace signorini
   void CellNeighbors<dim>::find_cells()
   {
     cells.reserve(discretization.mesh().triangulation().n_active_cells());
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (!cell->is_artificial())
         {
           cells.push_back(

@@ -42,7 +42,7 @@ namespace signorini
     const Vector        ghosted = discretization.interpolate_hanging_nodes(displacement);
     std::vector<double> largest(discretization.mesh().bodies().size(), 0.);
     std::vector<types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         {
           cell->get_dof_indices(dofs);

@@ -31,7 +31,7 @@ namespace signorini
     template <int dim, typename Function>
     void for_each_owned_cell(const Discretization<dim> &discretization, const Function &function)
     {
-      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+      for (const auto &cell : discretization.cells())
         if (cell->is_locally_owned())
           {
             std::array<types::global_dof_index, StripCell<dim>::n_vertices> nodes;

@@ -16,7 +16,7 @@ namespace signorini
     std::vector<unsigned int> bodies_of_nodes(const Discretization<dim> &discretization)
     {
       Vector bodies = discretization.make_vector(); // travels to the ghosts
-      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+      for (const auto &cell : discretization.cells())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
             if (const auto dof = cell->vertex_dof_index(v, 0);

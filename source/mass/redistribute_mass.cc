@@ -57,7 +57,7 @@ namespace signorini
     {
       const auto               &bodies = discretization.mesh().bodies();
       std::vector<unsigned int> has_mass(bodies.size(), 0);
-      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+      for (const auto &cell : discretization.cells())
         if (cell->is_locally_owned())
           for (const unsigned int v : cell->vertex_indices())
             if (const auto dof = cell->vertex_dof_index(v, 0);

@@ -115,7 +115,7 @@ namespace signorini
       std::vector<NodeOrigin> find()
       {
         std::vector<char> known(origins.size(), 0);
-        for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+        for (const auto &cell : discretization.cells())
           if (cell->is_locally_owned())
             for (const unsigned int v : cell->vertex_indices())
               {
@@ -240,7 +240,7 @@ namespace signorini
       Published vertices_of_cut_cells() const
       {
         std::set<std::pair<int, int>> cut; // level and index of cells with cells of others
-        for (const auto &leaf : discretization.dof_handler().active_cell_iterators())
+        for (const auto &leaf : discretization.cells())
           if (!leaf->is_locally_owned())
             for (Cell<dim> cell = leaf; cell->level() > 0;)
               {
@@ -249,7 +249,7 @@ namespace signorini
                   break;
               }
         Published result;
-        for (const auto &leaf : discretization.dof_handler().active_cell_iterators())
+        for (const auto &leaf : discretization.cells())
           if (leaf->is_locally_owned() && leaf->level() > 0)
             {
               const unsigned int vertex = number_of_child<dim>(leaf);

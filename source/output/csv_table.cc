@@ -8,6 +8,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 
 namespace signorini
 {
@@ -15,17 +16,18 @@ namespace signorini
                      const std::vector<std::string> &column_names,
                      const MPI_Comm                  communicator)
     : path(path)
-    , n_columns(column_names.size())
+    , column_names(column_names)
     , communicator(communicator)
     , first_process(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
   {
-    succeed_together(communicator, [&] {
-      if (!first_process)
-        return;
-      errno = 0;
-      out.open(path);
-      write_line(join(column_names, ","));
-    });
+  }
+
+
+  void CsvTable::open()
+  {
+    errno = 0;
+    out.open(path);
+    write_line(join(column_names, ","));
   }
 
 
@@ -40,9 +42,11 @@ namespace signorini
     succeed_together(communicator, [&] {
       if (!first_process)
         return;
-      if (values.size() != n_columns)
+      if (values.size() != column_names.size())
         throw RunError("a row of " + std::to_string(values.size()) + " numbers for the "
-                       + std::to_string(n_columns) + " columns of `" + path + "`.");
+                       + std::to_string(column_names.size()) + " columns of `" + path + "`.");
+      if (!out.is_open())
+        open();
       std::string line;
       char        number[32];
       for (const double value : values)
@@ -59,6 +63,38 @@ namespace signorini
   {
     if (!last.empty())
       write_row(std::vector<double>(last)); // a copy, as a row makes it forget the last one
+  }
+
+
+  void CsvTable::archive(Archive &archive)
+  {
+    std::uintmax_t length = out.is_open() ? static_cast<std::uintmax_t>(out.tellp()) : 0;
+    archive(length, last);
+    if (archive.reads())
+      succeed_together(communicator, [&] {
+        if (first_process && length > 0)
+          reopen(length);
+      });
+  }
+
+
+  void CsvTable::reopen(const std::uintmax_t length)
+  {
+    std::error_code error;
+    if (const std::uintmax_t now = std::filesystem::file_size(path, error); error || now < length)
+      throw RunError("cannot go on with `" + path + "`: "
+                     + (error ? error.message()
+                              : "it is shorter than when the checkpoint was "
+                                "written")
+                     + ". Put the file of the run back, or run anew without --resume.");
+    std::filesystem::resize_file(path, length, error);
+    if (error)
+      throw_write_error(path, error.value());
+    errno = 0;
+    out.open(path, std::ios::app);
+    out.seekp(0, std::ios::end);
+    if (!out)
+      throw_write_error(path, errno);
   }
 
 

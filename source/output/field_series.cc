@@ -77,10 +77,27 @@ namespace signorini
         pieces.push_back(piece(step, p));
       write_whole_file(directory + "/" + record,
                        [&](std::ostream &out) { data.write_pvtu_record(out, pieces); });
-      write_whole_file(directory + "/" + name + ".pvd",
-                       [&](std::ostream &out) { DataOutBase::write_pvd_record(out, known); });
+      write_record(known);
     });
     moments = std::move(known); // what could not be named may be tried once more
+  }
+
+
+  void FieldSeries::write_record(const std::vector<std::pair<double, std::string>> &known) const
+  {
+    write_whole_file(directory + "/" + name + ".pvd",
+                     [&](std::ostream &out) { DataOutBase::write_pvd_record(out, known); });
+  }
+
+
+  void FieldSeries::archive(Archive &archive)
+  {
+    archive(moments);
+    if (archive.reads() && !moments.empty())
+      succeed_together(communicator, [&] {
+        if (this_process == 0)
+          write_record(moments);
+      });
   }
 
 

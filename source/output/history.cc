@@ -217,6 +217,16 @@ namespace signorini
   }
 
 
+  template <int dim>
+  void History<dim>::archive(Archive &archive)
+  {
+    archive(since_last_row);
+    history->archive(archive);
+    for (const auto &table : probe_tables)
+      table->archive(archive);
+  }
+
+
   template class History<2>;
   template class History<3>;
 } // namespace signorini

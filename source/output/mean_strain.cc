@@ -19,7 +19,7 @@ namespace signorini
                             discretization.fe(),
                             QGauss<dim>(mesh.n_quadrature_points()),
                             update_gradients | update_JxW_values);
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+    for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
         {
           fe_values.reinit(cell);

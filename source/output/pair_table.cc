@@ -65,9 +65,9 @@ namespace signorini
 
 
   template <int dim>
-  void PairTable<dim>::finish()
+  std::vector<CsvTable *> PairTable<dim>::files()
   {
-    table.finish();
+    return {&table};
   }
 
 

@@ -65,7 +65,7 @@ namespace signorini
     BoundingBox<dim> box_of_vertices(const Mesh<dim> &mesh, const unsigned int body)
     {
       CommonBoxes<dim> box;
-      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      for (const auto &cell : mesh.active_cells())
         if (cell->is_locally_owned() && cell->material_id() == body)
           for (const unsigned int v : cell->vertex_indices())
             box.add(cell->vertex(v));
@@ -113,7 +113,7 @@ namespace signorini
   double PointProbe<dim>::find_cell(const PointProbeDescription<dim> &description)
   {
     double nearest = nowhere;
-    for (const auto &candidate : discretization.dof_handler().active_cell_iterators())
+    for (const auto &candidate : discretization.cells())
       {
         if (!candidate->is_locally_owned() || candidate->material_id() != description.body)
           continue;

@@ -53,10 +53,12 @@ namespace signorini
 
 
   template <int dim>
-  void PointProbeTable<dim>::finish()
+  std::vector<CsvTable *> PointProbeTable<dim>::files()
   {
+    std::vector<CsvTable *> files;
     for (const auto &table : tables)
-      table->finish();
+      files.push_back(table.get());
+    return files;
   }
 
 

@@ -103,7 +103,10 @@ namespace signorini
   } // namespace
 
 
-  RunLog::RunLog(const std::string &directory, const bool quiet, const MPI_Comm communicator)
+  RunLog::RunLog(const std::string &directory,
+                 const bool         quiet,
+                 const MPI_Comm     communicator,
+                 const bool         goes_on)
     : path(directory + "/log.txt")
     , communicator(communicator)
     , first_process(dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
@@ -120,7 +123,7 @@ namespace signorini
       if (error)
         throw_write_error(directory, error.value());
       errno = 0;
-      log.open(path);
+      log.open(path, goes_on ? std::ios::app : std::ios::out);
       if (!log)
         throw_write_error(path, errno);
     });

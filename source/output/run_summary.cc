@@ -181,6 +181,20 @@ namespace signorini
   }
 
 
+  void RunSummary::archive(Archive &archive)
+  {
+    archive(force_variation);
+    archive(initial_energy, largest_energy, change, largest_change, largest_residual);
+    archive(largest_penetration, work_contact, impulse, work_friction, transferred, largest_slip);
+    archive(work_damping, work_scheme, initial_potential, booked_from_outside, largest_brought);
+    archive(largest_missed_gap, largest_gain, standard_change);
+    archive(n_mesh_changes, most_sticking, most_slipping, fewest_cells, most_cells);
+    archive(n_impulse_solves, n_impulse_iterations, n_common_impulses, n_rejected, n_fallbacks);
+    archive(first_contact, last_contact, n_contact_steps, phase, longest_phase);
+    largest_contact.archive(archive);
+  }
+
+
   std::string RunSummary::text() const
   {
     std::ostringstream text;

@@ -145,7 +145,7 @@ namespace signorini
     if (with_friction)
       add_friction(discretization, surface, state, fields);
     patches.clear();
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       for (const unsigned int f : cell->face_indices())
         if (surface.contains(cell, f))
           {

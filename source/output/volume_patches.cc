@@ -80,7 +80,7 @@ namespace signorini
     const unsigned int  n_components = get_dataset_names().size();
     unsigned int        k            = 0;
     std::vector<double> of_cell; // in the order of the names, behind those of the vertices
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         {
           const auto   places = places_of_vertices<dim>(cell, displacement);

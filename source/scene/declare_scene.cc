@@ -89,6 +89,7 @@ namespace signorini
     section(prm, "Exact solution", declare_exact_solution<dim>);
     section(prm, "Solver", declare_solver);
     section(prm, "Output", declare_output);
+    section(prm, "Checkpoint", declare_checkpoint);
   }
 
   template void declare_scene<2>(dealii::ParameterHandler &, const SceneNames &);

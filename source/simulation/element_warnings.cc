@@ -49,7 +49,7 @@ namespace signorini
     {
       const std::size_t   n_bodies = mesh.bodies().size();
       std::vector<double> counts(2 * n_bodies, 0.);
-      for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      for (const auto &cell : mesh.active_cells())
         if (cell->is_locally_owned())
           {
             const auto body = cell->material_id();

@@ -68,6 +68,13 @@ namespace signorini
   {
     life_time   = std::max(parameters.steps_between, step - last_change);
     last_change = step;
+    mesh_is_made_anew();
+  }
+
+
+  template <int dim>
+  void MeshControl<dim>::mesh_is_made_anew()
+  {
     indicator.reset();
     latest.reinit(0);
   }

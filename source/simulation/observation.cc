@@ -97,13 +97,47 @@ namespace signorini
   template <int dim>
   void Observation<dim>::change_mesh(MeshedScene<dim> &new_meshed, const State &state)
   {
+    use(new_meshed, state);
+    ledger.transfer(state, meshed->load(state.time));
+    run_summary.change_mesh(meshed->discretization.mesh().triangulation().n_global_active_cells());
+  }
+
+
+  template <int dim>
+  void Observation<dim>::use(MeshedScene<dim> &new_meshed, const State &state)
+  {
     meshed      = &new_meshed;
     body_motion = BodyMotion<dim>(meshed->discretization);
     alternation.forget();
     probes = make_probes(scene, *meshed);
     tables.use_mesh(*meshed, body_motion, state);
-    ledger.transfer(state, meshed->load(state.time));
-    run_summary.change_mesh(meshed->discretization.mesh().triangulation().n_global_active_cells());
+  }
+
+
+  template <int dim>
+  void Observation<dim>::go_on(MeshedScene<dim> &new_meshed, const State &state)
+  {
+    use(new_meshed, state);
+    ledger.go_on(state, meshed->load(state.time));
+  }
+
+
+  template <int dim>
+  void Observation<dim>::archive(Archive &archive)
+  {
+    history.archive(archive);
+    tables.archive(archive);
+    ledger.archive(archive);
+    errors.archive(archive);
+    run_summary.archive(archive);
+    validity.archive(archive);
+    missing_pairs.archive(archive);
+    alternation.archive(archive);
+    turning_normals.archive(archive, meshed->discretization.communicator());
+    double time = earlier_time + clock.wall_time();
+    archive(initial_momentum, strains, energy_of_strains, velocity_zigzags, products_before, time);
+    if (archive.reads())
+      earlier_time = time;
   }
 
 
@@ -204,7 +238,7 @@ namespace signorini
             contact_now,
             report,
             products,
-            clock.wall_time(),
+            earlier_time + clock.wall_time(),
             latest_errors};
   }
 

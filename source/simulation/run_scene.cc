@@ -33,6 +33,8 @@ namespace signorini
             if (first)
               std::cout << text << std::flush;
           }
+        else if (options.resume)
+          simulation.resume();
         else
           simulation.run();
       });

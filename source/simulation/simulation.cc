@@ -4,17 +4,12 @@
 #include <signorini/base/failure.h>
 #include <signorini/base/interruption.h>
 #include <signorini/base/user_error.h>
-#include <signorini/contact/overlap.h>
-#include <signorini/diagnostics/probe.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/output/obstacle_surfaces.h>
-#include <signorini/output/point_probe.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 #include <signorini/simulation/change_mesh.h>
-#include <signorini/simulation/expectations.h>
 #include <signorini/simulation/following_contact.h>
-#include <signorini/simulation/initial_equilibrium.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
 #include <signorini/simulation/simulation.h>
@@ -67,17 +62,6 @@ namespace signorini
       return {
         info.balance, time.step_size, info.trapezoidal_rule ? TrapezoidalRule(radius).damping : 0.};
     }
-
-
-    /** Each of them has to find its point, see PointProbe and Probe. Collective. */
-    template <int dim>
-    void check_probes(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
-    {
-      for (const auto &probe : scene.probes)
-        Probe<dim>(probe, meshed.surface, meshed.discretization.communicator());
-      for (const auto &probe : scene.point_probes)
-        PointProbe<dim>(probe, meshed.discretization);
-    }
   } // namespace
 
 
@@ -96,6 +80,7 @@ namespace signorini
                    scene.adaptivity,
                    time_integration(scene.time, scheme_parameters),
                    scene.time.n_steps())
+    , checkpoints(scene.output_directory, communicator)
   {
   }
 
@@ -117,36 +102,50 @@ namespace signorini
     prepare();
     RunLog log(scene.output_directory, quiet, mesh.communicator());
     remove_earlier_results(scene.output_directory, mesh.communicator());
+    checkpoints.remove();
     log.copy_scene(scene.original_text, scene.all_parameters);
     log.message(description());
     for (const std::string &warning : warnings())
       log.warning(warning);
 
-    write_obstacles();
-    if (scene.output.vtu)
-      fields = std::make_unique<FieldOutput<dim>>(scene.output_directory, mesh.communicator());
+    begin_fields();
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
     meshed->system.set_energy(observation.energy_of_motion());
-    const auto stepping = make_time_stepping(
-      scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
+    const auto stepping = make_stepping();
     if (writes_fields(0.))
       write_fields(observation);
+    go_to_the_end(*stepping, observation, log);
+  }
+
+
+  template <int dim>
+  std::unique_ptr<TimeStepping> Simulation<dim>::make_stepping()
+  {
+    return make_time_stepping(
+      scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
+  }
+
+
+  template <int dim>
+  void
+  Simulation<dim>::go_to_the_end(TimeStepping &stepping, Observation<dim> &observation, RunLog &log)
+  {
     const FailureReporter failures(mesh.communicator());
     try
       {
-        make_steps(*stepping, observation, log);
+        make_steps(stepping, observation, log);
         complete_fields(observation, true);
       }
     catch (...)
       {
         const std::exception_ptr reason = std::current_exception();
         if (failures.all_fail())
-          end_early(reason, *stepping, observation, log);
+          end_early(reason, stepping, observation, log);
         throw;
       }
     timer.print_wall_time_statistics(mesh.communicator());
-    log.message(summary(*stepping, observation) + timer_table.str());
+    log.message(summary(stepping, observation) + timer_table.str());
     for (const std::string &warning : observation.warnings())
       log.warning(warning);
     log.finish();
@@ -157,7 +156,7 @@ namespace signorini
   void
   Simulation<dim>::make_steps(TimeStepping &stepping, Observation<dim> &observation, RunLog &log)
   {
-    const Interruption interruption;
+    Interruption interruption;
     while (!stepping.finished(state))
       {
         const StepReport         report = advance(stepping, observation);
@@ -178,11 +177,12 @@ namespace signorini
           write_fields(observation);
         else
           complete_fields(observation, false);
-        if (stepping.finished(state))
-          return;
-        interruption.check(state.time, mesh.communicator());
-        if (flags.any())
+        const bool is_last = stepping.finished(state);
+        if (!is_last && flags.any())
           adapt_mesh(stepping, observation);
+        keep_checkpoints(stepping, observation, interruption);
+        if (is_last)
+          return;
       }
   }
 
@@ -316,51 +316,11 @@ namespace signorini
 
 
   template <int dim>
-  void Simulation<dim>::prepare()
+  void Simulation<dim>::begin_fields()
   {
-    mesh_control.check_first_mesh();
-    check_that_bodies_are_apart(mesh, scene.pairs);
-    meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
-    check_capabilities(*scheme, meshed->system);
-    set_initial_state();
-    if (mesh_control.any())
-      adapt_initial_mesh();
-    check_probes(scene, *meshed);
-    expected = expectations(scene, *meshed, state);
-  }
-
-
-  template <int dim>
-  void Simulation<dim>::adapt_initial_mesh()
-  {
-    for (unsigned int level = 0; level < scene.adaptivity.maximum_level; ++level)
-      {
-        if (!mesh_control.judge(*meshed, {state, state, 0.}).refines())
-          return;
-        mesh_control.mesh_changes(0);
-        build_on_changed_mesh(mesh, scene, mesh_control.mesh_life_time(), meshed, timer);
-        set_initial_state();
-      }
-  }
-
-
-  template <int dim>
-  void Simulation<dim>::set_initial_state()
-  {
-    state = State(); // not by assignment of vectors, which would keep the ghosts of an earlier mesh
-    state = initial_state(meshed->discretization);
-    meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
-    if (scene.time.start == StartKind::equilibrium)
-      equilibrium = naming_file<RunError>(
-        scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
-    start_remarks = Remarks();
-    if (scheme_info(scene.time.scheme).inertia)
-      start_remarks = start_with_conditions(
-        meshed->discretization, meshed->coordinates, scene.time.step_size, state);
-    for (const std::string &note : meshed->dirichlet.check_shared_nodes(scene.time.end_time))
-      start_remarks.notes.push_back(note);
-    meshed->system.apply_mass(state.momentum, state.velocity);
-    meshed->system.apply_stiffness(state.internal_force, state.displacement);
+    write_obstacles();
+    if (scene.output.vtu)
+      fields = std::make_unique<FieldOutput<dim>>(scene.output_directory, mesh.communicator());
   }
 
 

@@ -59,7 +59,17 @@ namespace signorini
   void StepTables<dim>::finish()
   {
     for (const auto &table : tables)
-      table->finish();
+      for (CsvTable *file : table->files())
+        file->finish();
+  }
+
+
+  template <int dim>
+  void StepTables<dim>::archive(Archive &archive)
+  {
+    for (const auto &table : tables)
+      for (CsvTable *file : table->files())
+        file->archive(archive);
   }
 
 

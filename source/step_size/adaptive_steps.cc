@@ -246,6 +246,13 @@ namespace signorini
   }
 
 
+  void AdaptiveSteps::archive(Archive &archive)
+  {
+    archive(now, n_rejected, n_solved, has_said_inaccurate, inaccurate_since);
+    estimate->archive(archive);
+  }
+
+
   std::vector<std::string> AdaptiveSteps::news()
   {
     if (!std::exchange(says_inaccurate, false))

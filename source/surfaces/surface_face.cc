@@ -128,7 +128,7 @@ namespace signorini
   {
     const auto                   &constraints = discretization.hanging_node_constraints();
     std::vector<SurfaceFace<dim>> faces;
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       for (const unsigned int f : cell->face_indices())
         {
           if (!is_surface_face<dim>(cell, f, body, boundary_ids))

@@ -16,6 +16,7 @@ namespace signorini
     std::string                                      scene_file; ///< file name of the scene
     std::vector<std::pair<std::string, std::string>> overrides;  ///< --set: path of the key, value
     bool                                             validate         = false;
+    bool                                             resume           = false;
     bool                                             print_parameters = false;
     bool                                             print_schemes    = false;
     bool                                             as_json = false; ///< print for programs

@@ -43,10 +43,14 @@ namespace signorini
     Interruption(const Interruption &) = delete;
     ~Interruption();
 
-    /** @throws Interrupted on all processes if one of them was told to end. Collective. */
-    void check(double time, MPI_Comm communicator) const;
+    /** Whether one of the processes was told to end: the same on all. Collective. */
+    bool is_wanted(MPI_Comm communicator);
+
+    /** @param time of the run @param remedy a sentence @throws Interrupted */
+    [[noreturn]] void end(double time, const std::string &remedy) const;
 
   private:
+    int              signal = 0; ///< that all processes know of
     struct sigaction earlier_interrupt, earlier_terminate;
   };
 } // namespace signorini

@@ -4,6 +4,7 @@
 #ifndef signorini_diagnostics_alternation_h
 #define signorini_diagnostics_alternation_h
 
+#include <signorini/base/archive.h>
 #include <signorini/contact/contact_surface.h>
 
 namespace signorini
@@ -38,6 +39,9 @@ namespace signorini
                             double                     typical_speed,
                             unsigned int               n_bodies,
                             MPI_Comm                   communicator);
+
+    /** What forget() keeps. */
+    void archive(Archive &archive) { archive(fastest); }
 
   private:
     unsigned int        n_added = 0; ///< since the nodes are these

@@ -4,6 +4,7 @@
 #ifndef signorini_diagnostics_contact_diagnostics_h
 #define signorini_diagnostics_contact_diagnostics_h
 
+#include <signorini/base/archive.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/time/state.h>
 
@@ -25,6 +26,13 @@ namespace signorini
     std::vector<double> depths;   ///< of each body, see ContactSurface::geometric_penetration()
     std::vector<double> slidings; ///< of each pair, see ContactSurface::largest_sliding()
     double              max_tension = 0.; ///< largest nodal force of the wrong sign
+
+    void archive(Archive &archive)
+    {
+      archive(
+        normal_force, friction_force, resultant, n_nodes, n_active, n_stick, n_slip, max_slip);
+      archive(max_penetration, geometric_penetration, depths, slidings, max_tension);
+    }
   };
 
   template <int dim>

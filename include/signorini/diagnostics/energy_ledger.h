@@ -4,6 +4,7 @@
 #ifndef signorini_diagnostics_energy_ledger_h
 #define signorini_diagnostics_energy_ledger_h
 
+#include <signorini/base/archive.h>
 #include <signorini/time/time_scheme.h>
 
 namespace signorini
@@ -56,6 +57,12 @@ namespace signorini
 
     /** Book a step. */
     EnergyBooking book(const State &state, const StepReport &report, const Vector *load);
+
+    /** The balance so far, without the vectors. */
+    void archive(Archive &archive) { archive(first, last, transferred); }
+
+    /** Go on with a state whose energy is known: on the same mesh, made anew. */
+    void go_on(const State &state, const Vector *load) { remember(state, load); }
 
     const Energy &initial() const { return first; }
     const Energy &current() const { return last; }

@@ -4,6 +4,7 @@
 #ifndef signorini_diagnostics_error_norms_h
 #define signorini_diagnostics_error_norms_h
 
+#include <signorini/base/archive.h>
 #include <signorini/discretization/discretization.h>
 #include <signorini/model/exact_solution.h>
 #include <signorini/time/state.h>
@@ -38,6 +39,9 @@ namespace signorini
     /** @param step_size of the step that has ended; 0 for the initial state */
     ErrorNorms
     evaluate(const Discretization<dim> &discretization, const State &state, double step_size);
+
+    /** The integrals so far. */
+    void archive(Archive &archive) { archive(displacement, velocity); }
 
   private:
     /** Squared norms at one instant, and their integral over time. */

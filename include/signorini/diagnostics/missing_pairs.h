@@ -4,6 +4,7 @@
 #ifndef signorini_diagnostics_missing_pairs_h
 #define signorini_diagnostics_missing_pairs_h
 
+#include <signorini/base/archive.h>
 #include <signorini/discretization/discretization.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/obstacles/rigid_obstacle.h>
@@ -40,6 +41,9 @@ namespace signorini
                                    const Vector              &displacement,
                                    double                     time,
                                    bool                       last);
+
+    /** What was told of, and when to look next. */
+    void archive(Archive &archive) { archive(body_obstacle, body_body, n_calls); }
 
   private:
     struct Absent

@@ -4,6 +4,7 @@
 #ifndef signorini_diagnostics_turning_normals_h
 #define signorini_diagnostics_turning_normals_h
 
+#include <signorini/base/archive.h>
 #include <signorini/contact/contact_surface.h>
 
 #include <map>
@@ -28,6 +29,9 @@ namespace signorini
                             const Vector              &contact_force,
                             unsigned int               n_bodies,
                             MPI_Comm                   communicator);
+
+    /** Since when nodes are in contact. Collective. */
+    void archive(Archive &archive, MPI_Comm communicator);
 
   private:
     struct Before

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <set>
+#include <signorini/base/archive.h>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,9 @@ namespace signorini
 
     /** Turns by more than this make linear strains wrong: radians. */
     static double rotation_limit();
+
+    /** What is doubtful so far. */
+    void archive(Archive &archive);
 
   private:
     struct Limit;

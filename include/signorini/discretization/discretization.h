@@ -39,9 +39,14 @@ namespace signorini
      */
     void change_mass(const MassChange &change);
 
-    const Mesh<dim>                         &mesh() const { return all_cells; }
-    const dealii::FESystem<dim>             &fe() const { return element; }
-    const dealii::DoFHandler<dim>           &dof_handler() const { return numbering; }
+    const Mesh<dim>               &mesh() const { return all_cells; }
+    const dealii::FESystem<dim>   &fe() const { return element; }
+    const dealii::DoFHandler<dim> &dof_handler() const { return numbering; }
+    /** Mesh::active_cells() with their degrees of freedom, which are numbered in this order. */
+    const std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> &cells() const
+    {
+      return numbered_cells;
+    }
     const dealii::AffineConstraints<double> &hanging_node_constraints() const
     {
       return hanging_nodes;
@@ -72,13 +77,14 @@ namespace signorini
     MPI_Comm communicator() const { return all_cells.communicator(); }
 
   private:
-    const Mesh<dim>                  &all_cells;
-    const dealii::FESystem<dim>       element;
-    dealii::DoFHandler<dim>           numbering;
-    dealii::AffineConstraints<double> hanging_nodes;
-    dealii::IndexSet                  relevant;
-    ElasticMatrices<dim>              elastic_matrices;
-    std::vector<dealii::Point<dim>>   positions;
+    const Mesh<dim>                                                    &all_cells;
+    const dealii::FESystem<dim>                                         element;
+    dealii::DoFHandler<dim>                                             numbering;
+    std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator> numbered_cells;
+    dealii::AffineConstraints<double>                                   hanging_nodes;
+    dealii::IndexSet                                                    relevant;
+    ElasticMatrices<dim>                                                elastic_matrices;
+    std::vector<dealii::Point<dim>>                                     positions;
 
     void assemble(const MassChange &change);
     /** Give each local node the damping of its body. Collective. */

@@ -58,6 +58,16 @@ namespace signorini
     Triangulation       &triangulation() { return cells; }
     const Triangulation &triangulation() const { return cells; }
 
+    /**
+     * The active cells in the order of the space-filling curve, those of other processes included.
+     * What is summed or numbered in this order depends on the mesh alone; the order of the
+     * triangulation depends on how the mesh came about.
+     */
+    const std::vector<typename Triangulation::active_cell_iterator> &active_cells() const
+    {
+      return ordered_cells;
+    }
+
     const dealii::MappingQ<dim> &mapping() const { return geometry.mapping(); }
     const CellMatrices<dim>     &cell_matrices() const { return matrices_of_cells; }
 
@@ -93,14 +103,17 @@ namespace signorini
     MPI_Comm communicator() const { return cells.get_communicator(); }
 
   private:
-    const std::vector<BodyDescription<dim>> descriptions;
-    Triangulation                           cells;
-    MeshGeometry<dim>                       geometry;
-    CellMatrices<dim>                       matrices_of_cells;
-    std::vector<dealii::BoundingBox<dim>>   boxes; ///< of the bodies
-    double                                  largest_extent = 0.;
-    std::vector<double>                     extents; ///< of each body
-    mutable FunctionCache<dim>              functions;
+    const std::vector<BodyDescription<dim>>                   descriptions;
+    Triangulation                                             cells;
+    std::vector<typename Triangulation::active_cell_iterator> ordered_cells;
+    MeshGeometry<dim>                                         geometry;
+    CellMatrices<dim>                                         matrices_of_cells;
+    std::vector<dealii::BoundingBox<dim>>                     boxes; ///< of the bodies
+    double                                                    largest_extent = 0.;
+    std::vector<double>                                       extents; ///< of each body
+    mutable FunctionCache<dim>                                functions;
+
+    void order_cells();
 
     /** In one pass over the coarse cells, as there may be many of them. */
     void find_bounding_boxes();

@@ -101,6 +101,9 @@ namespace signorini
       count.combined += earlier.combined;
     }
 
+    /** Count on from another number. */
+    void set_products(const ProductCount &products) { count = products; }
+
   private:
     mutable ProductCount count, n_read; ///< products, and blocks of the next ones
     /** Four numbers per node, see Lanes. */

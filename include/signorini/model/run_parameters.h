@@ -46,6 +46,15 @@ namespace signorini
     ActiveSetLimits limits    = {};
   };
 
+  /** Section `Checkpoint`. */
+  struct CheckpointParameters
+  {
+    unsigned int every_steps   = 0;  ///< 0: not by steps
+    double       every_minutes = 0.; ///< of wall time; 0: not by time
+
+    bool any() const { return every_steps > 0 || every_minutes > 0.; }
+  };
+
   /** Section `Output`. */
   struct OutputParameters
   {

@@ -20,7 +20,7 @@ namespace signorini
 
     void use_mesh(const ObservedMesh<dim> &mesh, const State &state) override;
     void write(const State &state, const StepReport &report, bool is_due) override;
-    void finish() override;
+    std::vector<CsvTable *> files() override;
 
   private:
     CsvTable               table;

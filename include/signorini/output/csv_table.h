@@ -4,8 +4,11 @@
 #ifndef signorini_output_csv_table_h
 #define signorini_output_csv_table_h
 
+#include <signorini/base/archive.h>
+
 #include <deal.II/base/mpi.h>
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -20,17 +23,14 @@ namespace signorini
   class CsvTable
   {
   public:
-    /**
-     * Collective; the first process replaces the file. @throws RunError on all processes if that
-     * is not possible.
-     */
+    /** The first process writes the file: the first row replaces one of an earlier run. */
     CsvTable(const std::string              &path,
              const std::vector<std::string> &column_names,
              MPI_Comm                        communicator);
 
     /**
      * Collective; the values of the first process count. @throws RunError on all processes if the
-     * disk is full.
+     * file cannot be written, as when the disk is full.
      */
     void write_row(const std::vector<double> &values) { write_row(values, true); }
 
@@ -40,15 +40,25 @@ namespace signorini
     /** There will be no more rows. Collective. */
     void finish();
 
-  private:
-    std::string         path;
-    std::size_t         n_columns;
-    MPI_Comm            communicator;
-    bool                first_process;
-    std::ofstream       out;  ///< open on the first process only
-    std::vector<double> last; ///< row that was not due; empty if there is none
+    /**
+     * Where the file ends now. Read from an archive: the file is cut there, and rows go on.
+     * Collective if it reads. @throws RunError on all processes if the file is not that of the
+     * archive any more
+     */
+    void archive(Archive &archive);
 
+  private:
+    std::string              path;
+    std::vector<std::string> column_names;
+    MPI_Comm                 communicator;
+    bool                     first_process;
+    std::ofstream            out;  ///< open on the first process only, from the first row on
+    std::vector<double>      last; ///< row that was not due; empty if there is none
+
+    void open();
     void write_line(const std::string &line);
+    /** Go on at the end of the first bytes. */
+    void reopen(std::uintmax_t length);
   };
 } // namespace signorini
 

@@ -67,6 +67,13 @@ namespace signorini
     /** finish() if it need not wait. Collective. @throws RunError see finish() */
     void finish_if_written();
 
+    /** The moments so far; nothing may be being written. */
+    void archive(Archive &archive)
+    {
+      volume_series.archive(archive);
+      surface_series.archive(archive);
+    }
+
   private:
     const MPI_Comm                communicator;
     const bool                    in_background;

@@ -4,6 +4,8 @@
 #ifndef signorini_output_field_series_h
 #define signorini_output_field_series_h
 
+#include <signorini/base/archive.h>
+
 #include <deal.II/base/data_out_base.h>
 
 #include <string>
@@ -43,12 +45,19 @@ namespace signorini
                      unsigned int                                   step,
                      double                                         time);
 
+    /**
+     * The moments so far. Read from an archive, they are those of the .pvd. Collective if it reads.
+     */
+    void archive(Archive &archive);
+
   private:
     std::string                                 directory, name;
     MPI_Comm                                    communicator;
     unsigned int                                this_process, n_processes;
     std::vector<std::pair<double, std::string>> moments; ///< time, file relative to the directory
 
+    /** On the first process. */
+    void write_record(const std::vector<std::pair<double, std::string>> &known) const;
     /** Without folder and ending. */
     std::string moment(unsigned int step) const;
     /** Without folder. */

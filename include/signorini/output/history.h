@@ -65,6 +65,8 @@ namespace signorini
     void write(const HistoryRow &row, bool is_due);
     void write_probe(unsigned int probe, double time, const ProbeReading &reading, bool is_due);
     void finish();
+    /** See CsvTable; and what the next row is going to sum. */
+    void archive(Archive &archive);
 
   private:
     const bool                             with_errors, with_friction;

@@ -27,6 +27,9 @@ namespace signorini
      */
     void write(const State &state, const Discretization<dim> &discretization);
 
+    /** The moments so far. */
+    void archive(Archive &archive) { series.archive(archive); }
+
   private:
     const std::vector<NamedObstacle<dim>> obstacles;
     const MPI_Comm                        communicator;

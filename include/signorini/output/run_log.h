@@ -24,10 +24,10 @@ namespace signorini
   public:
     /**
      * Makes the output directory and begins a new log with program, date and number of processes.
-     * Collective.
+     * Collective. @param goes_on append to the log that is there
      * @throws RunError on all processes
      */
-    RunLog(const std::string &directory, bool quiet, MPI_Comm communicator);
+    RunLog(const std::string &directory, bool quiet, MPI_Comm communicator, bool goes_on = false);
     RunLog(const RunLog &) = delete;
     ~RunLog();
 

@@ -4,6 +4,7 @@
 #ifndef signorini_output_run_summary_h
 #define signorini_output_run_summary_h
 
+#include <signorini/base/archive.h>
 #include <signorini/diagnostics/oscillation.h>
 #include <signorini/output/history.h>
 
@@ -59,6 +60,9 @@ namespace signorini
 
     /** What makes the results doubtful, a sentence each; none if nothing does. */
     std::vector<std::string> warnings() const;
+
+    /** The run so far. */
+    void archive(Archive &archive);
 
   private:
     const RunSubject subject;

@@ -37,7 +37,8 @@ namespace signorini
     /** Add a row for a step that has ended. @param is_due see CsvTable */
     virtual void write(const State &state, const StepReport &report, bool is_due) = 0;
 
-    virtual void finish() = 0;
+    /** What it writes. */
+    virtual std::vector<CsvTable *> files() = 0;
   };
 
   /** Names of columns for a vector: quantity_x, quantity_y, quantity_z. */

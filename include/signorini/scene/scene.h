@@ -61,6 +61,7 @@ namespace signorini
     ExactSolutionDescription<dim>           exact_solution;
     SolverParameters                        solver;
     OutputParameters                        output;
+    CheckpointParameters                    checkpoint;
     std::string original_text;  ///< the scene file and the command line, see repeatable_text()
     std::string all_parameters; ///< every key with the value used, as a .prm
     StepSizeParameters step_sizes;

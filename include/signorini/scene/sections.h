@@ -102,6 +102,9 @@ namespace signorini
   void             declare_output(dealii::ParameterHandler &prm);
   OutputParameters parse_output(const SectionReader &in);
 
+  void                 declare_checkpoint(dealii::ParameterHandler &prm);
+  CheckpointParameters parse_checkpoint(const SectionReader &in);
+
   /** All of it: the top level, every section, and one subsection for each of the names. */
   template <int dim>
   void declare_scene(dealii::ParameterHandler &prm, const SceneNames &names);

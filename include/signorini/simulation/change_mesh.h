@@ -20,7 +20,15 @@ namespace signorini
                              std::unique_ptr<MeshedScene<dim>> &meshed,
                              dealii::TimerOutput               &timer);
 
-  /** The same, and carry the state to the new mesh. Collective. */
+  /** Build everything anew on the mesh as it is. Collective. */
+  template <int dim>
+  void build_anew(Mesh<dim>                         &mesh,
+                  const Scene<dim>                  &scene,
+                  unsigned int                       mesh_life_time,
+                  std::unique_ptr<MeshedScene<dim>> &meshed,
+                  dealii::TimerOutput               &timer);
+
+  /** build_on_changed_mesh(), and carry the state to the new mesh. Collective. */
   template <int dim>
   void change_mesh(Mesh<dim>                         &mesh,
                    const Scene<dim>                  &scene,

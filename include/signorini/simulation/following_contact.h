@@ -33,12 +33,19 @@ namespace signorini
     /** @throws StepError if no motion belongs to its own normals */
     StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
 
+    void forget() override
+    {
+      expects_repetitions = false;
+      contraction         = usual_contraction;
+    }
+
     Needs needs() const override { return scheme->needs(); }
 
   private:
     const std::unique_ptr<TimeScheme> scheme;
-    bool   expects_repetitions = false; ///< the latest step had to be made again
-    double contraction         = 0.05;  ///< of the mismatch, by the latest repetition
+    static constexpr double           usual_contraction = 0.05;
+    bool   expects_repetitions = false;             ///< the latest step had to be made again
+    double contraction         = usual_contraction; ///< of the mismatch, by the latest repetition
   };
 } // namespace signorini
 

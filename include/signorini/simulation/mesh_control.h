@@ -6,6 +6,7 @@
 
 #include <signorini/adaptivity/error_indicator.h>
 #include <signorini/adaptivity/mark_cells.h>
+#include <signorini/base/archive.h>
 #include <signorini/simulation/meshed_scene.h>
 
 namespace signorini
@@ -47,6 +48,12 @@ namespace signorini
      * the same life.
      */
     void mesh_changes(unsigned int step);
+
+    /** The mesh is made anew as it is: nothing that was built on it is left. */
+    void mesh_is_made_anew();
+
+    /** When the mesh was judged and changed. */
+    void archive(Archive &archive) { archive(life_time, last_change, last_judgement); }
 
     /** Number of steps that will probably be made on the mesh that is built next. */
     unsigned int mesh_life_time() const { return life_time; }

@@ -34,6 +34,12 @@ namespace signorini
     /** Go on with what was built on a changed mesh, and with the state on it. */
     void change_mesh(MeshedScene<dim> &meshed, const State &state);
 
+    /** Go on with what was built anew on the same mesh, and with the same state. */
+    void go_on(MeshedScene<dim> &meshed, const State &state);
+
+    /** All that was observed so far. Collective. */
+    void archive(Archive &archive);
+
     /**
      * @param is_last the run ends with this step
      * @return what begins to be doubtful with it, see Validity and MissingPairs
@@ -81,11 +87,13 @@ namespace signorini
     Alternation<dim>        alternation;
     TurningNormals<dim>     turning_normals;
     dealii::Timer           clock;
+    double                  earlier_time = 0.; ///< on the clock, before the run was resumed
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count
 
     ErrorNorms latest_errors;
 
+    void       use(MeshedScene<dim> &new_meshed, const State &state);
     HistoryRow evaluate(const State &state, const StepReport &report, const EnergyBooking &booking);
     /** Into all tables, if it is time to. */
     void write(const HistoryRow &row, bool always);

@@ -4,6 +4,9 @@
 #ifndef signorini_simulation_simulation_h
 #define signorini_simulation_simulation_h
 
+#include <signorini/base/interruption.h>
+#include <signorini/checkpoint/checkpoint_folder.h>
+#include <signorini/checkpoint/packed_state.h>
 #include <signorini/output/field_output.h>
 #include <signorini/output/obstacle_series.h>
 #include <signorini/output/run_log.h>
@@ -44,6 +47,12 @@ namespace signorini
     /** From time 0 to the end. @throws UserError before the first step, RunError later. */
     void run();
 
+    /**
+     * From the latest checkpoint to the end. @throws UserError if there is none, or if the scene is
+     * another one; RunError later
+     */
+    void resume();
+
   private:
     const Scene<dim>   &scene;
     const bool          quiet;
@@ -66,12 +75,35 @@ namespace signorini
     int latest_interval = -1;                    ///< of time, in which fields were written
     std::unique_ptr<FieldOutput<dim>>    fields; ///< none if the scene wants none
     std::unique_ptr<ObstacleSeries<dim>> moving_obstacles; ///< none if there are none
+    const CheckpointFolder               checkpoints;
+    dealii::Timer                        since_checkpoint;
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();
     void set_initial_state();
     /** Refine the mesh of the initial state as far as the indicator wants it. */
-    void adapt_initial_mesh();
+    void                          adapt_initial_mesh();
+    std::unique_ptr<TimeStepping> make_stepping();
+    /** Obstacles, and what fields are written to, if the scene wants them. */
+    void begin_fields();
+    /** All steps, and the summary; or the end of a run that fails. */
+    void go_to_the_end(TimeStepping &, Observation<dim> &, RunLog &);
+
+    /** A checkpoint if one is due, or if the run was told to end. @throws Interrupted */
+    void keep_checkpoints(TimeStepping &, Observation<dim> &, Interruption &);
+    /** Whether the scene wants one after this step, or at the end. */
+    bool is_checkpoint(bool at_end);
+    void write_checkpoint(TimeStepping &, Observation<dim> &);
+    /**
+     * Forget what is in no checkpoint, as a run that is resumed: mesh and state are the same,
+     * all that is built on them is made anew.
+     */
+    void begin_anew(const PackedState &, TimeStepping &, Observation<dim> &);
+    /** What the run remembers besides mesh and state. */
+    void archive(Archive &, TimeStepping &, Observation<dim> &);
+    /** The scene must be that of a checkpoint. @throws UserError */
+    void check_scene(const std::string &checkpoint) const;
+
     /** All steps to the end of the run. @throws Interrupted */
     void make_steps(TimeStepping &, Observation<dim> &, RunLog &);
     void tell_progress(double fraction, const Observation<dim> &, RunLog &) const;

@@ -23,6 +23,8 @@ namespace signorini
     use_mesh(const MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
     void write(const State &state, const StepReport &report, bool is_due);
     void finish();
+    /** See CsvTable. */
+    void archive(Archive &archive);
 
   private:
     std::vector<std::unique_ptr<StepTable<dim>>> tables;

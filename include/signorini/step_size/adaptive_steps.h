@@ -66,6 +66,7 @@ namespace signorini
     StepReport advance(DynamicalSystem &system, State &state) override;
     double     fraction_done(const State &state) const override;
     void       forget() override;
+    void       archive(Archive &archive) override;
     void       take_back() override;
     /** Says once, with the time, that steps stay at the smallest size with too large errors. */
     std::vector<std::string> news() override;

@@ -39,6 +39,8 @@ namespace signorini
      */
     double unit(const State &start, const State &end) const;
 
+    void archive(Archive &archive) override { archive(largest_energy); }
+
   private:
     TimeScheme &scheme;
     double      largest_energy        = 0.; ///< of the motion so far

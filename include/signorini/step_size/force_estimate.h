@@ -44,6 +44,11 @@ namespace signorini
     void      accept(const State &start, const State &end) override;
     void      take_back() override;
     StepRules rules() const override;
+    void      archive(Archive &archive) override
+    {
+      motion.archive(archive);
+      archive(so_far);
+    }
 
   private:
     EmbeddedEstimate motion;

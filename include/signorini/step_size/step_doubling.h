@@ -31,6 +31,8 @@ namespace signorini
     void accept(const State &start, const State &end) override { single.accept(start, end); }
     void take_back() override { single.take_back(); }
 
+    void archive(Archive &archive) override { single.archive(archive); }
+
   private:
     TimeScheme      &scheme;
     EmbeddedEstimate single;

@@ -4,6 +4,7 @@
 #ifndef signorini_step_size_step_estimate_h
 #define signorini_step_size_step_estimate_h
 
+#include <signorini/base/archive.h>
 #include <signorini/base/user_error.h>
 #include <signorini/time/time_scheme.h>
 
@@ -84,6 +85,9 @@ namespace signorini
 
     /** The step that was accepted last does not count. */
     virtual void take_back() {}
+
+    /** The numbers that are kept. */
+    virtual void archive(Archive & /*archive*/) {}
 
     virtual StepRules rules() const { return {}; }
   };

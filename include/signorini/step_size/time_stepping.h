@@ -4,6 +4,7 @@
 #ifndef signorini_step_size_time_stepping_h
 #define signorini_step_size_time_stepping_h
 
+#include <signorini/base/archive.h>
 #include <signorini/step_size/step_estimate.h>
 
 #include <string>
@@ -33,6 +34,9 @@ namespace signorini
      * next step is the next one all the same.
      */
     virtual void forget() {}
+
+    /** What a changed mesh does not make it forget. */
+    virtual void archive(Archive & /*archive*/) {}
 
     /** The step that was handed out last does not count: it is repeated on another mesh. */
     virtual void take_back() {}

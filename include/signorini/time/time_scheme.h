@@ -78,6 +78,9 @@ namespace signorini
 
     virtual StepReport advance(DynamicalSystem &system, State &state, double step_size) = 0;
 
+    /** What may be expected of the next step is as unknown as at the start of a run. */
+    virtual void forget() {}
+
     virtual Needs needs() const { return {}; }
   };
 
