@@ -25,7 +25,8 @@ namespace signorini
 
   void CsvTable::open()
   {
-    errno = 0;
+    errno  = 0;
+    length = 0;
     out.open(path);
     write_line(join(column_names, ","));
   }
@@ -68,17 +69,16 @@ namespace signorini
 
   void CsvTable::archive(Archive &archive)
   {
-    std::uintmax_t length = out.is_open() ? static_cast<std::uintmax_t>(out.tellp()) : 0;
     archive(length, last);
     if (archive.reads())
       succeed_together(communicator, [&] {
         if (first_process && length > 0)
-          reopen(length);
+          reopen();
       });
   }
 
 
-  void CsvTable::reopen(const std::uintmax_t length)
+  void CsvTable::reopen()
   {
     std::error_code error;
     if (const std::uintmax_t now = std::filesystem::file_size(path, error); error || now < length)
@@ -92,7 +92,6 @@ namespace signorini
       throw_write_error(path, error.value());
     errno = 0;
     out.open(path, std::ios::app);
-    out.seekp(0, std::ios::end);
     if (!out)
       throw_write_error(path, errno);
   }
@@ -102,7 +101,15 @@ namespace signorini
   {
     errno = 0;
     out << line << '\n' << std::flush;
-    if (!out)
-      throw_write_error(path, errno);
+    if (out)
+      {
+        length += line.size() + 1;
+        return;
+      }
+    const int error_number = errno;
+    out.close();
+    std::error_code ignored;
+    std::filesystem::resize_file(path, length, ignored); // rows are whole, also on a full disk
+    throw_write_error(path, error_number);
   }
 } // namespace signorini

@@ -69,18 +69,24 @@ namespace signorini
     const bool at_end         = stepping.finished(state);
     const bool is_told_to_end = !at_end && interruption.is_wanted(mesh.communicator());
     if (is_told_to_end || is_checkpoint(at_end))
-      write_checkpoint(stepping, observation);
+      {
+        PackedState packed(state, meshed->surface);
+        write_checkpoint(packed, stepping, observation);
+        if (!at_end && !is_told_to_end)
+          begin_anew(packed, stepping, observation);
+      }
     if (is_told_to_end)
       interruption.end(state.time, "To go on: signorini --resume " + scene.file_name);
   }
 
 
   template <int dim>
-  void Simulation<dim>::write_checkpoint(TimeStepping &stepping, Observation<dim> &observation)
+  void Simulation<dim>::write_checkpoint(PackedState      &packed,
+                                         TimeStepping     &stepping,
+                                         Observation<dim> &observation)
   {
     TimerOutput::Scope scope(timer, "checkpoint");
     complete_fields(observation, true);
-    PackedState packed(state, meshed->surface);
     checkpoints.write([&](const std::string &folder) {
       if (mesh_control.any())
         write_levels(mesh, folder + "/" + mesh_file);
@@ -104,7 +110,6 @@ namespace signorini
       });
     });
     since_checkpoint.restart();
-    begin_anew(packed, stepping, observation);
   }
 
 

@@ -178,7 +178,7 @@ namespace signorini
         else
           complete_fields(observation, false);
         const bool is_last = stepping.finished(state);
-        if (!is_last && flags.any())
+        if (flags.any() && (!is_last || scene.checkpoint.any()))
           adapt_mesh(stepping, observation);
         keep_checkpoints(stepping, observation, interruption);
         if (is_last)

@@ -55,10 +55,12 @@ namespace signorini
     std::ofstream            out;  ///< open on the first process only, from the first row on
     std::vector<double>      last; ///< row that was not due; empty if there is none
 
+    std::uintmax_t length = 0; ///< of the file, in bytes, on the first process
+
     void open();
     void write_line(const std::string &line);
-    /** Go on at the end of the first bytes. */
-    void reopen(std::uintmax_t length);
+    /** Go on after the first bytes. */
+    void reopen();
   };
 } // namespace signorini
 

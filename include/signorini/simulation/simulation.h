@@ -93,7 +93,7 @@ namespace signorini
     void keep_checkpoints(TimeStepping &, Observation<dim> &, Interruption &);
     /** Whether the scene wants one after this step, or at the end. */
     bool is_checkpoint(bool at_end);
-    void write_checkpoint(TimeStepping &, Observation<dim> &);
+    void write_checkpoint(PackedState &, TimeStepping &, Observation<dim> &);
     /**
      * Forget what is in no checkpoint, as a run that is resumed: mesh and state are the same,
      * all that is built on them is made anew.

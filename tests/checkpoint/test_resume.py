@@ -1,0 +1,110 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""A run goes on from its checkpoint on another number of processes as far as the order of sums
+allows, after a signal, beyond its end and after the disk was full. What cannot be gone on with is
+refused, with the reason."""
+
+import resource
+import signal
+
+import check_history
+from interrupted_scene import InterruptedRun, differences
+
+#: Of the largest value of a column. Solvers leave 2e-11 of the energy open.
+OTHER_PROCESSES = 1e-8
+
+
+class Resume(check_history.SceneTest):
+    def ended_by_signal(self, name, processes=1, kind=signal.SIGTERM):
+        run = InterruptedRun(name, processes).start()
+        run.wait_for_steps(40)
+        run.signal(kind)
+        status, messages = run.end()
+        self.assertIn(status, (128 + kind, kind), messages)
+        return run, messages
+
+    def test_other_numbers_of_processes(self):
+        calm = InterruptedRun("calm").start()
+        self.assertEqual(calm.end()[0], 0)
+        for before, after in ((1, 2), (2, 1)):
+            run, messages = self.ended_by_signal(f"from_{before}_on_{after}", before)
+            self.assertIn("To go on: signorini --resume ", messages[0])
+            run.start("--resume", processes=after)
+            self.assertEqual(run.end()[0], 0)
+            # What is round-off, or counts what it took, may be anything.
+            skipped = ("iterations", "products", "nodes", "residual", "penetration", "geometry")
+            for column, by in differences(calm, run).items():
+                if not any(word in column for word in skipped):
+                    self.assertLess(by, OTHER_PROCESSES, (column, before, after))
+
+    def test_what_may_change(self):
+        run, _ = self.ended_by_signal("changed")
+        run.overrides = ("Bodies/ball/Density=2",)
+        status, messages = run.start("--resume").end()
+        self.assertEqual(status, 2)
+        self.assertIn("`Bodies/ball/Density` is `2` and was `1`", messages[0])
+        self.assertIn("Time/End time", messages[0])
+        run.overrides = ("Time/End time=0.34",)
+        self.assertEqual(run.start("--resume").end()[0], 0)
+        self.assertAlmostEqual(run.table("history")["time"][-1], 0.34, delta=1e-12)
+        # The end has a checkpoint of its own.
+        run.overrides = ("Time/End time=0.36",)
+        self.assertEqual(run.start("--resume").end()[0], 0)
+        times = run.table("history")["time"]
+        for row in range(1, len(times)):
+            self.assertAlmostEqual(times[row] - times[row - 1], 4e-3, delta=1e-12)
+
+    def test_damaged_checkpoints(self):
+        calm = InterruptedRun("undamaged").start()
+        self.assertEqual(calm.end()[0], 0)
+        run, _ = self.ended_by_signal("damaged")
+        files = [run.output / name / "memory" for name in ("checkpoint", "checkpoint.previous")]
+        for damaged, file in enumerate(files):
+            content = bytearray(file.read_bytes())
+            content[len(content) // 2] ^= 1
+            file.write_bytes(content)
+            status, messages = run.start("--resume").end()
+            if damaged == 0:
+                self.assertEqual(status, 0, messages)
+                self.assertIn("memory` is damaged; an earlier", (run.output / "log.txt").read_text())
+                self.assertEqual(max(differences(calm, run).values()), 0.0)
+                # Both that the resumed run has left.
+                files[0].write_bytes(b"")
+            else:
+                self.assertEqual(status, 2)
+                self.assertIn("there is no checkpoint to go on from: ", messages[0])
+
+    def test_without_a_checkpoint(self):
+        run = InterruptedRun("none")
+        run.output.mkdir(exist_ok=True)
+        status, messages = run.start("--resume").end()
+        self.assertEqual(status, 2)
+        self.assertIn("Run without --resume.", messages[0])
+
+    def test_a_full_disk(self):
+        """Files may not grow beyond some length, as on a disk that fills up: the run says which one
+        could not be written, its tables have whole rows, and it goes on when there is room."""
+        calm = InterruptedRun("roomy").start()
+        self.assertEqual(calm.end()[0], 0)
+        for length in (4500, 13001, 20002, 27003):
+
+            def limit(length=length):
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (length, length))
+
+            run = InterruptedRun(f"full_{length}")
+            status, messages = run.start(preexec_fn=limit).end()
+            self.assertEqual(status, 1, messages)
+            self.assertEqual(len(messages), 1)
+            self.assertIn("cannot write `", messages[0])
+            for table in run.output.glob("*.csv"):
+                self.assertEqual(table.read_text(encoding="utf-8")[-1:], "\n", table)
+            options = ["--resume"] if run.has_checkpoint() else []
+            self.assertEqual(run.start(*options).end()[0], 0)
+            self.assertEqual(max(differences(calm, run).values()), 0.0, length)
+
+
+if __name__ == "__main__":
+    check_history.main()
