@@ -24,8 +24,7 @@ end
 subsection Adaptivity
   set Indicator                = residual
   set Distance                 = 0.05
-  set Maximum level            = 4
-  set Maximum cells            = 400
+  set Maximum level            = 3
   set Steps between remeshings = 3
 end
 subsection Bodies
@@ -124,7 +123,12 @@ class InterruptedRun:
         self.end()
 
     def signal(self, kind=signal.SIGTERM):
-        self.process.send_signal(kind)
+        """To one process of the run; mpirun would kill them all."""
+        pid = self.process.pid
+        if self.processes > 1:
+            children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
+            pid = int(children[-1])
+        os.kill(pid, kind)
 
     def table(self, name):
         return check_history.read_table(self.output / f"{name}.csv")
