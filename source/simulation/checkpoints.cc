@@ -166,6 +166,7 @@ namespace signorini
   template <int dim>
   void Simulation<dim>::resume()
   {
+    const FolderLock              lock(scene.output_directory, mesh.communicator());
     const CheckpointFolder::Found found = checkpoints.find();
     if (found.folder.empty())
       throw UserError("there is no checkpoint to go on from: " + join(found.rejected, "; ")

@@ -100,7 +100,8 @@ namespace signorini
   void Simulation<dim>::run()
   {
     prepare();
-    RunLog log(scene.output_directory, quiet, mesh.communicator());
+    const FolderLock lock(scene.output_directory, mesh.communicator());
+    RunLog           log(scene.output_directory, quiet, mesh.communicator());
     remove_earlier_results(scene.output_directory, mesh.communicator());
     checkpoints.remove();
     log.copy_scene(scene.original_text, scene.all_parameters);

@@ -33,8 +33,8 @@ class Resume(check_history.SceneTest):
             self.assertIn("To go on: signorini --resume ", messages[0])
             run.start("--resume", processes=after)
             self.assertEqual(run.end()[0], 0)
-            # What is round-off, or counts what it took, may be anything; the smallest gap jumps from
-            # node to node.
+            # What is round-off, or counts what it took, may be anything; the smallest gap jumps
+            # from node to node.
             skipped = ("iterations", "products", "nodes", "residual", "penetration", "geometry")
             skipped += ("external", "smallest_gap")
             for column, by in differences(calm, run).items():
@@ -70,7 +70,8 @@ class Resume(check_history.SceneTest):
             status, messages = run.start("--resume").end()
             if damaged == 0:
                 self.assertEqual(status, 0, messages)
-                self.assertIn("memory` is damaged; an earlier", (run.output / "log.txt").read_text())
+                log = (run.output / "log.txt").read_text(encoding="utf-8")
+                self.assertIn("memory` is damaged; an earlier", log)
                 self.assertEqual(max(differences(calm, run).values()), 0.0)
                 # Both that the resumed run has left.
                 files[0].write_bytes(b"")
@@ -84,6 +85,20 @@ class Resume(check_history.SceneTest):
         status, messages = run.start("--resume").end()
         self.assertEqual(status, 2)
         self.assertIn("Run without --resume.", messages[0])
+
+    def test_one_run_at_a_time(self):
+        """A second run into the folder of one that goes on is refused, and harms nothing."""
+        first = InterruptedRun("first", overrides=("Time/Step size=1e-5",)).start()
+        first.wait_for_steps(20)
+        second = InterruptedRun("second")
+        second.output = first.output
+        status, messages = second.start().end()
+        self.assertEqual(status, 1)
+        self.assertIn("another run is writing to `", messages[0])
+        first.signal()
+        self.assertEqual(first.end()[0], 143)
+        steps = first.table("history")["step"]
+        self.assertEqual(steps, list(range(len(steps))))
 
     def test_a_full_disk(self):
         """Files may not grow beyond some length, as on a disk that fills up: the run says which one

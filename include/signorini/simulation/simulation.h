@@ -8,6 +8,7 @@
 #include <signorini/checkpoint/checkpoint_folder.h>
 #include <signorini/checkpoint/packed_state.h>
 #include <signorini/output/field_output.h>
+#include <signorini/output/folder_lock.h>
 #include <signorini/output/obstacle_series.h>
 #include <signorini/output/run_log.h>
 #include <signorini/simulation/initial_state.h>
