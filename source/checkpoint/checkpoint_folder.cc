@@ -22,6 +22,15 @@ namespace signorini
     const char *const latest = "checkpoint", *const previous = "checkpoint.previous",
                       *const unfinished = "checkpoint.part", *const manifest = "manifest";
 
+    /** To be raised whenever another archive() writes something else. */
+    constexpr unsigned int format = 1;
+
+    std::string program()
+    {
+      return trim(version()) + ", checkpoint format " + std::to_string(format);
+    }
+
+
     std::uint32_t checksum(const fs::path &path)
     {
       boost::crc_32_type crc;
@@ -40,7 +49,7 @@ namespace signorini
     void write_manifest(const fs::path &folder)
     {
       std::ostringstream text;
-      text << trim(version()) << '\n';
+      text << program() << '\n';
       for (const auto &entry : fs::directory_iterator(folder))
         text << entry.path().filename().string() << ' ' << entry.file_size() << ' '
              << checksum(entry.path()) << '\n';
@@ -55,12 +64,11 @@ namespace signorini
       if (!fs::is_directory(folder))
         return "there is no `" + folder.string() + "`";
       std::ifstream file(folder / manifest);
-      std::string   program, name;
-      if (!std::getline(file, program))
+      std::string   writer, name;
+      if (!std::getline(file, writer))
         return "`" + folder.string() + "` has no manifest";
-      if (program != trim(version()))
-        return "`" + folder.string() + "` was written by " + program + ", this is "
-               + trim(version());
+      if (writer != program())
+        return "`" + folder.string() + "` was written by " + writer + "; this is " + program();
       while (file >> name && name != "end")
         {
           std::uintmax_t  length = 0;

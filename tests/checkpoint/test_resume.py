@@ -79,6 +79,15 @@ class Resume(check_history.SceneTest):
                 self.assertEqual(status, 2)
                 self.assertIn("there is no checkpoint to go on from: ", messages[0])
 
+    def test_another_version(self):
+        run, _ = self.ended_by_signal("version")
+        for manifest in run.output.glob("checkpoint*/manifest"):
+            text = manifest.read_text(encoding="utf-8")
+            manifest.write_text(text.replace("signorini 0", "signorini 7", 1), encoding="utf-8")
+        status, messages = run.start("--resume").end()
+        self.assertEqual(status, 2)
+        self.assertRegex(messages[0], "was written by signorini 7.*; this is signorini 0")
+
     def test_without_a_checkpoint(self):
         run = InterruptedRun("none")
         run.output.mkdir(exist_ok=True)
