@@ -51,7 +51,7 @@ namespace signorini
     change_of_mesh    = cells.signals.any_change.connect([this] { mean_strain.reset(); });
     triangulation     = &cells;
     patches.clear();
-    for (const auto &cell : cells.active_cell_iterators())
+    for (const auto &cell : discretization.mesh().active_cells())
       if (cell->is_locally_owned())
         {
           Patch patch;

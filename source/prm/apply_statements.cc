@@ -17,7 +17,7 @@ namespace signorini
     using Path = std::vector<std::string>;
 
     /** Words of later versions, so that a scene for them is not taken for a spelling mistake. */
-    const std::vector<std::string> words_of_later_versions = {"Checkpoint"};
+    const std::vector<std::string> words_of_later_versions = {"Kinematics"};
 
     /** All that is declared, as statements: the handler prints itself and the print is scanned. */
     std::vector<Statement> declared_statements(const dealii::ParameterHandler &prm)

@@ -166,11 +166,13 @@ namespace signorini
   template <int dim>
   void Simulation<dim>::resume()
   {
-    const FolderLock              lock(scene.output_directory, mesh.communicator());
-    const CheckpointFolder::Found found = checkpoints.find();
+    // A folder is not made for the lock of a run that cannot be.
+    CheckpointFolder::Found found = checkpoints.find();
     if (found.folder.empty())
       throw UserError("there is no checkpoint to go on from: " + join(found.rejected, "; ")
                       + ". Run without --resume.");
+    const FolderLock lock(scene.output_directory, mesh.communicator());
+    found = checkpoints.find(); // a run that was ending may have left another one
     check_scene(found.folder);
     if (mesh_control.any())
       restore_levels(mesh, found.folder + "/" + mesh_file);

@@ -52,7 +52,7 @@ TEST(CsvTable, FullDisk)
 {
   try
     {
-      CsvTable("/dev/full", {"a"}, MPI_COMM_WORLD);
+      CsvTable("/dev/full", {"a"}, MPI_COMM_WORLD).write_row({1.});
       FAIL() << "a full disk was not noticed";
     }
   catch (const RunError &error)
@@ -65,7 +65,8 @@ TEST(CsvTable, FullDisk)
 TEST(CsvTable, FolderThatIsNotThere)
 {
   const ScratchFolder folder;
-  EXPECT_THROW(CsvTable(folder.name + "/nowhere/table.csv", {"a"}, MPI_COMM_WORLD), RunError);
+  CsvTable            table(folder.name + "/nowhere/table.csv", {"a"}, MPI_COMM_WORLD);
+  EXPECT_THROW(table.write_row({1.}), RunError);
 }
 
 TEST(CsvTable, RowOfWrongLength)

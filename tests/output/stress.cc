@@ -36,7 +36,7 @@ namespace
       discretization.interpolate_hanging_nodes(discretization.interpolate({displacement}));
     const MeanStrain<dim> mean_strain(discretization);
     unsigned int          k = 0;
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         {
           const auto strain = mean_strain.of(

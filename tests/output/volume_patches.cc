@@ -17,6 +17,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 using namespace signorini;
 
 namespace
@@ -95,23 +97,30 @@ namespace
 
     const auto names = patches.get_dataset_names(), expected = reference.get_dataset_names();
     ASSERT_EQ(patches.get_patches().size(), reference.get_patches().size());
-    for (unsigned int k = 0; k < patches.get_patches().size(); ++k)
-      {
-        const auto &patch = patches.get_patches()[k];
-        const auto &other = reference.get_patches()[k];
-        ASSERT_EQ(patch.data.n_rows(), names.size());
-        for (unsigned int v = 0; v < patch.data.n_cols(); ++v)
-          {
-            EXPECT_EQ(patch.vertices[v], other.vertices[v]);
-            for (unsigned int c = 0; c < expected.size(); ++c)
-              {
-                // Components of a vector have one name and stand side by side.
-                const auto row = std::find(names.begin(), names.end(), expected[c]) - names.begin()
-                                 + (c < 2 * dim ? c % dim : 0);
-                EXPECT_NEAR(patch.data(row, v), other.data(c, v), 1e-6) << expected[c];
-              }
-          }
-      }
+    // The reference has the order of the triangulation.
+    std::map<unsigned int, unsigned int> place;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        place.emplace(cell->active_cell_index(), place.size());
+    unsigned int k = 0;
+    for (const auto &cell : discretization.cells())
+      if (cell->is_locally_owned())
+        {
+          const auto &patch = patches.get_patches()[k++];
+          const auto &other = reference.get_patches()[place.at(cell->active_cell_index())];
+          ASSERT_EQ(patch.data.n_rows(), names.size());
+          for (unsigned int v = 0; v < patch.data.n_cols(); ++v)
+            {
+              EXPECT_EQ(patch.vertices[v], other.vertices[v]);
+              for (unsigned int c = 0; c < expected.size(); ++c)
+                {
+                  // Components of a vector have one name and stand side by side.
+                  const auto row = std::find(names.begin(), names.end(), expected[c])
+                                   - names.begin() + (c < 2 * dim ? c % dim : 0);
+                  EXPECT_NEAR(patch.data(row, v), other.data(c, v), 1e-6) << expected[c];
+                }
+            }
+        }
   }
 
 

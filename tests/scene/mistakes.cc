@@ -308,7 +308,7 @@ TEST(Mistakes, UnknownKeysAndSections)
   expect("Contact/ball : pillar/Friction coefficient",
          {"`Contact/Pairs` does not list this pair", "add"});
   expect("Time/Scheme/Name", {"unknown section `Time/Scheme`", "no sections inside", "`end`"});
-  expect("Checkpoint/Every", {"not available in this version", "Remove"});
+  expect("Kinematics", {"not available in this version", "Remove"});
 }
 
 TEST(Mistakes, FrictionThatDoesNotFit)

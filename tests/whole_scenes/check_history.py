@@ -189,12 +189,12 @@ class SceneTest(unittest.TestCase):
             abs(value - expected), relative * abs(expected), f"{what}: {value}, expected {expected}"
         )
 
-    def expect_ledger_closes(self, run, driven=False):
+    def expect_ledger_closes(self, run, driven=False, accuracy=ACCURACY):
         """Energy identity of the scheme: the works of a step explain its change of energy."""
         scales = run.energy_scales(driven)
         for row, residual in enumerate(run["energy_residual"]):
             self.assertLessEqual(
-                abs(residual), ACCURACY * scales[row], f"energy residual in row {row}"
+                abs(residual), accuracy * scales[row], f"energy residual in row {row}"
             )
 
     def expect_no_gain_of_energy(self, run, driven=False):

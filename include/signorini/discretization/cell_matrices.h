@@ -50,8 +50,9 @@ namespace signorini
     const dealii::FEValues<dim> &values_on(const Cell &cell) const;
 
     /**
-     * To be called when the mesh has changed: if space gets scarce, drop what was not used since
-     * the last call.
+     * To be called when the mesh has changed: shapes are computed anew, so that it does not depend
+     * on earlier meshes which of the cells of a shape was computed; and if space gets scarce, what
+     * was not used since the last call is dropped.
      */
     void forget_unused();
 
