@@ -60,6 +60,18 @@ namespace
   }
 
 
+  /** Of the cells of this process, by active_cell_index: the order of the reference. */
+  template <int dim>
+  std::map<unsigned int, unsigned int> places_in_triangulation(const Mesh<dim> &mesh)
+  {
+    std::map<unsigned int, unsigned int> place;
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      if (cell->is_locally_owned())
+        place.emplace(cell->active_cell_index(), place.size());
+    return place;
+  }
+
+
   template <int dim>
   void expect_same(VolumePatches<dim> &patches, const Mesh<dim> &mesh, const bool indicators)
   {
@@ -97,12 +109,8 @@ namespace
 
     const auto names = patches.get_dataset_names(), expected = reference.get_dataset_names();
     ASSERT_EQ(patches.get_patches().size(), reference.get_patches().size());
-    // The reference has the order of the triangulation.
-    std::map<unsigned int, unsigned int> place;
-    for (const auto &cell : mesh.triangulation().active_cell_iterators())
-      if (cell->is_locally_owned())
-        place.emplace(cell->active_cell_index(), place.size());
-    unsigned int k = 0;
+    const auto   place = places_in_triangulation(mesh);
+    unsigned int k     = 0;
     for (const auto &cell : discretization.cells())
       if (cell->is_locally_owned())
         {
