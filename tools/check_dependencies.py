@@ -47,7 +47,7 @@ MAY_USE["system"] = (
 MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
 MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics", "finite_elements"}
-MAY_USE["checkpoint"] = MAY_USE["adaptivity"] | MAY_USE["output"] | {"adaptivity", "output"}
+MAY_USE["checkpoint"] = MAY_USE["adaptivity"] | MAY_USE["output"] | {"adaptivity", "output", "prm"}
 MAY_USE["simulation"] = set(MAY_USE)
 
 HOLDS = {

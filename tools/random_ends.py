@@ -69,6 +69,8 @@ def kill(calm, duration, numbers, arguments):
         print(f"{done} kills, {resumed} resumed", *wrong, sep="; ", flush=True)
         if wrong:
             break
+    if resumed <= done / 4:
+        sys.exit("hardly any run was resumed: nothing is shown")
     return found
 
 
@@ -83,6 +85,9 @@ def fill_up(calm, _duration, numbers, arguments):
         wrong = []
         if status != 1 or len(messages) != 1 or "cannot write `" not in messages[0]:
             wrong.append(f"with {length} bytes: status {status}, {messages}")
+        for table in run.output.glob("*.csv"):
+            if table.stat().st_size > 0 and not table.read_bytes().endswith(b"\n"):
+                wrong.append(f"with {length} bytes: {table.name} ends in a part of a row")
         wrong += complaints(calm, run, *resume_or_start(run).end())
         found += bool(wrong)
         print(f"{number + 1} full disks", *wrong, sep="; ", flush=True)

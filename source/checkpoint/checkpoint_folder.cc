@@ -4,11 +4,9 @@
 #include <signorini/base/command_line.h>
 #include <signorini/base/spelling.h>
 #include <signorini/checkpoint/checkpoint_folder.h>
+#include <signorini/checkpoint/shared_file.h>
 #include <signorini/output/whole_file.h>
 
-#include <boost/crc.hpp>
-
-#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -28,21 +26,6 @@ namespace signorini
     std::string program()
     {
       return trim(version()) + ", checkpoint format " + std::to_string(format);
-    }
-
-
-    std::uint32_t checksum(const fs::path &path)
-    {
-      boost::crc_32_type crc;
-      std::ifstream      file(path, std::ios::binary);
-      std::vector<char>  buffer(1 << 16);
-      do
-        {
-          file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
-          crc.process_bytes(buffer.data(), static_cast<std::size_t>(file.gcount()));
-        }
-      while (file);
-      return crc.checksum();
     }
 
 

@@ -44,7 +44,8 @@ namespace signorini
     numbers.step           = state.step;
     numbers.time           = state.time;
     numbers.last_step.size = state.last_step.size;
-    if (state.acceleration.size() > 0)
+    has_acceleration       = state.acceleration.size() > 0;
+    if (has_acceleration)
       everywhere.push_back(state.acceleration);
     if (state.last_step.any())
       everywhere.push_back(state.last_step.velocity_change);
@@ -64,7 +65,7 @@ namespace signorini
     auto  next         = everywhere.begin();
     state.displacement = in_system(*next++, system);
     state.velocity     = in_system(*next++, system);
-    if (everywhere.size() > (state.last_step.any() ? 3 : 2))
+    if (has_acceleration)
       state.acceleration = in_system(*next++, system);
     state.momentum = state.internal_force = system.make_vector();
     system.apply_mass(state.momentum, state.velocity);
@@ -93,7 +94,8 @@ namespace signorini
   void PackedState::archive(Archive &archive, const Vector &like)
   {
     std::size_t n_everywhere = everywhere.size(), n_at_contact = at_contact.size();
-    archive(numbers.step, numbers.time, numbers.last_step.size, n_everywhere, n_at_contact);
+    archive(numbers.step, numbers.time, numbers.last_step.size);
+    archive(has_acceleration, n_everywhere, n_at_contact);
     everywhere.resize(n_everywhere, like);
     at_contact.resize(n_at_contact, like);
     for (Vector &vector : at_contact)

@@ -3,6 +3,7 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/checkpoint/scene_changes.h>
+#include <signorini/prm/scene_text.h>
 
 #include <algorithm>
 #include <map>
@@ -23,24 +24,14 @@ namespace signorini
                                                  "Checkpoint/Every steps",
                                                  "Checkpoint/Every minutes"};
 
-    /** Value by key, sections before it. */
+    /** Value by path of the key. */
     std::map<std::string, std::string> values_of(const std::string &parameters)
     {
+      std::istringstream                 text(parameters);
       std::map<std::string, std::string> values;
-      std::vector<std::string>           sections;
-      std::istringstream                 lines(parameters);
-      for (std::string line; std::getline(lines, line);)
-        {
-          line = trim(line.substr(0, line.find('#')));
-          if (line.rfind("subsection ", 0) == 0)
-            sections.push_back(trim(line.substr(11)) + "/");
-          else if (line == "end" && !sections.empty())
-            sections.pop_back();
-          else if (const std::size_t equal = line.find('=');
-                   line.rfind("set ", 0) == 0 && equal != std::string::npos)
-            values[join(sections, "") + trim(line.substr(4, equal - 4))] =
-              trim(line.substr(equal + 1));
-        }
+      for (const Statement &statement : scan_statements(text, "parameters"))
+        if (!statement.key.empty())
+          values[statement.path()] = statement.value;
       return values;
     }
   } // namespace

@@ -5,8 +5,11 @@
 #include <signorini/checkpoint/shared_file.h>
 #include <signorini/output/whole_file.h>
 
+#include <boost/crc.hpp>
+
 #include <cerrno>
 #include <fstream>
+#include <vector>
 
 namespace signorini
 {
@@ -43,5 +46,20 @@ namespace signorini
     file.read(static_cast<char *>(part), static_cast<std::streamsize>(length));
     if (!file)
       throw RunError("cannot read `" + path + "`.");
+  }
+
+
+  std::uint32_t checksum(const std::string &path)
+  {
+    boost::crc_32_type crc;
+    std::ifstream      file(path, std::ios::binary);
+    std::vector<char>  buffer(1 << 16);
+    do
+      {
+        file.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+        crc.process_bytes(buffer.data(), static_cast<std::size_t>(file.gcount()));
+      }
+    while (file);
+    return crc.checksum();
   }
 } // namespace signorini

@@ -44,29 +44,14 @@ namespace signorini
   void TurningNormals<dim>::archive(Archive &archive, const MPI_Comm communicator)
   {
     using Nodes = std::vector<std::pair<dealii::Point<dim>, dealii::Tensor<1, dim>>>;
-    std::vector<Nodes> of_all;
+    Nodes of_all;
     if (!archive.reads())
-      of_all = dealii::Utilities::MPI::gather(
-        communicator, Nodes(when_it_began.begin(), when_it_began.end()), 0);
-    std::vector<std::array<double, 2 * dim>> numbers;
-    for (const Nodes &nodes : of_all)
-      for (const auto &[position, normal] : nodes)
-        {
-          numbers.emplace_back();
-          std::copy(position.begin_raw(), position.end_raw(), numbers.back().begin());
-          std::copy(normal.begin_raw(), normal.end_raw(), numbers.back().begin() + dim);
-        }
-    archive(numbers);
-    if (!archive.reads())
-      return;
-    for (const auto &node : numbers) // those of other processes are never asked for
-      {
-        dealii::Point<dim>     position;
-        dealii::Tensor<1, dim> normal;
-        std::copy(node.begin(), node.begin() + dim, position.begin_raw());
-        std::copy(node.begin() + dim, node.end(), normal.begin_raw());
-        when_it_began.emplace(position, normal);
-      }
+      for (const Nodes &nodes : dealii::Utilities::MPI::gather(
+             communicator, Nodes(when_it_began.begin(), when_it_began.end()), 0))
+        of_all.insert(of_all.end(), nodes.begin(), nodes.end());
+    archive(of_all);
+    if (archive.reads()) // nodes of other processes are never asked for
+      when_it_began.insert(of_all.begin(), of_all.end());
   }
 
 

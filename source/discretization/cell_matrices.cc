@@ -83,8 +83,9 @@ namespace signorini
   template <int dim>
   void CellMatrices<dim>::forget_unused()
   {
-    // Which of many cells of one shape was computed must not depend on earlier meshes.
-    shapes = {};
+    // Which of many cells of one shape was computed must not depend on earlier meshes; nor may the
+    // number of buckets, by which shapes make room for each other.
+    decltype(shapes)().swap(shapes);
     if (curved_cells.size() > capacity / 2)
       for (auto entry = curved_cells.begin(); entry != curved_cells.end();)
         entry = entry->second.last_mesh == mesh ? std::next(entry) : curved_cells.erase(entry);

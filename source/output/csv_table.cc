@@ -46,7 +46,7 @@ namespace signorini
       if (values.size() != column_names.size())
         throw RunError("a row of " + std::to_string(values.size()) + " numbers for the "
                        + std::to_string(column_names.size()) + " columns of `" + path + "`.");
-      if (!out.is_open())
+      if (length == 0)
         open();
       std::string line;
       char        number[32];

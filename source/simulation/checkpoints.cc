@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <sstream>
 
 namespace signorini
@@ -35,6 +36,35 @@ namespace signorini
     {
       return {vector.locally_owned_size() * sizeof(double),
               vector.get_partitioner()->local_range().first * sizeof(double)};
+    }
+
+
+    /** The meshes that a scene reads, with their checksums. */
+    template <int dim>
+    std::map<std::string, std::uint32_t> files_of(const Scene<dim> &scene)
+    {
+      std::map<std::string, std::uint32_t> files;
+      for (const auto &body : scene.bodies)
+        if (body.shape == BodyShape::file)
+          files["Bodies/" + body.name + "/File"] = checksum(body.mesh_file.path);
+      for (const auto &obstacle : scene.obstacles)
+        if (const std::string path = obstacle.shape->file(); !path.empty())
+          files["Obstacles/" + obstacle.name + "/File"] = checksum(path);
+      return files;
+    }
+
+
+    /** @throws UserError if one of them is not what it was */
+    template <int dim>
+    void check_files(Archive &archive, const Scene<dim> &scene)
+    {
+      std::map<std::string, std::uint32_t> then;
+      archive(then);
+      for (const auto &[key, sum] : files_of(scene))
+        if (then.at(key) != sum)
+          throw UserError("the file of `" + key
+                          + "` has changed since the checkpoint was written. Put it back, or run "
+                            "without --resume.");
     }
 
 
@@ -98,6 +128,9 @@ namespace signorini
         }
       std::ostringstream memory;
       Archive            archive(memory);
+      auto               files = files_of(scene);
+      archive(files);
+      mesh_control.archive(archive);
       packed.archive(archive, state.displacement);
       this->archive(archive, stepping, observation);
       succeed_together(mesh.communicator(), [&] {
@@ -120,12 +153,19 @@ namespace signorini
   {
     build_anew(mesh, scene, mesh_control.mesh_life_time(), meshed, timer);
     mesh_control.mesh_is_made_anew();
-    state = State(); // see change_mesh()
-    state = packed.unpack(meshed->surface, meshed->system);
     stepping.forget();
     scheme->forget();
-    observation.go_on(*meshed, state);
     mesh_has_just_changed = true;
+    go_on_with(packed, observation);
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::go_on_with(const PackedState &packed, Observation<dim> &observation)
+  {
+    state = State(); // see change_mesh()
+    state = packed.unpack(meshed->surface, meshed->system);
+    observation.go_on(*meshed, state);
   }
 
 
@@ -141,7 +181,6 @@ namespace signorini
         meshed->system.set_energy(energy);
         meshed->discretization.matrices().set_products(products);
       }
-    mesh_control.archive(archive);
     stepping.archive(archive);
     observation.archive(archive);
     if (fields)
@@ -178,18 +217,17 @@ namespace signorini
       restore_levels(mesh, found.folder + "/" + mesh_file);
     std::istringstream memory(content_of(found.folder + "/" + memory_file));
     Archive            archive(memory);
-    PackedState        packed;
-    {
-      meshed =
-        std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
-      packed.archive(archive, meshed->discretization.make_vector());
-      for (std::size_t i = 0; i < packed.everywhere.size(); ++i)
-        {
-          Vector &vector             = packed.everywhere[i];
-          const auto [length, place] = part_of(vector);
-          read_part(vector_path(found.folder, i), vector.begin(), length, place);
-        }
-    }
+    check_files(archive, scene);
+    mesh_control.archive(archive); // it tells what is built how long it will live
+    PackedState packed;
+    meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
+    packed.archive(archive, meshed->discretization.make_vector());
+    for (std::size_t i = 0; i < packed.everywhere.size(); ++i)
+      {
+        Vector &vector             = packed.everywhere[i];
+        const auto [length, place] = part_of(vector);
+        read_part(vector_path(found.folder, i), vector.begin(), length, place);
+      }
     RunLog log(scene.output_directory, quiet, mesh.communicator(), true);
     for (const std::string &wrong : found.rejected)
       log.warning(wrong + "; an earlier checkpoint is used.");
@@ -197,13 +235,13 @@ namespace signorini
     Observation<dim> observation(scene, *meshed);
     const auto       stepping = make_stepping();
     this->archive(archive, *stepping, observation);
-    begin_anew(packed, *stepping, observation);
+    go_on_with(packed, observation);
     log.message("The run goes on from `" + found.folder + "`: step " + std::to_string(state.step)
                 + ", time " + Patterns::Tools::to_string(state.time) + ".");
     if (!stepping->finished(state))
-      go_to_the_end(*stepping, observation, log);
-    else
-      log.finish();
+      return go_to_the_end(*stepping, observation, log);
+    log.message("It had come to its end. Give a later `Time/End time` to go on.");
+    log.finish();
   }
 
 

@@ -77,16 +77,11 @@ class InterruptedRun:
 
     def start(self, *options, processes=None, **how):
         """The program, from the beginning or with --resume."""
-        processes = processes or self.processes
-        command = [check_history.settings["executable"], str(self.folder / "written.prm")]
-        command += ["--quiet", *options]
-        for override in (f"Output directory={self.output}", "Output/VTU=false", *self.overrides):
-            command += ["--set", override]
-        if processes > 1:
-            command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
+        overrides = (f"Output directory={self.output}", "Output/VTU=false", *self.overrides)
+        scene = self.folder / "written.prm"
         # A session of its own, so that all of its processes can be killed at once.
         self.process = subprocess.Popen(
-            command,
+            check_history.command(scene, overrides, processes or self.processes, options),
             env=check_history.environment(),
             stdout=subprocess.DEVNULL,
             stderr=subprocess.PIPE,
@@ -125,10 +120,7 @@ class InterruptedRun:
     def signal(self, kind=signal.SIGTERM):
         """To one process of the run; mpirun would kill them all."""
         pid = self.process.pid
-        if self.processes > 1:
-            children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text().split()
-            pid = int(children[-1])
-        os.kill(pid, kind)
+        os.kill(check_history.last_process(pid) if self.processes > 1 else pid, kind)
 
     def table(self, name):
         return check_history.read_table(self.output / f"{name}.csv")

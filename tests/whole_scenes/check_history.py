@@ -88,6 +88,20 @@ def environment():
     )
 
 
+def command(scene, overrides=(), processes=1, options=()):
+    """How a scene is run, without talk."""
+    words = [settings["executable"], str(scene), "--quiet", *options]
+    for override in overrides:
+        words += ["--set", override]
+    return (["mpirun", "--oversubscribe", "-np", str(processes)] if processes > 1 else []) + words
+
+
+def last_process(pid):
+    """Of a program that was started by mpirun: its last child."""
+    children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="utf-8").split()
+    return int(children[-1])
+
+
 def read_table(path):
     """The columns of a table by name."""
     with open(path, newline="", encoding="utf-8") as file:
@@ -106,21 +120,9 @@ class Run:
         if isinstance(scene, str):
             (self.folder / "written.prm").write_text(scene, encoding="utf-8")
             scene = self.folder / "written.prm"
-        command = [
-            settings["executable"],
-            str(scene),
-            "--quiet",
-            "--set",
-            f"Output directory={self.folder / 'output'}",
-            "--set",
-            "Output/VTU=false",
-        ]
-        for override in overrides:
-            command += ["--set", override]
-        if processes > 1:
-            command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
+        output = f"Output directory={self.folder / 'output'}"
         result = subprocess.run(
-            command,
+            command(scene, (output, "Output/VTU=false", *overrides), processes),
             env=environment(),
             capture_output=True,
             text=True,

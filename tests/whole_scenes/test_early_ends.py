@@ -67,15 +67,11 @@ class EarlyEnd:
             self.folder.mkdir(parents=True, exist_ok=True)
             (self.folder.parent / "written.prm").write_text(scene, encoding="utf-8")
             scene = self.folder.parent / "written.prm"
-        command = [check_history.settings["executable"], str(scene), "--quiet"]
-        for override in (f"Output directory={self.folder}", *overrides):
-            command += ["--set", override]
-        if processes > 1:
-            command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
+        overrides = (f"Output directory={self.folder}", *overrides)
         for old in self.folder.glob("history.csv"):
             old.unlink()
         with subprocess.Popen(
-            command,
+            check_history.command(scene, overrides, processes),
             env=check_history.environment(),
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -86,7 +82,8 @@ class EarlyEnd:
             if callable(end_by):
                 end_by(self.folder)
             elif end_by is not None:
-                os.kill(last_process(process.pid) if processes > 1 else process.pid, end_by)
+                pid = process.pid
+                os.kill(check_history.last_process(pid) if processes > 1 else pid, end_by)
             _, self.errors = process.communicate(timeout=check_history.TIMEOUT)
         self.status = process.returncode
         self.message = [line for line in self.errors.splitlines() if line.startswith("signorini: ")]
@@ -110,12 +107,6 @@ class EarlyEnd:
         line = (self.folder / "volume.pvd").read_text(encoding="utf-8").split("<DataSet ")[-1]
         file = line.split('file="')[1].split('"')[0]
         return float(line.split('timestep="')[1].split('"')[0]), (self.folder / file).exists()
-
-
-def last_process(pid):
-    """Of a program that was started by mpirun: its last child."""
-    children = pathlib.Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="utf-8").split()
-    return int(children[-1])
 
 
 class EarlyEnds(check_history.SceneTest):

@@ -18,6 +18,7 @@ namespace signorini
   struct PackedState
   {
     State numbers; ///< step and time, and the size of the last step, if it is remembered
+    bool  has_acceleration = false;
     std::vector<Vector> everywhere; ///< u, v, and perhaps a and the change of v
     std::vector<Vector> at_contact; ///< r, and with friction its force, slip, path and status
 

@@ -23,6 +23,9 @@ namespace signorini
 
   /** A part of a file. @throws RunError if it is not there */
   void read_part(const std::string &path, void *part, std::size_t length, std::uint64_t place);
+
+  /** CRC-32 of the content; of nothing if the file is not there. */
+  std::uint32_t checksum(const std::string &path);
 } // namespace signorini
 
 #endif

@@ -100,6 +100,8 @@ namespace signorini
      * all that is built on them is made anew.
      */
     void begin_anew(const PackedState &, TimeStepping &, Observation<dim> &);
+    /** The state on what has just been built. */
+    void go_on_with(const PackedState &, Observation<dim> &);
     /** What the run remembers besides mesh and state. */
     void archive(Archive &, TimeStepping &, Observation<dim> &);
     /** The scene must be that of a checkpoint. @throws UserError */
