@@ -52,6 +52,9 @@ namespace signorini
                                                                            {3, 4},
                                                                            {4, 1}};
 
+    /** Ten times as many elements as a body may have. */
+    constexpr long most_generated = 10000000;
+
     const char *const quadrilaterals = "(CPS|CPE|CAX|S|M3D|R3D|SFM3D)4[A-Z0-9]*";
 
     class Translator
@@ -67,6 +70,7 @@ namespace signorini
       void data(const Words &words, const std::string &line);
       void element(const Words &words);
       void surface(const Words &words, const std::string &line);
+      void element_set(const Words &words);
       void face(const Element &element, unsigned int face_number, unsigned int id);
       long integer(const std::string &word) const;
 
@@ -74,7 +78,7 @@ namespace signorini
       bool    has_data      = true; ///< whether the keyword has data so far
       bool    has_hexahedra = false, has_quadrilaterals = false;
       Words   unfinished_element;
-      std::map<std::string, std::vector<long>>     sets;
+      std::map<std::string, std::set<long>>        sets;
       std::map<long, Words>                        nodes; ///< coordinates as written
       std::vector<Element>                         elements;
       std::map<long, std::size_t>                  element_of_label;
@@ -205,23 +209,32 @@ namespace signorini
       else if (keyword.name == "*ELEMENT")
         element(words);
       else if (keyword.name == "*ELSET")
-        {
-          std::vector<long> &set = sets[keyword.value("ELSET")];
-          if (keyword.has("GENERATE") && words.size() >= 2)
-            for (long i    = integer(words[0]),
-                      step = words.size() > 2 ? std::max(1L, integer(words[2])) : 1;
-                 i <= integer(words[1]);
-                 i += step)
-              set.push_back(i);
-          else
-            for (const std::string &word : words)
-              if (sets.count(word) > 0)
-                set.insert(set.end(), sets[word].begin(), sets[word].end());
-              else if (!word.empty())
-                set.push_back(integer(word));
-        }
+        element_set(words);
       else if (keyword.name == "*SURFACE" && keyword.value("TYPE") != "NODE")
         surface(words, line);
+    }
+
+    void Translator::element_set(const Words &words)
+    {
+      std::set<long> &set = sets[keyword.value("ELSET")];
+      if (keyword.has("GENERATE") && words.size() >= 2)
+        {
+          const long first = integer(words[0]), last = integer(words[1]);
+          const long step = words.size() > 2 ? std::max(1L, integer(words[2])) : 1;
+          if ((last - first) / step >= most_generated)
+            throw MeshFileError("the file is broken: the element set `" + keyword.value("ELSET")
+                                + "` goes from " + words[0] + " to " + words[1]
+                                + ", which are more elements than can be used. "
+                                + MeshFileError::remedy);
+          for (long label = first; label <= last; label += step)
+            set.insert(label);
+        }
+      else
+        for (const std::string &word : words)
+          if (sets.count(word) > 0)
+            set.merge(std::set<long>(sets[word]));
+          else if (!word.empty())
+            set.insert(integer(word));
     }
 
     void Translator::element(const Words &words)
@@ -243,7 +256,7 @@ namespace signorini
                             + " is given twice. Only files with one part can be used.");
       elements.push_back({label, Words(unfinished_element.begin() + 1, unfinished_element.end())});
       if (keyword.has("ELSET"))
-        sets[keyword.value("ELSET")].push_back(label);
+        sets[keyword.value("ELSET")].insert(label);
       unfinished_element.clear();
     }
 
@@ -259,8 +272,8 @@ namespace signorini
         throw MeshFileError("the file is broken: the surface `" + name + "` has the line `" + line
                             + "`, but there is no element set `" + words[0] + "`. "
                             + MeshFileError::remedy);
-      const std::vector<long> labels =
-        sets.count(words[0]) > 0 ? sets.at(words[0]) : std::vector<long>{integer(words[0])};
+      const std::set<long> labels =
+        sets.count(words[0]) > 0 ? sets.at(words[0]) : std::set<long>{integer(words[0])};
       for (const long label : labels)
         {
           if (element_of_label.count(label) == 0)

@@ -1,126 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/spelling.h>
 #include <signorini/mesh_files/mesh_numbers.h>
 #include <signorini/mesh_files/mesh_text.h>
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <sstream>
 
 namespace signorini
 {
-  namespace
-  {
-    /** Section Nodes of version 2 to 4.1: as many as announced? deal.II relies on it. */
-    void check_gmsh_nodes(std::istream &in, const double version)
-    {
-      const std::string where    = "the section `$Nodes`";
-      const auto        n_blocks = (version < 4. ? 1u : next<unsigned int>(in, where));
-      const auto        n_nodes  = next<unsigned long>(in, where);
-      if (version > 4.)
-        skip_numbers(in, 2, where); // smallest and largest number of a node
-      unsigned long n_found = 0;
-      for (unsigned int block = 0; block < n_blocks; ++block)
-        {
-          if (version >= 4.)
-            skip_numbers(in, 3, where);
-          const auto n = (version < 4. ? n_nodes : next<unsigned long>(in, where));
-          skip_numbers(in, n, where);     // numbers of nodes
-          skip_numbers(in, 3 * n, where); // coordinates
-          n_found += n;
-        }
-      if (n_found != n_nodes)
-        throw MeshFileError("the file is broken: " + where + " announces " + std::to_string(n_nodes)
-                            + " nodes and has " + std::to_string(n_found) + ". "
-                            + MeshFileError::remedy);
-    }
-  } // namespace
-
-  namespace
-  {
-    /** Section Elements of version 2 to 4.1: only points, lines, quadrilaterals and hexahedra? */
-    void check_gmsh_elements(std::istream &in, const double version)
-    {
-      const std::string where = "the section `$Elements`";
-      // By type: the number of nodes. Others have triangles, or nodes in the middle of edges.
-      const std::map<unsigned int, unsigned int> n_nodes_of = {{15, 1}, {1, 2}, {3, 4}, {5, 8}};
-      const std::set<unsigned int>               with_triangles{2, 4, 6, 7};
-      const auto                                 n_nodes = [&](const unsigned int type) {
-        const auto  found = n_nodes_of.find(type);
-        const auto &remedy =
-          with_triangles.count(type) > 0 ? MeshFileError::subdivide : MeshFileError::first_order;
-        if (found == n_nodes_of.end())
-          throw MeshFileError(
-            "it has elements of Gmsh's type " + std::to_string(type)
-            + ". Only quadrilaterals with 4 nodes (2d, type 3) and hexahedra with "
-                                              "8 (3d, type 5) can be used. "
-            + remedy);
-        return found->second;
-      };
-      const auto n_blocks = next<unsigned long>(in, where); // version 2: elements
-      if (version >= 4.)
-        skip_numbers(in, version > 4. ? 3 : 1, where);
-      for (unsigned long block = 0; block < n_blocks; ++block)
-        if (version < 4.)
-          {
-            next<unsigned long>(in, where);
-            const auto type = next<unsigned int>(in, where), n_tags = next<unsigned int>(in, where);
-            skip_numbers(in, n_tags + n_nodes(type), where);
-          }
-        else
-          {
-            skip_numbers(in, 2, where);
-            const auto type = next<unsigned int>(in, where);
-            skip_numbers(in, next<unsigned long>(in, where) * (1 + n_nodes(type)), where);
-          }
-    }
-  } // namespace
-
-  void check_gmsh(const std::string &text)
-  {
-    std::istringstream    in(text);
-    std::string           line, open;
-    std::set<std::string> sections;
-    double                version = 1.;
-    while (std::getline(in, line))
-      {
-        line = trim(line);
-        if (line.empty() || line[0] != '$')
-          continue;
-        const bool ends = line.rfind("$End", 0) == 0 || line.rfind("$END", 0) == 0;
-        if (ends ? line.substr(4) != open : !open.empty())
-          throw MeshFileError("the file is broken: the section `$" + open + "` has no end before `"
-                              + line + "`. " + MeshFileError::remedy);
-        open = ends ? "" : line.substr(1);
-        sections.insert(line.substr(1));
-        if (line == "$Nodes")
-          check_gmsh_nodes(in, version);
-        if (line == "$Elements")
-          check_gmsh_elements(in, version);
-        if (line == "$MeshFormat" && std::getline(in, line))
-          {
-            std::istringstream numbers(line);
-            version = next<double>(numbers, "the section `$MeshFormat`");
-            if (next<int>(numbers, "the section `$MeshFormat`") != 0 || version < 2.
-                || version > 4.1)
-              throw MeshFileError(
-                "the version of the Gmsh file, `" + trim(line)
-                + "`, is not known. Save it as text (ASCII) in version 2.2 or 4.1.");
-          }
-      }
-    if (!open.empty())
-      throw MeshFileError("the file is broken: it ends in the section `$" + open + "`. "
-                          + MeshFileError::remedy);
-    if (sections.count("Nodes") + sections.count("NOD") == 0
-        || sections.count("Elements") + sections.count("ELM") == 0)
-      throw MeshFileError(
-        "it is not a Gmsh mesh: it has no section `$Nodes` or no section `$Elements`. "
-        + MeshFileError::remedy);
-  }
-
   void check_ucd(const std::string &text)
   {
     const std::map<std::string, unsigned int> n_vertices_of = {{"pt", 1},

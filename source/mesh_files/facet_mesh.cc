@@ -74,7 +74,7 @@ namespace signorini
     template <int dim, FacetMesh<dim> (*facets_of)(const std::string &)>
     FacetMesh<dim> read_text(const std::string &path)
     {
-      return facets_of(read_mesh_content(path));
+      return facets_of(read_mesh_lines(path));
     }
 
 

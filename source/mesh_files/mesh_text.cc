@@ -15,16 +15,6 @@ namespace signorini
 {
   namespace
   {
-    std::string read_whole_file(const std::string &path)
-    {
-      std::string content = read_mesh_content(path);
-      if (content.find('\0') != std::string::npos)
-        throw MeshFileError(
-          "it is a binary file. Write the mesh as text (ASCII); in Gmsh: `Mesh.Binary = 0`.");
-      content.erase(std::remove(content.begin(), content.end(), '\r'), content.end());
-      return content;
-    }
-
     /** Abaqus has keywords: lines that begin with a star. UCD has numbers only. */
     bool is_abaqus(const std::string &text)
     {
@@ -59,6 +49,16 @@ namespace signorini
     return content;
   }
 
+  std::string read_mesh_lines(const std::string &path)
+  {
+    std::string content = read_mesh_content(path);
+    if (content.find('\0') != std::string::npos)
+      throw MeshFileError(
+        "it is a binary file. Write the mesh as text (ASCII); in Gmsh: `Mesh.Binary = 0`.");
+    content.erase(std::remove(content.begin(), content.end(), '\r'), content.end());
+    return content;
+  }
+
   MeshText read_mesh_text(const std::string &path)
   {
     using Format                = dealii::GridIn<3>;
@@ -67,7 +67,7 @@ namespace signorini
       throw MeshFileError(
         "the extension `" + extension
         + "` is not known. Valid: .msh (Gmsh), .inp (Abaqus or UCD), .ucd (UCD), .vtk (VTK).");
-    const std::string text = read_whole_file(path);
+    const std::string text = read_mesh_lines(path);
     if (extension == ".msh")
       {
         check_gmsh(text);

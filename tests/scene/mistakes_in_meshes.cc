@@ -131,6 +131,29 @@ TEST(MistakesInMeshes, Files)
      {"* hello", ".inp", 2, {"no mesh", "`*NODE`"}}});
 }
 
+// Counts that the file cannot keep are refused before memory or time are spent on them.
+TEST(MistakesInMeshes, CountsBeyondTheFile)
+{
+  const std::string squares = inp.substr(0, inp.find("*Surface"));
+  expect_mesh_refusals(
+    {{replaced(msh_4, "$Entities\n0", "$Entities\n99999999999"), ".msh", 2, {"`$Entities`"}},
+     {replaced(msh_4, "1 7 0\n", "99999999999 7 0\n"), ".msh", 2, {"`$Entities`"}},
+     {"$NOD\n4000000000\n1 0 0 0\n$ENDNOD\n$ELM\n0\n$ENDELM\n", ".msh", 2, {"`$NOD`"}},
+     {squares + "*Elset, elset=all, generate\n1, 999999999999\n",
+      ".inp",
+      2,
+      {"element set `ALL`", "from 1 to 999999999999", "more elements"}}});
+}
+
+// A set may be given in parts, name others, and even itself; each element is in it once.
+TEST(MistakesInMeshes, SetsThatNameThemselves)
+{
+  std::string mesh = replaced(inp, "11, S1", "ALL, S1");
+  for (unsigned int doubling = 0; doubling < 60; ++doubling)
+    mesh = replaced(mesh, "*Surface", "*Elset, elset=all\n11, all, all\n*Surface");
+  expect_two_squares(mesh, ".inp");
+}
+
 TEST(MistakesInMeshes, Dimension)
 {
   const std::vector<std::string> flat = {

@@ -119,6 +119,14 @@ namespace
   }
 } // namespace
 
+// A zero byte would end the message in its middle, before the remedy.
+TEST(MistakesInSurfaces, BytesThatAreNoText)
+{
+  const std::string zero(1, '\0');
+  expect_surface_refusals({{"v 0 0 " + zero + "\n" + tetrahedron, ".obj", 3, {"binary", "ASCII"}},
+                           {vtk_polygons + zero, ".vtk", 3, {"binary", "ASCII"}}});
+}
+
 TEST(MistakesInSurfaces, CorrectSurfacesAreRead)
 {
   for (const auto &[mesh, extension] :

@@ -36,6 +36,9 @@ namespace signorini
   /** All bytes of a file. @throws MeshFileError if it cannot be read or has none */
   std::string read_mesh_content(const std::string &path);
 
+  /** The same of a file of text, with lines as on this system. @throws MeshFileError for others */
+  std::string read_mesh_lines(const std::string &path);
+
   /** The content of a mesh file in a form that deal.II reads. */
   struct MeshText
   {
