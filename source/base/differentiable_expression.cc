@@ -10,6 +10,7 @@
 #include <cctype>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 namespace signorini
 {
@@ -128,9 +129,8 @@ namespace signorini
           return signed_power();
         Evaluate left = binary(level + 1);
         while (const Binary operation = take_operator(levels()[level]))
-          left = [operation, left, right = binary(level + 1)](const Point<dim> &p) {
-            return operation(left(p), right(p));
-          };
+          left = [operation, left = std::move(left), right = binary(level + 1)](
+                   const Point<dim> &p) { return operation(left(p), right(p)); };
         return left;
       }
 

@@ -86,17 +86,32 @@ namespace signorini
 
   namespace
   {
-    /** Whether a comma stands outside of all parentheses, where it separates nothing. */
-    bool has_stray_comma(const std::string &expression)
+    /** Readers of expressions go one level of the stack deeper for each parenthesis. */
+    constexpr int         most_nested   = 100;
+    constexpr std::size_t most_in_total = 10000; ///< characters
+
+    /** What muParser would understand differently, or not within the limits of the stack. */
+    void check_form(const SectionReader &in, const std::string &key, const std::string &expression)
     {
+      if (expression.size() > most_in_total)
+        in.fail(key,
+                "the expression has " + std::to_string(expression.size())
+                  + " characters, and at most " + std::to_string(most_in_total)
+                  + " can be used. Write it in a shorter way.");
       int depth = 0;
       for (const char c : expression)
         {
           depth += (c == '(') - (c == ')');
+          if (depth > most_nested)
+            in.fail(key,
+                    "the expression has more than " + std::to_string(most_nested)
+                      + " parentheses inside each other. Write it in a simpler way.");
           if (c == ',' && depth == 0)
-            return true;
+            in.fail(key,
+                    "the expression `" + expression
+                      + "` has a comma outside of parentheses. Numbers have a point, as in 0.5, "
+                        "and components are separated by semicolons.");
         }
-      return false;
     }
   } // namespace
 
@@ -107,11 +122,7 @@ namespace signorini
                         const std::vector<dealii::Point<dim>> &points,
                         const std::string                     &further_variable)
   {
-    if (has_stray_comma(expression))
-      in.fail(key,
-              "the expression `" + expression
-                + "` has a comma outside of parentheses. Numbers have a point, as in 0.5, and "
-                  "components are separated by semicolons.");
+    check_form(in, key, expression);
     dealii::FunctionParser<dim> function;
     try
       {

@@ -81,6 +81,21 @@ TEST(Mistakes, StepsOfVariableSize)
       }
 }
 
+// Beyond these limits a reader of expressions would run out of its stack, and end without a word.
+TEST(Mistakes, ExpressionsWithoutEnd)
+{
+  const auto nested = [](const unsigned int n) {
+    return "0; 0; " + std::string(n, '(') + "-1" + std::string(n, ')');
+  };
+  expect_refusals({{"Bodies/ball/Initial velocity", nested(101), {"more than 100 parentheses"}},
+                   {"Bodies/ball/Initial velocity", nested(1000000), {"characters", "shorter"}},
+                   {"Bodies/ball/Initial velocity",
+                    "0; 0; " + std::string(20000, '-') + "1",
+                    {"20001 characters", "at most 10000"}}});
+  const TemporaryFile correct(correct_scene());
+  EXPECT_EQ(refusal(correct.name, {{"Bodies/ball/Initial velocity", nested(100)}}), "");
+}
+
 TEST(Mistakes, ShapesAndMaterial)
 {
   expect_refusals(
