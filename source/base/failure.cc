@@ -8,6 +8,7 @@
 
 #include <deal.II/base/exceptions.h>
 
+#include <cctype>
 #include <chrono>
 #include <iostream>
 #include <new>
@@ -29,9 +30,25 @@ namespace signorini
       return text.empty() || text == "(none)" ? exception.get_exc_name() : text;
     }
 
+    /**
+     * A message quotes the input, which may be as long as it likes and contain what would move the
+     * cursor of a terminal: its beginning says where the mistake is, its end what to do.
+     */
+    std::string printable(std::string message)
+    {
+      constexpr std::size_t longest = 2000;
+      if (message.size() > longest)
+        message =
+          message.substr(0, longest / 2) + " [...] " + message.substr(message.size() - longest / 2);
+      for (char &c : message)
+        if (std::iscntrl(static_cast<unsigned char>(c)))
+          c = ' ';
+      return message;
+    }
+
     void report(const Failure &failure)
     {
-      std::cerr << "signorini: " + failure.message + '\n' << std::flush;
+      std::cerr << "signorini: " + printable(failure.message) + '\n' << std::flush;
     }
 
   } // namespace

@@ -45,6 +45,23 @@ TEST(Failure, UsefulPartOfAnExceptionOfDealII)
   EXPECT_EQ(failure.message, "the run failed: the matrix is singular");
 }
 
+// A message quotes the input. Whatever that is, the message is one line of readable length, with
+// its beginning and its end.
+TEST(Failure, IsOneLineOfReadableLength)
+{
+  const FailureReporter reporter(comm);
+  testing::internal::CaptureStderr();
+  reporter.separately(
+    [] { throw UserError("a.prm: " + std::string(1000000, 'v') + "\n\r\x1b: correct it."); });
+  const std::string message = testing::internal::GetCapturedStderr();
+  if (dealii::Utilities::MPI::this_mpi_process(comm) != 0)
+    return;
+  EXPECT_LT(message.size(), 3000u);
+  EXPECT_EQ(message.rfind("signorini: a.prm: vvv", 0), 0u);
+  EXPECT_NE(message.find("   : correct it.\n"), std::string::npos);
+  EXPECT_EQ(message.find('\n'), message.size() - 1);
+}
+
 TEST(Failure, OfOneProcessIsThatOfAll)
 {
   const FailureReporter reporter(comm);
