@@ -2,13 +2,11 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/command_line.h>
-#include <signorini/base/failure.h>
 #include <signorini/base/user_error.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
-#include <signorini/simulation/run_scene.h>
+#include <signorini/simulation/run_program.h>
 
-#include <deal.II/base/exceptions.h>
 #include <deal.II/base/mpi.h>
 
 #include <cstdlib>
@@ -69,7 +67,8 @@ namespace
 
 int main(int argc, char **argv)
 {
-  if (print_at_once({argv + 1, argv + argc}))
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (print_at_once(arguments))
     return 0;
   // A process that was started alone would make OpenMPI start a daemon, which serves to start
   // more processes only, and takes a quarter of a second.
@@ -79,19 +78,5 @@ int main(int argc, char **argv)
   // know.
   int                                      only_the_name = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(only_the_name, argv, 1);
-  dealii::deal_II_exceptions::suppress_stacktrace_in_exceptions();
-  dealii::deal_II_exceptions::disable_abort_on_exception();
-  const MPI_Comm        comm = MPI_COMM_WORLD;
-  const FailureReporter reporter(comm);
-
-  CommandLine  options;
-  unsigned int dimension = 0;
-  const int    status    = reporter.separately([&] {
-    options   = parse_command_line({argv + 1, argv + argc});
-    dimension = read_dimension(options.scene_file, options.overrides);
-  });
-  if (status != 0)
-    return status;
-  return dimension == 2 ? run_scene<2>(options, comm, reporter)
-                        : run_scene<3>(options, comm, reporter);
+  return run_program(arguments, MPI_COMM_WORLD);
 }
