@@ -44,6 +44,12 @@ if(CMAKE_BUILD_TYPE STREQUAL "Debug")
   # optimisation for faster tests a tenth (of the group "contact").
   list(APPEND candidates -O1 -g0)
 endif()
+if(SIGNORINI_SANITIZE)
+  # The check of virtual tables wants type information that Debian's libraries keep to themselves.
+  set(SIGNORINI_SANITIZERS -fsanitize=address,undefined -fno-sanitize=vptr
+                           -fno-sanitize-recover=all)
+  list(APPEND SIGNORINI_FLAGS ${SIGNORINI_SANITIZERS} -O1 -g1 -fno-omit-frame-pointer)
+endif()
 if(SIGNORINI_UNITY)
   # GCC takes the sources of a unity build for headers, where unnamed namespaces would be a mistake.
   list(APPEND candidates -Wno-subobject-linkage)
@@ -66,4 +72,5 @@ function(signorini_compile target)
   deal_ii_setup_target(${target})
   target_compile_options(${target} PRIVATE
     -Wall -Wextra $<$<BOOL:${SIGNORINI_WARNINGS_AS_ERRORS}>:-Werror> ${SIGNORINI_FLAGS})
+  target_link_options(${target} PRIVATE ${SIGNORINI_SANITIZERS})
 endfunction()

@@ -8,6 +8,7 @@
 set -euo pipefail
 
 cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.."
+python=/usr/bin/python3
 
 usage() {
   cat <<'END'
@@ -19,6 +20,9 @@ usage: ./dev check <kind> [ARGS]
   --no-native [ARGS]       all tests, compiled for any processor
   --no-fma [ARGS]          all tests, compiled without fused multiply-add
   --debug [ARGS]           the tests of single modules, with the assertions of deal.II
+  --sanitize [ARGS]        the tests of single modules and small scenes, with the sanitizers for
+                           addresses and undefined behaviour
+  --memory [ARGS]          10 000 steps on changing meshes: the memory must not grow (--steps N)
   --clang                  compiles program and tests with Clang, warnings as errors
   --format                 whether clang-format would change a source (version 14 is the reference)
                            (ARGS go to ctest: ./dev check --perturb -R step_size)
@@ -70,6 +74,25 @@ check_debug() {
   ctest --preset debug -j2 -LE "scenes|verification|style|plotting" "$@"
 }
 
+# Leaks of MPI and of libraries that live as long as the program are left out, by the list of
+# suppressions. OpenMPI starts programs of its own, which would be asked for leaks, too.
+check_sanitize() {
+  cmake --preset sanitize
+  cmake --build --preset sanitize
+  local suppressions=$PWD/tools/sanitizers/leaks.txt
+  export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:detect_stack_use_after_return=1
+  export LSAN_OPTIONS=suppressions=$suppressions:print_suppressions=0
+  export UBSAN_OPTIONS=print_stacktrace=1
+  ctest --preset sanitize -j2 -LE "scenes|verification|style|plotting" "$@"
+  ctest --preset sanitize -j2 -R "^(fuzz|verification_(small_scenes|early_ends))$" "$@"
+}
+
+check_memory() {
+  cmake --preset release
+  cmake --build --preset release --target signorini
+  "$python" -B tools/memory.py build/release/signorini build/memory "$@"
+}
+
 check_clang() {
   cmake -S . -B build/check-clang -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER=clang++ -DSIGNORINI_WARNINGS_AS_ERRORS=ON
@@ -89,7 +112,8 @@ check_format() {
 kind=${1:-}
 [[ $# -eq 0 ]] || shift
 case $kind in
-  --debian | --perturb | --no-native | --no-fma | --debug | --clang | --format)
+  --debian | --perturb | --no-native | --no-fma | --debug | --sanitize | --memory | --clang | \
+    --format)
     function=check_${kind#--}
     "${function//-/_}" "$@"
     ;;
