@@ -8,6 +8,7 @@
 
 #include <deal.II/grid/grid_tools.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -96,7 +97,37 @@ namespace signorini
     }
 
 
-    /** The coarse mesh of a body, if it is not too large. */
+    /**
+     * Cells are known by differences of coordinates, which leave nothing of a small body far away,
+     * and by their products, which overflow.
+     */
+    template <int dim>
+    void check_place(const BodyDescription<dim> &body, const Triangulation<dim> &mesh)
+    {
+      constexpr double most_far = 1e8, smallest = 1e-50, largest = 1e50;
+      double           farthest = 0., thickness = largest;
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          double low = mesh.get_vertices()[0][c], high = low;
+          for (const Point<dim> &vertex : mesh.get_vertices())
+            {
+              low  = std::min(low, vertex[c]);
+              high = std::max(high, vertex[c]);
+            }
+          farthest  = std::max({farthest, std::abs(low), std::abs(high)});
+          thickness = std::min(thickness, high - low);
+        }
+      std::ostringstream message;
+      message << "Bodies/" << body.name << ": it is " << thickness
+              << " thick and has coordinates up to " << farthest
+              << ". Correct its size and place, or choose other units: sizes must be between "
+              << smallest << " and " << largest << ", and at least 1e-8 of the coordinates.";
+      if (!(thickness >= smallest && farthest <= largest && farthest <= most_far * thickness))
+        throw UserError(message.str());
+    }
+
+
+    /** The coarse mesh of a body, if it is neither too large nor lost in round-off. */
     template <int dim>
     Triangulation<dim> coarse_mesh(const BodyDescription<dim> &body, const unsigned int n_processes)
     {
@@ -108,6 +139,7 @@ namespace signorini
       Triangulation<dim> mesh;
       make_coarse_mesh(body, mesh);
       check_size(body, mesh.n_active_cells(), n_processes);
+      check_place(body, mesh);
       return mesh;
     }
   } // namespace

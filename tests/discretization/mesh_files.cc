@@ -171,6 +171,23 @@ TEST(MeshFiles, ManyCellsAreAccepted)
   EXPECT_NEAR(boundary_areas(meshed.triangulation).at(1), 300., 1e-9);
 }
 
+// Differences of coordinates would leave no cells, or their products overflow.
+TEST(MeshFiles, BodiesWithoutSizeBesideTheirCoordinatesAreRefused)
+{
+  BodyDescription<3> far = box<3>(), huge = box<3>(), near = box<3>();
+  for (const double distance : {1e9, 1e23})
+    {
+      far.lower_corner[0] = distance;
+      far.upper_corner[0] = distance + distance * 1e-9;
+      EXPECT_NE(refusal(far).find("Bodies/box: it is "), std::string::npos) << refusal(far);
+    }
+  huge.upper_corner[0] = 1e308;
+  EXPECT_NE(refusal(huge).find("coordinates up to 1e+308"), std::string::npos) << refusal(huge);
+  near.lower_corner[0] += 1e5;
+  near.upper_corner[0] += 1e5;
+  EXPECT_EQ(refusal(near), "");
+}
+
 TEST(MeshFiles, CoarseCellsThatNoProcessCanKeepAreRefusedBeforeTheyAreMade)
 {
   BodyDescription<2> square = box<2>();
