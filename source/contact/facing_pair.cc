@@ -36,9 +36,9 @@ namespace signorini
     template <int dim>
     bool share_no_node(const SurfaceFace<dim> &face, const SurfaceFace<dim> &other)
     {
-      for (const NodeWeights &weights : face.nodes)
+      for (const VertexNodes &weights : face.nodes)
         for (const auto &[node, weight] : weights)
-          for (const NodeWeights &other_weights : other.nodes)
+          for (const VertexNodes &other_weights : other.nodes)
             for (const auto &[other_node, other_weight] : other_weights)
               if (node == other_node)
                 return false;
@@ -66,7 +66,7 @@ namespace signorini
       // What other processes know of an owned node's face arrives by a sum.
       Vector flags = discretization.make_vector();
       for (const SurfaceFace<dim> &face : faces)
-        for (const NodeWeights &weights : face.nodes)
+        for (const VertexNodes &weights : face.nodes)
           for (const auto &[node, weight] : weights)
             flags(dim * node) += 1.;
       flags.compress(VectorOperation::add);
@@ -206,15 +206,19 @@ namespace signorini
                              const BoundingBox<dim>              &box) const
   {
     std::vector<SurfaceFace<dim>> result;
+    SurfaceFace<dim>              moved;
     for (const SurfaceFace<dim> &face : faces)
       {
-        SurfaceFace<dim> moved = face;
+        moved.vertices = face.vertices;
         for (unsigned int v = 0; v < face.n_vertices; ++v)
           for (const auto &[node, weight] : face.nodes[v])
             for (unsigned int c = 0; c < dim; ++c)
               moved.vertices[v][c] += weight * displacement(dim * node + c);
         if (boost::geometry::intersects(moved.bounding_box(), box))
-          result.push_back(std::move(moved));
+          {
+            result.push_back(face);
+            result.back().vertices = moved.vertices;
+          }
       }
     return result;
   }

@@ -65,9 +65,14 @@ namespace signorini
     }
 
 
+    /** Partners of a node where both surfaces have equal quadrilaterals. */
+    constexpr std::size_t usual_partners = 16;
+
     /** To a row that is ascending. */
     void add_to(NodeWeights &row, const types::global_dof_index node, const double value)
     {
+      if (row.empty())
+        row.reserve(usual_partners);
       const auto entry =
         std::lower_bound(row.begin(), row.end(), node, [](const auto &known, const auto other) {
           return known.first < other;

@@ -20,6 +20,7 @@ namespace signorini
                                       const SearchRules<dim> &rules)
     : slaves(std::move(surfaces.slaves))
   {
+    covered.reserve(slaves.size());
     MeanCurvature<dim> slave_curvature, master_curvature;
     const auto         on_face = [&](const FacedByMasters<dim> &face) {
       const std::size_t n_before = covered.size();

@@ -92,10 +92,11 @@ namespace signorini
           for (const Point<2> &p : polygon)
             apex += p / static_cast<double>(polygon.size());
         }
-      for (std::size_t i = 0; i < polygon.size(); ++i)
+      Tensor<1, 2> a = polygon.back() - apex, b;
+      for (std::size_t i = 0; i < polygon.size(); ++i, a = b)
         {
-          const Tensor<1, 2> a = polygon[i] - apex, b = polygon[(i + 1) % polygon.size()] - apex;
-          const double       jacobian = a[0] * b[1] - a[1] * b[0];
+          b                     = polygon[i] - apex;
+          const double jacobian = a[0] * b[1] - a[1] * b[0];
           for (std::size_t q = 0; q < rule.points.size() && jacobian > 0.; ++q)
             {
               const auto &[r, s] = rule.points[q];

@@ -75,11 +75,13 @@ namespace signorini
   void ProjectedFace<dim>::prepare(const SurfaceFace<dim> &face)
   {
     area_parts = face.area_vector_parts();
+    edges[0]   = vertices[1] - vertices[0];
     if constexpr (dim == 3)
       {
-        const Tensor<1, 2> a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
-                           bend = (vertices[3] - vertices[2]) - a;
-        double smallest         = std::numeric_limits<double>::max();
+        edges[1]                 = vertices[2] - vertices[0];
+        edges[2]                 = (vertices[3] - vertices[2]) - edges[0];
+        const auto &[a, b, bend] = edges;
+        double smallest          = std::numeric_limits<double>::max();
         for (const double xi : {0., 1.})
           for (const double eta : {0., 1.})
             {
@@ -95,11 +97,10 @@ namespace signorini
   LanePoint<dim> ProjectedFace<dim>::map_back(const LanePoint<dim> &target) const
   {
     if constexpr (dim == 2)
-      return {{(target[0] - vertices[0][0]) / (vertices[1][0] - vertices[0][0])}};
+      return {{(target[0] - vertices[0][0]) / edges[0][0]}};
     else
       {
-        const Tensor<1, 2> a = vertices[1] - vertices[0], b = vertices[2] - vertices[0],
-                           bend = (vertices[3] - vertices[2]) - a;
+        const auto &[a, b, bend] = edges;
         const AtPoints<3> x = target[0] - vertices[0][0], y = target[1] - vertices[0][1];
         LanePoint<3>      xi{{AtPoints<3>::Constant(0.5), AtPoints<3>::Constant(0.5)}};
         for (unsigned int iteration = 0; iteration < 20; ++iteration)

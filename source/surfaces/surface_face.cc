@@ -4,6 +4,7 @@
 #include <signorini/surfaces/surface_face.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini
 {
@@ -92,18 +93,25 @@ namespace signorini
   template <int dim>
   double SurfaceFace<dim>::diameter() const
   {
-    double result = 0.;
-    for (const Point<dim> &a : vertices)
-      for (const Point<dim> &b : vertices)
-        result = std::max(result, a.distance(b));
-    return result;
+    double square = 0.;
+    for (unsigned int a = 0; a < n_vertices; ++a)
+      for (unsigned int b = 0; b < a; ++b)
+        square = std::max(square, vertices[a].distance_square(vertices[b]));
+    return std::sqrt(square);
   }
 
 
   template <int dim>
   BoundingBox<dim> SurfaceFace<dim>::bounding_box() const
   {
-    return BoundingBox<dim>(std::vector<Point<dim>>(vertices.begin(), vertices.end()));
+    std::pair<Point<dim>, Point<dim>> corners(vertices[0], vertices[0]);
+    for (const Point<dim> &vertex : vertices)
+      for (unsigned int c = 0; c < dim; ++c)
+        {
+          corners.first[c]  = std::min(corners.first[c], vertex[c]);
+          corners.second[c] = std::max(corners.second[c], vertex[c]);
+        }
+    return BoundingBox<dim>(corners);
   }
 
 

@@ -15,6 +15,8 @@ namespace signorini
   struct CoveredFace
   {
     static constexpr int n_vertices = SurfaceFace<dim>::n_vertices;
+    /** Master nodes that find room without memory of their own: those of two (four) equal faces. */
+    static constexpr std::size_t most_masters = dim == 2 ? 3 : 9;
 
     /** Full integrals; nothing is covered yet. The face must outlive this. */
     explicit CoveredFace(const SurfaceFace<dim> &slave);
@@ -30,7 +32,10 @@ namespace signorini
     std::array<double, n_vertices>    full;                ///< int N_i over the whole face
     double clearance = std::numeric_limits<double>::max(); ///< smallest distance to the master
     /** For the master nodes l, ascending: int N_i N_l(chi). */
-    std::vector<std::pair<dealii::types::global_dof_index, std::array<double, n_vertices>>> mixed;
+    boost::container::small_vector<
+      std::pair<dealii::types::global_dof_index, std::array<double, n_vertices>>,
+      most_masters>
+      mixed;
   };
 } // namespace signorini
 

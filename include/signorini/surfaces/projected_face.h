@@ -92,6 +92,8 @@ namespace signorini
     std::array<double, n_vertices>                 heights;
     dealii::Point<dim - 1>                         lower, upper; ///< of the box around it
     std::array<dealii::Tensor<1, dim>, dim>        area_parts;   ///< constant, times xi_0, xi_1
+    /** The face is vertices[0] plus these times xi_0, xi_1 and xi_0 xi_1 (2d: xi_0, none). */
+    std::array<dealii::Tensor<1, dim - 1>, dim> edges;
     /**
      * After a change of (c_0, c_1) Newton's method in map_back() misses at most this times |c_0
      * c_1|: zero on parallelograms.

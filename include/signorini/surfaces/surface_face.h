@@ -9,7 +9,9 @@
 
 #include <deal.II/base/bounding_box.h>
 
+#include <boost/container/small_vector.hpp>
 #include <boost/serialization/array.hpp>
+#include <boost/serialization/split_member.hpp>
 #include <boost/serialization/utility.hpp>
 #include <boost/serialization/vector.hpp>
 
@@ -19,6 +21,13 @@ namespace signorini
 {
   /** A linear combination of nodes: global node and weight. */
   using NodeWeights = std::vector<std::pair<dealii::types::global_dof_index, double>>;
+
+  /**
+   * The nodes that move a vertex: one of weight 1, or the parents of a hanging vertex. Faces are
+   * copied in every search; the one node of most vertices needs no memory of its own.
+   */
+  using VertexNodes =
+    boost::container::small_vector<std::pair<dealii::types::global_dof_index, double>, 1>;
 
   /**
    * A (bi)linear face of a contact surface with the nodes that move it, detached from the mesh, so
@@ -31,8 +40,7 @@ namespace signorini
     static constexpr unsigned int n_vertices = 1u << (dim - 1);
 
     std::array<dealii::Point<dim>, n_vertices> vertices; ///< in the reference configuration
-    std::array<NodeWeights, n_vertices>
-                       nodes; ///< one node of weight 1, or the parents of a hanging vertex
+    std::array<VertexNodes, n_vertices>        nodes;
     double             orientation = 1; ///< +1 or -1, makes area_vector() point out of the body
     dealii::Point<dim> place;           ///< centre in the reference configuration
     double thickness = std::numeric_limits<double>::infinity(); ///< of the body behind it, if known
@@ -61,10 +69,26 @@ namespace signorini
     dealii::BoundingBox<dim> bounding_box() const;
 
     template <class Archive>
-    void serialize(Archive &archive, const unsigned int /*version*/)
+    void save(Archive &archive, const unsigned int /*version*/) const
     {
-      archive &vertices &nodes &orientation &place &thickness;
+      archive &vertices &orientation &place &thickness;
+      for (const VertexNodes &of_vertex : nodes)
+        archive &NodeWeights(of_vertex.begin(), of_vertex.end());
     }
+
+    template <class Archive>
+    void load(Archive &archive, const unsigned int /*version*/)
+    {
+      archive &vertices &orientation &place &thickness;
+      for (VertexNodes &of_vertex : nodes)
+        {
+          NodeWeights weights;
+          archive    &weights;
+          of_vertex.assign(weights.begin(), weights.end());
+        }
+    }
+
+    BOOST_SERIALIZATION_SPLIT_MEMBER()
   };
 
   /**
