@@ -4,11 +4,10 @@
 #include <signorini/contact/facing_pair.h>
 #include <signorini/contact/mortar_coupling.h>
 #include <signorini/contact/node_coupling.h>
+#include <signorini/contact/shift_row.h>
 #include <signorini/discretization/common_boxes.h>
 
 #include <deal.II/base/quadrature_lib.h>
-
-#include <Eigen/Dense>
 
 #include <boost/geometry/algorithms/intersects.hpp>
 
@@ -29,8 +28,6 @@ namespace signorini
     constexpr double behind = 0.1, ahead = 0.5;
     /** How deep a face looks into its own body. */
     constexpr double part_of_thickness = 0.3;
-    /** Largest change of a weight of P, as a part of it. */
-    constexpr double largest_shift = 0.5;
 
 
     template <int dim>
@@ -86,6 +83,7 @@ namespace signorini
         result[c] = motion.local_element(dim * node + c);
       return result;
     }
+
   } // namespace
 
 
@@ -160,9 +158,11 @@ namespace signorini
     area.compress(VectorOperation::add);
     outward.compress(VectorOperation::add);
     bluntness.assign(discretization.matrices().pattern.n_owned, 0.);
+    is_slave = discretization.make_vector();
     for (const unsigned int node : owned_slave_nodes)
       {
-        areas[node]     = area.local_element(dim * node);
+        is_slave.local_element(dim * node) = 1.;
+        areas[node]                        = area.local_element(dim * node);
         bluntness[node] = std::max(0., 1. - motion_of<dim>(node, outward).norm() / areas[node]);
       }
   }
@@ -308,56 +308,23 @@ namespace signorini
   void FacingPair<dim>::align(std::vector<ContactNode<dim>> &nodes,
                               const Vector                  &displacement) const
   {
-    using Shift      = Eigen::Matrix<double, dim - 1, 1>;
     Vector positions = displacement;
-    for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
-      for (unsigned int c = 0; c < dim; ++c)
-        positions.local_element(dim * node + c) += discretization.node_positions()[node][c];
+    for (const auto *of_surface : {&owned_slave_nodes, &owned_master_nodes})
+      for (const unsigned int node : *of_surface)
+        for (unsigned int c = 0; c < dim; ++c)
+          positions.local_element(dim * node + c) =
+            discretization.node_positions()[node][c] + displacement.local_element(dim * node + c);
     const NodeCoupling<dim> coupling(nodes, discretization.matrices().pattern.partitioner, true);
-    const auto              of_partners    = coupling.partner_values(positions);
-    Vector                  slaves_are_one = discretization.make_vector();
-    for (const unsigned int node : owned_slave_nodes)
-      slaves_are_one.local_element(dim * node) = 1.;
-    const auto of_slave = coupling.partner_values(slaves_are_one);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
+    const auto              of_partners = coupling.partner_values(positions),
+               are_slaves               = coupling.partner_values(is_slave);
+    std::size_t first                   = 0;
+    for (ContactNode<dim> &node : nodes)
       {
-        ContactNode<dim> &node     = nodes[k];
-        Tensor<1, dim>    relative = motion_of<dim>(node.node, positions), mean;
-        double            sum      = 0.;
-        for (std::size_t l = 0; l < node.partners.size(); ++l)
-          {
-            relative -= node.partners[l].second * of_partners[k][l];
-            mean += std::abs(node.partners[l].second) * of_partners[k][l];
-            sum += std::abs(node.partners[l].second);
-          }
-        mean /= sum;
-        const auto along = [&](const Tensor<1, dim> &x) {
-          Shift result;
-          for (unsigned int d = 0; d < dim - 1; ++d)
-            result[d] = node.direction(d + 1) * x;
-          return result;
-        };
-        Eigen::Matrix<double, dim - 1, dim - 1> spread =
-          Eigen::Matrix<double, dim - 1, dim - 1>::Zero();
-        for (std::size_t l = 0; l < node.partners.size(); ++l)
-          {
-            const Shift s = along(of_partners[k][l] - mean);
-            spread += std::abs(node.partners[l].second) * s * s.transpose();
-          }
-        const Shift a       = spread.fullPivLu().solve(along(relative));
-        double      largest = 0.;
-        for (const Tensor<1, dim> &x : of_partners[k])
-          largest = std::max(largest, std::abs(a.dot(along(x - mean))));
-        if (!(largest <= largest_shift))
-          continue;
-        for (std::size_t l = 0; l < node.partners.size(); ++l)
-          {
-            double      &weight = node.partners[l].second;
-            const double change = std::abs(weight) * a.dot(along(of_partners[k][l] - mean));
-            weight += change;
-            node.transmission -= change * of_slave[k][l][0]; // what stays in the slave
-            node.gap += change * (node.normal() * (of_partners[k][l] - mean));
-          }
+        shift_row<dim>(node,
+                       motion_of<dim>(node.node, positions),
+                       of_partners.data() + first,
+                       are_slaves.data() + first);
+        first += node.partners.size();
       }
   }
 

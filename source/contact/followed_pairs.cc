@@ -92,8 +92,11 @@ namespace signorini
     follow(expected);
     // What clipped bounds are expected to miss, so that a motion as expected needs no repetition.
     for (const auto &[pair, of_pair] : conditions)
-      for (const auto &[node, condition] : of_pair)
-        missed_gaps[pair][node] = condition.missed();
+      {
+        auto &missed = missed_gaps[pair];
+        for (const auto &[node, condition] : of_pair)
+          missed.emplace_hint(missed.end(), node, condition.missed());
+      }
   }
 
 
@@ -155,14 +158,15 @@ namespace signorini
   {
     for (auto &[pair, of_pair] : conditions)
       {
-        const auto motion = relative(pair, looked_at);
-        auto       next   = motion.begin();
+        const auto  motion = relative(pair, looked_at);
+        auto        next   = motion.begin();
+        const auto &gaps   = end_gaps[pair];
         for (auto &[node, condition] : of_pair)
           {
             condition.motion = *next++;
-            const auto gap   = end_gaps[pair].find(node);
+            const auto gap   = gaps.find(node);
             condition.gap_at_end =
-              gap != end_gaps[pair].end() ? gap->second : std::numeric_limits<double>::quiet_NaN();
+              gap != gaps.end() ? gap->second : std::numeric_limits<double>::quiet_NaN();
           }
       }
   }
@@ -180,7 +184,7 @@ namespace signorini
       {
         const unsigned int slave = descriptions[pair].slave, master = descriptions[pair].master;
         std::vector<bool> &followed = excluded.emplace(is_cyclic ? 0 : slave, none).first->second;
-        const auto         nodes = geometries[pair]->at(middle, reach(pair, increment), &followed);
+        auto               nodes = geometries[pair]->at(middle, reach(pair, increment), &followed);
         auto              &coupling = couplings[pair];
         coupling                    = std::make_unique<NodeCoupling<dim>>(
           nodes, discretization.matrices().pattern.partitioner, true);
@@ -190,10 +194,11 @@ namespace signorini
           if (is_cyclic || (slave != master && geometries[pair]->slave_nodes().count(node) > 0))
             followed[node] = true;
         Conditions &of_pair = conditions[pair];
-        for (const ContactNode<dim> &node : nodes)
+        for (ContactNode<dim> &node : nodes) // ascending
           {
-            of_pair[node.node].geometry   = node;
-            of_pair[node.node].gap_at_end = std::numeric_limits<double>::quiet_NaN();
+            auto &condition      = of_pair.try_emplace(of_pair.end(), node.node)->second;
+            condition.geometry   = std::move(node);
+            condition.gap_at_end = std::numeric_limits<double>::quiet_NaN();
           }
         const auto  displacement = relative(pair, start), motion = relative(pair, increment);
         std::size_t k = 0;
@@ -220,8 +225,9 @@ namespace signorini
       {
         const double in_reach = reach(pair, increment);
         const auto   nodes    = geometry->at(end, in_reach);
+        auto        &gaps     = end_gaps[pair];
         for (const ContactNode<dim> &node : nodes)
-          end_gaps[pair][node.node] = node.gap;
+          gaps.emplace_hint(gaps.end(), node.node, node.gap);
         end_depths[pair] = FacingPair<dim>::depth(nodes);
         clear[pair]      = std::max(geometry->distance_of_boxes(end), in_reach);
       }

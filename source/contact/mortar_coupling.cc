@@ -65,14 +65,11 @@ namespace signorini
     }
 
 
-    /** Partners of a node where both surfaces have equal quadrilaterals. */
-    constexpr std::size_t usual_partners = 16;
-
     /** To a row that is ascending. */
     void add_to(NodeWeights &row, const types::global_dof_index node, const double value)
     {
       if (row.empty())
-        row.reserve(usual_partners);
+        row.reserve(16); // as many as where both surfaces have equal quadrilaterals
       const auto entry =
         std::lower_bound(row.begin(), row.end(), node, [](const auto &known, const auto other) {
           return known.first < other;
@@ -139,7 +136,7 @@ namespace signorini
     NodeIntegrals sums;
     for (Vector *vector :
          {&sums.covered, &sums.full, &sums.normals, &sums.opposite, &sums.clearance})
-      *vector = discretization.make_vector();
+      vector->reinit(discretization.matrices().pattern.partitioner);
     for (unsigned int i = 0; i < dim * discretization.matrices().pattern.n_local; ++i)
       sums.clearance.local_element(i) = std::numeric_limits<double>::max();
     for (const CoveredFace<dim> &face : faces)
@@ -256,8 +253,7 @@ namespace signorini
       if (!message.empty())
         throw UserError(message);
     n_left_to_dirichlet = Utilities::MPI::sum(n_left_to_dirichlet, communicator);
-    n_global = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()), communicator);
-    turn     = Utilities::MPI::max(turn, communicator);
+    turn                = Utilities::MPI::max(turn, communicator);
     carries.update_ghost_values();
     return carries;
   }
@@ -322,8 +318,9 @@ namespace signorini
   void MortarCoupling<dim>::assemble_rows(const std::vector<CoveredFace<dim>> &faces,
                                           const Vector                        &carries)
   {
-    Rows   rows(discretization.matrices().pattern.n_local);
-    Vector integrals = discretization.make_vector(), distance = integrals;
+    const NodePattern &pattern = discretization.matrices().pattern;
+    Rows               rows(pattern.n_local);
+    Vector             integrals(pattern.partitioner), distance(pattern.partitioner);
     for (const CoveredFace<dim> &face : faces)
       add_rows(face, carries, rows, integrals, distance);
     integrals.compress(VectorOperation::add);
@@ -332,18 +329,16 @@ namespace signorini
 
     for (ContactNode<dim> &contact_node : contact_nodes)
       {
-        contact_node.gap = 0.;
-        contact_node.partners.clear();
-        contact_node.partners.reserve(rows[contact_node.node].size());
-        for (const auto &[partner, value] : rows[contact_node.node])
+        contact_node.partners = std::move(rows[contact_node.node]);
+        auto kept             = contact_node.partners.begin();
+        for (const auto &[partner, value] : contact_node.partners)
           if (std::abs(value) > 1e-14 * contact_node.weight)
-            contact_node.partners.emplace_back(partner, value / contact_node.weight);
+            *kept++ = {partner, value / contact_node.weight};
+        contact_node.partners.erase(kept, contact_node.partners.end());
         contact_node.transmission =
           integrals.local_element(dim * contact_node.node) / contact_node.weight;
-        for (unsigned int c = 0; c < dim; ++c)
-          contact_node.gap += contact_node.frame[c]
-                              * distance.local_element(dim * contact_node.node + c)
-                              / contact_node.weight;
+        contact_node.gap = contact_node.normal() * NodeIntegrals::at(distance, contact_node.node)
+                           / contact_node.weight;
       }
   }
 
@@ -357,13 +352,15 @@ namespace signorini
     for (const ContactNode<dim> &node : contact_nodes)
       if (little(node))
         carries.local_element(dim * node.node) = 0.;
-    contact_nodes.erase(std::remove_if(contact_nodes.begin(), contact_nodes.end(), little),
-                        contact_nodes.end());
-    const unsigned int before = n_global;
-    n_global                  = Utilities::MPI::sum(static_cast<unsigned int>(contact_nodes.size()),
-                                   discretization.communicator());
-    carries.update_ghost_values();
-    return n_global < before;
+    const auto kept = std::remove_if(contact_nodes.begin(), contact_nodes.end(), little);
+    std::vector<unsigned int> numbers{static_cast<unsigned int>(kept - contact_nodes.begin()),
+                                      static_cast<unsigned int>(contact_nodes.end() - kept)};
+    contact_nodes.erase(kept, contact_nodes.end());
+    Utilities::MPI::sum(numbers, discretization.communicator(), numbers);
+    n_global = numbers[0];
+    if (numbers[1] > 0)
+      carries.update_ghost_values();
+    return numbers[1] > 0;
   }
 
 

@@ -129,16 +129,15 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<std::vector<Tensor<1, dim>>> NodeCoupling<dim>::partner_values(const Vector &u) const
+  std::vector<Tensor<1, dim>> NodeCoupling<dim>::partner_values(const Vector &u) const
   {
-    std::vector<std::vector<Tensor<1, dim>>> result(row_start.size() - 1);
+    std::vector<Tensor<1, dim>> result;
     if (!has_partners)
       return result;
     fetch(u);
-    for (std::size_t k = 0; k < result.size(); ++k)
-      for (unsigned int j = row_start[k]; j < row_start[k + 1]; ++j)
-        result[k].emplace_back(
-          make_array_view(values(u, entries[j].first), values(u, entries[j].first) + dim));
+    result.reserve(entries.size());
+    for (const auto &[entry, weight] : entries)
+      result.emplace_back(make_array_view(values(u, entry), values(u, entry) + dim));
     return result;
   }
 

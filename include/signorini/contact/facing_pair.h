@@ -81,8 +81,9 @@ namespace signorini
     std::map<unsigned int, double>      areas;
     std::vector<unsigned int>           owned_slave_nodes, owned_master_nodes;
     std::vector<double>                 bluntness; ///< of the slave surface, per owned node
-    double       largest_face   = 0.;              ///< diameter in the reference configuration
-    unsigned int n_master_nodes = 0;               ///< on all processes
+    Vector       is_slave;            ///< 1 in the first entries of the nodes of the slave surface
+    double       largest_face   = 0.; ///< diameter in the reference configuration
+    unsigned int n_master_nodes = 0;  ///< on all processes
 
     /** Area and bluntness of the slave's nodes. Collective. */
     void measure_slave();

@@ -55,8 +55,11 @@ namespace signorini
     /** Per contact node k: sum_l P_kl u_l. Collective if any(). */
     std::vector<dealii::Tensor<1, dim>> partner_displacement(const Vector &u) const;
 
-    /** Per contact node the values of its partners, in their order. Collective if any(). */
-    std::vector<std::vector<dealii::Tensor<1, dim>>> partner_values(const Vector &u) const;
+    /**
+     * The values of the partners of the contact nodes, one node after the other, in their order.
+     * Collective if any().
+     */
+    std::vector<dealii::Tensor<1, dim>> partner_values(const Vector &u) const;
 
     /**
      * The entries of contact nodes in their frames that are relative: by contact node, and there
