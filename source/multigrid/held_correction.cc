@@ -44,8 +44,7 @@ namespace signorini
   {
     add_rows(rows.set_mask(mask));
     held = rows.owned_held();
-    for (Level &level : levels)
-      sum_up(level);
+    sum_up();
     for (unsigned int level = 0; level < levels.size(); ++level)
       localise(level);
   }
@@ -97,19 +96,28 @@ namespace signorini
 
 
   template <int dim, typename Number>
-  void HeldCorrection<dim, Number>::sum_up(Level &level) const
+  void HeldCorrection<dim, Number>::sum_up()
   {
-    level.sums.clear();
+    couplings.resize(rows.size());
+    for (Level &level : levels)
+      level.sums.resize(rows.size());
     for (const unsigned int number : held)
       {
-        level.sums.push_back(level.forces[number]);
-        Row &sum = level.sums.back();
-        for (Part &part : sum)
-          part.value *= -1.;
-        for (const auto &[other, value] : rows.couplings(number))
-          for (const Part &part : level.measures[other])
-            sum.push_back({part.node, 0.5 * value * part.value});
-        unite(sum);
+        auto now = rows.couplings(number);
+        if (now == couplings[number])
+          continue;
+        couplings[number] = std::move(now);
+        for (Level &level : levels)
+          {
+            Row &sum = level.sums[number];
+            sum      = level.forces[number];
+            for (Part &part : sum)
+              part.value *= -1.;
+            for (const auto &[other, value] : couplings[number])
+              for (const Part &part : level.measures[other])
+                sum.push_back({part.node, 0.5 * value * part.value});
+            unite(sum);
+          }
       }
   }
 

@@ -53,7 +53,7 @@ namespace signorini
     void for_each_held(const unsigned int level, const Action &action) const
     {
       for (std::size_t e = 0; e < held.size(); ++e)
-        action(levels[level].measures[held[e]], levels[level].sums[e]);
+        action(levels[level].measures[held[e]], levels[level].sums[held[e]]);
     }
 
   private:
@@ -69,7 +69,7 @@ namespace signorini
     {
       std::vector<Row>             measures; ///< r_e of all that is known
       std::vector<Row>             forces;   ///< P'K n_e
-      std::vector<Row>             sums;     ///< s_e of what is held, in its order
+      std::vector<Row>             sums;     ///< s_e of all that is known, when it was last held
       std::vector<LocalPart>       parts;    ///< r_e, then s_e, of each held entry in turn
       std::vector<unsigned int>    starts;
       LocalNodes                   nodes;
@@ -80,11 +80,14 @@ namespace signorini
     HeldRows<dim>              rows;   ///< of the finest level
     std::vector<Level>         levels; ///< all but the finest
     std::vector<unsigned int>  held;   ///< owned entries, by number in the rows
+    std::vector<std::vector<typename HeldRows<dim>::Coupling>>
+      couplings; ///< with which the sums were made
 
     void             add_rows(const std::vector<unsigned int> &numbers);
     std::vector<Row> coarsened(unsigned int level, const std::vector<Row> &rows) const;
-    void             sum_up(Level &level) const;
-    void             localise(unsigned int level);
+    /** Of those entries that are held together with other ones than before. */
+    void sum_up();
+    void localise(unsigned int level);
   };
 } // namespace signorini
 

@@ -57,6 +57,8 @@ namespace signorini
     {
       unsigned int other; ///< number
       double       value; ///< n_e'K n_f
+
+      bool operator==(const Coupling &as) const { return other == as.other && value == as.value; }
     };
     /** Of an owned entry with those that are held. */
     std::vector<Coupling> couplings(unsigned int number) const;
