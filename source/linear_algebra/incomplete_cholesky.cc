@@ -63,7 +63,8 @@ namespace signorini
                          "Solver/Preconditioner = jacobi.");
       }
     std::vector<Origin>().swap(origins); // assignment of an empty list would keep the memory
-    set_held_nodes({});
+    for (unsigned int p = 0; p < pattern.n_local; ++p)
+      invert_pivot(p);
   }
 
 
@@ -202,9 +203,6 @@ namespace signorini
   template <int dim, int block_size>
   void IncompleteCholesky<dim, block_size>::set_held_nodes(const HeldNodes<dim> &held)
   {
-    if (held.empty() && held_positions.empty())
-      for (unsigned int p = 0; p < pattern.n_local; ++p)
-        invert_pivot(p);
     for (const unsigned int p : held_positions)
       invert_pivot(p);
     held_positions.clear();
