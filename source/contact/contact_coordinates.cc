@@ -15,6 +15,17 @@ namespace signorini
 
   namespace
   {
+    /** The frame of the axes. */
+    template <int dim>
+    std::array<double, dim * dim> identity()
+    {
+      std::array<double, dim * dim> result{};
+      for (unsigned int c = 0; c < dim; ++c)
+        result[dim * c + c] = 1.;
+      return result;
+    }
+
+
     /** The components of a node along the rows of a frame. */
     template <int dim>
     void to_rows(const std::array<double, dim * dim> &frame, double *u)
@@ -49,9 +60,6 @@ namespace signorini
     , node_coupling(surface.coupling())
     , n_owned_entries(dim * discretization.matrices().pattern.n_owned)
   {
-    Frame identity{};
-    for (unsigned int c = 0; c < dim; ++c)
-      identity[dim * c + c] = 1.;
     for (const ContactNode<dim> &node : owned_contact_nodes)
       {
         normals.push_back(node.entry());
@@ -59,7 +67,7 @@ namespace signorini
       }
     for (const auto &[node, components] : dirichlet.nodes())
       {
-        const Frame &frame = frames.emplace(node, identity).first->second;
+        const Frame &frame = frames.emplace(node, identity<dim>()).first->second;
         const auto   row   = rows_along_axes<dim>(frame);
         for (unsigned int c = 0; c < dim; ++c)
           if (components[c] != DirichletConditions<dim>::none && row[c] < dim)
@@ -70,6 +78,19 @@ namespace signorini
             }
       }
     find_tangential_entries();
+    find_turned_nodes();
+  }
+
+
+  template <int dim>
+  void ContactCoordinates<dim>::find_turned_nodes()
+  {
+    const Frame axes = identity<dim>();
+    turned_nodes.clear();
+    for (std::size_t k = 0; k < owned_contact_nodes.size(); ++k)
+      if (const ContactNode<dim> &node = owned_contact_nodes[k];
+          node.row == 0 && (node.frame != axes || node.dual_frame() != axes))
+        turned_nodes.push_back({k, dim * node.node, node.frame, node.dual_frame()});
   }
 
 
@@ -104,6 +125,7 @@ namespace signorini
         frame        = node.frame;
       }
     find_tangential_entries();
+    find_turned_nodes();
     // All processes ask for the frames of ghosts together, or none does.
     if (dealii::Utilities::MPI::max(static_cast<unsigned int>(any), dirichlet.communicator()) == 0)
       return;
@@ -135,10 +157,9 @@ namespace signorini
   void ContactCoordinates<dim>::displacement_to_cartesian(Vector &vector) const
   {
     const auto rotate = [&](const unsigned int level) {
-      for (std::size_t k = 0; k < owned_contact_nodes.size(); ++k)
-        if (const ContactNode<dim> &node = owned_contact_nodes[k];
-            node.row == 0 && node_coupling.level(k) == level)
-          from_rows<dim>(node.dual_frame(), vector.begin() + dim * node.node);
+      for (const TurnedNode &node : turned_nodes)
+        if (node_coupling.level(node.contact_node) == level)
+          from_rows<dim>(node.dual, vector.begin() + node.first_entry);
     };
     rotate(0);
     // Partners may be contact nodes themselves: they are Cartesian before others need them.
@@ -169,10 +190,9 @@ namespace signorini
   void ContactCoordinates<dim>::force_to_contact(Vector &vector) const
   {
     const auto rotate = [&](const unsigned int level) {
-      for (std::size_t k = 0; k < owned_contact_nodes.size(); ++k)
-        if (const ContactNode<dim> &node = owned_contact_nodes[k];
-            node.row == 0 && node_coupling.level(k) == level)
-          to_rows<dim>(node.dual_frame(), vector.begin() + dim * node.node);
+      for (const TurnedNode &node : turned_nodes)
+        if (node_coupling.level(node.contact_node) == level)
+          to_rows<dim>(node.dual, vector.begin() + node.first_entry);
     };
     for (unsigned int level = node_coupling.n_levels(); level > 0; --level)
       {
@@ -217,42 +237,36 @@ namespace signorini
   void ContactCoordinates<dim>::for_each_node(Vector &vector, const Turn &turn) const
   {
     AssertDimension(vector.locally_owned_size(), n_owned_entries);
-    for (const ContactNode<dim> &node : owned_contact_nodes)
-      if (node.row == 0)
-        turn(node, vector.begin() + dim * node.node);
+    for (const TurnedNode &node : turned_nodes)
+      turn(node, vector.begin() + node.first_entry);
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::rotate_to_frames(Vector &vector) const
   {
-    for_each_node(vector,
-                  [](const ContactNode<dim> &node, double *u) { to_rows<dim>(node.frame, u); });
+    for_each_node(vector, [](const TurnedNode &node, double *u) { to_rows<dim>(node.frame, u); });
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::rotate_from_frames(Vector &vector) const
   {
-    for_each_node(vector, [](const ContactNode<dim> &node, double *w) {
-      from_rows<dim>(node.dual_frame(), w);
-    });
+    for_each_node(vector, [](const TurnedNode &node, double *w) { from_rows<dim>(node.dual, w); });
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::force_to_frames(Vector &vector) const
   {
-    for_each_node(
-      vector, [](const ContactNode<dim> &node, double *f) { to_rows<dim>(node.dual_frame(), f); });
+    for_each_node(vector, [](const TurnedNode &node, double *f) { to_rows<dim>(node.dual, f); });
   }
 
 
   template <int dim>
   void ContactCoordinates<dim>::force_from_frames(Vector &vector) const
   {
-    for_each_node(vector,
-                  [](const ContactNode<dim> &node, double *f) { from_rows<dim>(node.frame, f); });
+    for_each_node(vector, [](const TurnedNode &node, double *f) { from_rows<dim>(node.frame, f); });
   }
 
 

@@ -132,6 +132,18 @@ namespace signorini
     std::vector<std::vector<unsigned int>> tangential;
     unsigned int                           turns = 0;
 
+    /** A node whose frame is not that of the axes. */
+    struct TurnedNode
+    {
+      std::size_t  contact_node; ///< the first of the node
+      unsigned int first_entry;
+      Frame        frame, dual; ///< dual: for the components of forces
+    };
+    /** Nodes that nothing bounds have the frame of the axes: they cost nothing. */
+    std::vector<TurnedNode> turned_nodes;
+
+    void find_turned_nodes();
+
     /** Where the value of a prescribed entry comes from. */
     struct DirichletSource
     {
@@ -143,7 +155,7 @@ namespace signorini
     std::vector<DirichletSource> dirichlet_sources;
 
     void find_tangential_entries();
-    /** Call turn(contact node, its dim entries) for each node of the surface. */
+    /** Call turn(turned node, its dim entries) for each of them. */
     template <typename Turn>
     void for_each_node(Vector &vector, const Turn &turn) const;
     /** The relative entries times a factor; zero for nodes of other levels than a given one. */
