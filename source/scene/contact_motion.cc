@@ -71,7 +71,7 @@ namespace signorini
     std::string how_to_follow(const Scene<dim> &scene, const std::string &cannot)
     {
       if (cannot.empty())
-        return "set `Contact/Motion = follow`";
+        return set_motion_to_follow;
       return "take one of the schemes " + schemes_that_follow(scene)
              + " (`Time/Scheme`) with `Contact/Motion = follow`, as " + scene.time.scheme
              + " cannot";

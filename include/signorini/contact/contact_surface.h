@@ -34,8 +34,8 @@ namespace signorini
                    const DirichletConditions<dim>        &dirichlet,
                    const std::vector<NamedObstacle<dim>> &obstacles,
                    const std::vector<PairDescription>    &pairs,
-                   ContactMotion                          motion = ContactMotion::linearised,
-                   const std::string &how_to_follow              = "set `Contact/Motion = follow`");
+                   ContactMotion                          motion        = ContactMotion::linearised,
+                   const std::string                     &how_to_follow = set_motion_to_follow);
     ContactSurface(ContactSurface &&) noexcept;
     ~ContactSurface();
 
@@ -61,9 +61,9 @@ namespace signorini
     }
 
     /** The geometry of a contact node from now on; see FollowedContact. */
-    void set_geometry(const std::size_t k, const ContactNode<dim> &node)
+    void set_geometry(const std::size_t k, ContactNode<dim> node)
     {
-      contact_nodes[k] = node;
+      contact_nodes[k] = std::move(node);
     }
 
     /** All contact nodes have their geometry. Collective. */

@@ -43,7 +43,7 @@ namespace signorini
              const std::vector<std::string> &pairs,
              bool                            contact_follows   = false,
              const std::string              &scheme_that_turns = "",
-             const std::string              &how_to_follow     = "set `Contact/Motion = follow`");
+             const std::string              &how_to_follow     = set_motion_to_follow);
 
     /** @return what begins to be doubtful, a sentence each with the time */
     std::vector<std::string> judge(const ValidityReading &reading);

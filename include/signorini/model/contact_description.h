@@ -22,6 +22,9 @@ namespace signorini
     follow      ///< to the motion of each step
   };
 
+  /** What the user of a scene with linearised contact has to do, as a clause of a message. */
+  inline constexpr char set_motion_to_follow[] = "set `Contact/Motion = follow`";
+
   /** What the tangential stress can reach. */
   enum class FrictionKind
   {
