@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/build_information.h>
 #include <signorini/base/command_line.h>
 #include <signorini/base/user_error.h>
 #include <signorini/scene/read_scene.h>
@@ -21,7 +22,7 @@ namespace
     if (options.help)
       std::cout << help();
     else if (options.version)
-      std::cout << version();
+      std::cout << version_and_commit();
     else if (options.print_parameters)
       print_parameters(std::cout);
     else if (options.print_schemes)

@@ -5,8 +5,6 @@
 #include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
 
-#include <deal.II/base/config.h>
-
 namespace signorini
 {
   namespace
@@ -112,15 +110,10 @@ namespace signorini
            "  --print-schemes[=json]     print what is known about each time scheme, as a table or "
            "for programs\n"
            "  --quiet                    no progress line\n"
-           "  --version                  print the version\n"
+           "  --version                  print version and commit\n"
            "  --help                     print this text\n\n"
            "A first scene is parameters/quick_start.prm.\n"
            "Exit status: 0 done, 1 the run failed, 2 the command line or the scene has a mistake, "
            "130 or 143\nended by Ctrl-C or SIGTERM after a step, with its state written.\n";
-  }
-
-  std::string version()
-  {
-    return "signorini " SIGNORINI_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION ")\n";
   }
 } // namespace signorini

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/command_line.h>
+#include <signorini/base/build_information.h>
 #include <signorini/base/spelling.h>
 #include <signorini/checkpoint/checkpoint_folder.h>
 #include <signorini/checkpoint/shared_file.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/command_line.h>
+#include <signorini/base/build_information.h>
 #include <signorini/base/spelling.h>
 #include <signorini/output/run_log.h>
 #include <signorini/output/whole_file.h>
@@ -132,7 +132,7 @@ namespace signorini
     both.rdbuf(tee.get());
 
     const unsigned int n_processes = dealii::Utilities::MPI::n_mpi_processes(communicator);
-    message(trim(version()) + ", " + date() + ", " + std::to_string(n_processes)
+    message(trim(version_and_commit()) + ", " + date() + ", " + std::to_string(n_processes)
             + (n_processes == 1 ? " process" : " processes"));
   }
 
@@ -163,6 +163,13 @@ namespace signorini
   void RunLog::message(const std::string &text)
   {
     stream() << text << '\n' << std::flush;
+  }
+
+
+  void RunLog::record(const std::string &text)
+  {
+    if (first_process)
+      log << text << '\n' << std::flush;
   }
 
 

@@ -237,7 +237,10 @@ namespace signorini
     scene.output         = parse_output(in.section("Output"));
     scene.checkpoint     = parse_checkpoint(in.section("Checkpoint"));
 
-    const auto meshes    = meshes_of(scene);
+    const auto meshes = meshes_of(scene);
+    for (const NamedMesh &mesh : meshes)
+      scene.mesh_files.push_back(mesh.path);
+    scene.overrides      = overrides;
     scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, meshes));
     scene.all_parameters = print_all(text, prm, meshes);
     return scene;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/json.h>
 #include <signorini/schemes/alpha_rule.h>
 #include <signorini/schemes/scheme_table.h>
 
@@ -23,14 +24,6 @@ namespace signorini
       if (info.force_before_end == "0.5")
         return "middle";
       return info.force_before_end + " before the end, p = `" + info.parameter + "`";
-    }
-
-    std::string quoted(const std::string &text)
-    {
-      std::string result = "\"";
-      for (const char c : text)
-        result += (c == '"' || c == '\\' ? std::string("\\") : std::string()) + c;
-      return result + "\"";
     }
   } // namespace
 
@@ -58,14 +51,14 @@ namespace signorini
     const char *separator = "[\n";
     for (const SchemeInfo &info : scheme_table())
       {
-        out << separator << "  {\"name\": " << quoted(info.name)
-            << ", \"summary\": " << quoted(info.summary)
-            << ",\n   \"energy\": " << quoted(name_of(info.energy))
+        out << separator << "  {\"name\": " << json_text(info.name)
+            << ", \"summary\": " << json_text(info.summary)
+            << ",\n   \"energy\": " << json_text(name_of(info.energy))
             << ", \"friction\": " << truth(info.friction)
-            << ", \"massless_nodes\": " << quoted(name_of(info.massless))
+            << ", \"massless_nodes\": " << json_text(name_of(info.massless))
             << ", \"predictor\": " << truth(info.predictor)
-            << ",\n   \"force_before_end\": " << quoted(info.force_before_end)
-            << ", \"parameter\": " << quoted(info.parameter)
+            << ",\n   \"force_before_end\": " << json_text(info.force_before_end)
+            << ", \"parameter\": " << json_text(info.parameter)
             << ", \"automatic\": " << AlphaRule::usual_radius
             << ", \"mean_velocity\": " << truth(info.mean_velocity)
             << ", \"penetrates\": " << truth(info.penetrates)

@@ -6,6 +6,7 @@
 #include <signorini/checkpoint/mesh_levels.h>
 #include <signorini/checkpoint/scene_changes.h>
 #include <signorini/checkpoint/shared_file.h>
+#include <signorini/output/provenance.h>
 #include <signorini/output/whole_file.h>
 #include <signorini/simulation/change_mesh.h>
 #include <signorini/simulation/simulation.h>
@@ -236,6 +237,7 @@ namespace signorini
     const auto       stepping = make_stepping();
     this->archive(archive, *stepping, observation);
     go_on_with(packed, observation);
+    log.record(provenance(scene.file_name, scene.overrides, scene.mesh_files, mesh.communicator()));
     log.message("The run goes on from `" + found.folder + "`: step " + std::to_string(state.step)
                 + ", time " + Patterns::Tools::to_string(state.time) + ".");
     if (!stepping->finished(state))

@@ -6,6 +6,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/output/earlier_results.h>
 #include <signorini/output/obstacle_surfaces.h>
+#include <signorini/output/provenance.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 #include <signorini/simulation/change_mesh.h>
@@ -105,6 +106,7 @@ namespace signorini
     remove_earlier_results(scene.output_directory, mesh.communicator());
     checkpoints.remove();
     log.copy_scene(scene.original_text, scene.all_parameters);
+    log.record(provenance(scene.file_name, scene.overrides, scene.mesh_files, mesh.communicator()));
     log.message(description());
     for (const std::string &warning : warnings())
       log.warning(warning);

@@ -36,9 +36,6 @@ namespace signorini
 
   /** All options. */
   std::string help();
-
-  /** Name and version of the program and of deal.II. */
-  std::string version();
 } // namespace signorini
 
 #endif

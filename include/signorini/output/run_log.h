@@ -40,6 +40,9 @@ namespace signorini
     /** One or several lines of text, without the last end of line. */
     void message(const std::string &text);
 
+    /** The same for the log only: what a reader of the screen has no use for. */
+    void record(const std::string &text);
+
     /**
      * What makes results doubtful: a line in the log and on the error stream of the first process,
      * also of a quiet run.

@@ -17,6 +17,7 @@
 #include <signorini/scene/time_parameters.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace signorini
@@ -62,6 +63,8 @@ namespace signorini
     SolverParameters                        solver;
     OutputParameters                        output;
     CheckpointParameters                    checkpoint;
+    std::vector<std::string> mesh_files; ///< of bodies and obstacles, from the root of the files
+    std::vector<std::pair<std::string, std::string>> overrides; ///< as in CommandLine
     std::string original_text;  ///< the scene file and the command line, see repeatable_text()
     std::string all_parameters; ///< every key with the value used, as a .prm
     StepSizeParameters step_sizes;
