@@ -34,8 +34,11 @@ namespace signorini
 
     void parse_option(const std::string &option, CommandLine &result)
     {
-      if (option == "--validate")
-        result.validate = true;
+      if (option == "--validate" || option == "--validate=json")
+        {
+          result.validate = true;
+          result.as_json  = option == "--validate=json";
+        }
       else if (option == "--resume")
         result.resume = true;
       else if (option == "--print-parameters")
@@ -51,6 +54,9 @@ namespace signorini
         result.version = true;
       else if (option == "--help" || option == "-h")
         result.help = true;
+      else if (option.rfind("--validate=", 0) == 0 || option.rfind("--print-schemes=", 0) == 0)
+        throw UserError(option + ": only json is known. Write " + option.substr(0, option.find('='))
+                        + "=json, or leave it out for text.");
       else
         throw UserError("unknown option " + option + ". " + suggestion(option, options));
     }
@@ -104,7 +110,8 @@ namespace signorini
     return "Usage: signorini [options] scene.prm\n\n"
            "  --set \"Section/Key=value\"  change a value of the scene (repeatable, applied after "
            "the file)\n"
-           "  --validate                 check scene and physics, say what would run, and stop\n"
+           "  --validate[=json]          check scene and physics, say what would run and what to "
+           "expect, and stop\n"
            "  --resume                   go on from the latest checkpoint in the output directory\n"
            "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
            "  --print-schemes[=json]     print what is known about each time scheme, as a table or "

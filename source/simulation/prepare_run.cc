@@ -38,7 +38,8 @@ namespace signorini
     if (mesh_control.any())
       adapt_initial_mesh();
     check_probes(scene, *meshed);
-    expected = expectations(scene, *meshed, state);
+    impacts  = first_impacts(scene, *meshed, state);
+    expected = expectations(scene, impacts);
   }
 
 

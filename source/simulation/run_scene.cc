@@ -29,7 +29,7 @@ namespace signorini
         Simulation<dim> simulation(scene, comm, options.quiet);
         if (options.validate)
           {
-            const std::string text = simulation.validate();
+            const std::string text = simulation.validate(options.as_json);
             if (first)
               std::cout << text << std::flush;
           }

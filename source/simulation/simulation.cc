@@ -87,17 +87,6 @@ namespace signorini
 
 
   template <int dim>
-  std::string Simulation<dim>::validate()
-  {
-    prepare();
-    std::string text = scene.file_name + ": the scene is in order.\n" + description();
-    for (const std::string &warning : warnings())
-      text += "  warning: " + warning + "\n";
-    return text;
-  }
-
-
-  template <int dim>
   void Simulation<dim>::run()
   {
     prepare();

@@ -5,7 +5,9 @@
 
 #include <signorini/base/spelling.h>
 #include <signorini/simulation/element_warnings.h>
+#include <signorini/simulation/preflight.h>
 #include <signorini/simulation/simulation.h>
+#include <signorini/simulation/usual_mistakes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +16,21 @@
 namespace signorini
 {
   using namespace dealii;
+
+  template <int dim>
+  std::string Simulation<dim>::validate(const bool for_programs)
+  {
+    prepare();
+    Preflight forecast = preflight(scene, *meshed, impacts);
+    forecast.notes     = notes();
+    forecast.warnings  = warnings();
+    for (const std::string &mistake : usual_mistakes(scene, forecast))
+      forecast.warnings.push_back(mistake);
+    if (for_programs)
+      return as_json(forecast);
+    return scene.file_name + ": the scene is in order.\n" + description() + in_words(forecast);
+  }
+
 
   template <int dim>
   std::string Simulation<dim>::description() const
@@ -47,27 +64,41 @@ namespace signorini
       text << "\n  Courant number    " << courant_number;
     text << "\n  processes         " << Utilities::MPI::n_mpi_processes(mesh.communicator())
          << "\n";
+    for (const std::string &note : notes())
+      text << "  note: " << note << "\n";
+    return text.str();
+  }
+
+
+  template <int dim>
+  std::vector<std::string> Simulation<dim>::notes() const
+  {
+    std::vector<std::string> result;
+    const auto               note = [&](const auto &...parts) {
+      std::ostringstream text;
+      (text << ... << parts);
+      result.push_back(text.str());
+    };
     if (meshed->surface.n_left_to_dirichlet_conditions() > 0)
-      text << "  note: " << meshed->surface.n_left_to_dirichlet_conditions()
-           << " nodes of the contact surface have a prescribed normal displacement, and take no "
-              "part in contact\n";
+      note(meshed->surface.n_left_to_dirichlet_conditions(),
+           " nodes of the contact surface have a prescribed normal displacement, and take no part "
+           "in contact");
     if (const double end = scene.time.n_steps() * scene.time.step_size;
         !scene.step_sizes.is_variable()
         && std::abs(end - scene.time.end_time) > 1e-9 * scene.time.end_time)
-      text << "  note: the run ends at " << end
-           << ", the multiple of `Step size` next to `End time` = " << scene.time.end_time << "\n";
+      note("the run ends at ",
+           end,
+           ", the multiple of `Step size` next to `End time` = ",
+           scene.time.end_time);
     if (!scene.why_linearised.empty())
-      text << "  note: contact is linearised about the initial configuration: "
-           << scene.why_linearised << "\n";
+      note("contact is linearised about the initial configuration: ", scene.why_linearised);
     if (perturbation_of_velocities() != 0.)
-      text << "  note: SIGNORINI_PERTURB changes the initial velocities by "
-           << perturbation_of_velocities() << " of themselves\n";
-    for (const std::string &note : meshed->surface.notes())
-      text << "  note: " << note << "\n";
-    for (const Remarks *remarks : {&start_remarks, &expected})
-      for (const std::string &note : remarks->notes)
-        text << "  note: " << note << "\n";
-    return text.str();
+      note("SIGNORINI_PERTURB changes the initial velocities by ",
+           perturbation_of_velocities(),
+           " of themselves");
+    for (const auto *sentences : {&meshed->surface.notes(), &start_remarks.notes, &expected.notes})
+      result.insert(result.end(), sentences->begin(), sentences->end());
+    return result;
   }
 
 
@@ -92,8 +123,12 @@ namespace signorini
   }
 
 
+  template std::string              Simulation<2>::validate(bool);
+  template std::string              Simulation<3>::validate(bool);
   template std::string              Simulation<2>::description() const;
   template std::string              Simulation<3>::description() const;
+  template std::vector<std::string> Simulation<2>::notes() const;
+  template std::vector<std::string> Simulation<3>::notes() const;
   template std::vector<std::string> Simulation<2>::warnings() const;
   template std::vector<std::string> Simulation<3>::warnings() const;
 } // namespace signorini

@@ -46,7 +46,14 @@ namespace signorini::tests
       Simulation<2>(scene(), MPI_COMM_WORLD, true).run();
     }
 
-    std::string validate() { return Simulation<2>(scene(), MPI_COMM_WORLD, true).validate(); }
+    /** With another scheme than that of the scene. */
+    void run(std::unique_ptr<TimeScheme> scheme)
+    {
+      const LeaveTogether together;
+      Simulation<2>(scene(), MPI_COMM_WORLD, true, std::move(scheme)).run();
+    }
+
+    std::string validate() { return Simulation<2>(scene(), MPI_COMM_WORLD, true).validate(false); }
 
     bool has(const std::string &file) const { return std::filesystem::exists(path(file)); }
 

@@ -4,18 +4,17 @@
 #ifndef signorini_simulation_expectations_h
 #define signorini_simulation_expectations_h
 
+#include <signorini/simulation/first_impacts.h>
 #include <signorini/simulation/initial_state.h>
-#include <signorini/simulation/meshed_scene.h>
 
 namespace signorini
 {
   /**
    * What the first impact of each pair is going to be like by simple theories, and whether mesh and
-   * steps can carry it. Nothing about pairs that touch already, that do not approach, or whose
-   * bodies meet with an edge. Collective.
+   * steps can carry it: a sentence each.
    */
   template <int dim>
-  Remarks expectations(const Scene<dim> &scene, const MeshedScene<dim> &meshed, const State &state);
+  Remarks expectations(const Scene<dim> &scene, const std::vector<FirstImpact> &impacts);
 } // namespace signorini
 
 #endif

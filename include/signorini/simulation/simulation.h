@@ -11,6 +11,7 @@
 #include <signorini/output/folder_lock.h>
 #include <signorini/output/obstacle_series.h>
 #include <signorini/output/run_log.h>
+#include <signorini/simulation/first_impacts.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/mesh_control.h>
 #include <signorini/simulation/observation.h>
@@ -40,10 +41,11 @@ namespace signorini
 
     /**
      * Build everything that a run needs, and look for penetration at the start.
+     * @param for_programs as JSON, see Preflight
      * @return what would run, for the user
      * @throws UserError
      */
-    std::string validate();
+    std::string validate(bool for_programs);
 
     /** From time 0 to the end. @throws UserError before the first step, RunError later. */
     void run();
@@ -66,8 +68,9 @@ namespace signorini
     const std::unique_ptr<TimeScheme> scheme;
     StartReport                       equilibrium; ///< of a run that starts in it
 
-    Remarks start_remarks; ///< about the initial state
-    Remarks expected;      ///< of what is to come
+    Remarks                  start_remarks; ///< about the initial state
+    Remarks                  expected;      ///< of what is to come
+    std::vector<FirstImpact> impacts;
 
     std::unique_ptr<MeshedScene<dim>> meshed;
     MeshControl<dim>                  mesh_control;
@@ -126,6 +129,8 @@ namespace signorini
     /** Whether it is time to. @param fraction of the run that is done */
     bool        writes_fields(double fraction);
     std::string description() const;
+    /** What is assumed, or has been changed, before the first step, a sentence each. */
+    std::vector<std::string> notes() const;
     /** What is doubtful before the first step, a sentence each. */
     std::vector<std::string> warnings() const;
     /** After the last step. */

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/preconditioners/preconditioners.h>
+#include <signorini/simulation/memory_estimate.h>
+
+#include <deal.II/base/utilities.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Of the program without a scene: libraries, and what MPI keeps. */
+    constexpr double of_the_program = 90e6;
+
+    /** Bytes that steps add per unknown: copies of the matrix, and vectors. */
+    template <int dim>
+    double bytes_per_unknown(const bool multigrid)
+    {
+      if (dim == 2)
+        return multigrid ? 830. : 620.;
+      return multigrid ? 1040. : 740.;
+    }
+
+    /** Bytes that fields take per cell while they are written: patches of values at corners. */
+    template <int dim>
+    constexpr double bytes_per_cell = dim == 2 ? 1600. : 2500.;
+
+
+    template <int dim>
+    bool takes_multigrid(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
+    {
+      const PreconditionerKind chosen = scene.solver.preconditioner;
+      if (chosen != PreconditionerKind::automatic)
+        return chosen == PreconditionerKind::multigrid || chosen == PreconditionerKind::ml;
+      if (!scheme_info(scene.time.scheme).inertia)
+        return true;
+      StepCost cost;
+      cost.courant_number   = meshed.discretization.mesh().courant_number(scene.time.step_size);
+      cost.n_dofs           = meshed.discretization.dof_handler().n_dofs();
+      cost.matrix_life_time = scene.time.n_steps();
+      cost.solves_roughly   = !has_friction(scene.pairs);
+      return choose_preconditioner(cost) == PreconditionerKind::multigrid;
+    }
+  } // namespace
+
+
+  template <int dim>
+  MemoryEstimate memory_estimate(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
+  {
+    const auto    &discretization = meshed.discretization;
+    const MPI_Comm communicator   = discretization.communicator();
+    const auto    &triangulation  = discretization.mesh().triangulation();
+
+    dealii::Utilities::System::MemoryStats measured;
+    dealii::Utilities::System::get_memory_stats(measured);
+    const double prepared = 1024. * measured.VmHWM; // kB
+    const double steps    = bytes_per_unknown<dim>(takes_multigrid(scene, meshed))
+                         * discretization.locally_owned().n_elements();
+    const double fields =
+      scene.output.vtu ? bytes_per_cell<dim> * triangulation.n_locally_owned_active_cells() : 0.;
+    const double run = prepared + steps + fields;
+
+    MemoryEstimate estimate;
+    estimate.prepared        = dealii::Utilities::MPI::sum(prepared, communicator);
+    estimate.run             = dealii::Utilities::MPI::sum(run, communicator);
+    estimate.largest_process = dealii::Utilities::MPI::max(run, communicator);
+    estimate.at_most         = estimate.run;
+    if (scene.adaptivity.any() && scene.adaptivity.maximum_cells == 0)
+      estimate.at_most = std::numeric_limits<double>::infinity();
+    else if (scene.adaptivity.any())
+      {
+        const double program =
+          of_the_program * dealii::Utilities::MPI::n_mpi_processes(communicator);
+        const double growth = static_cast<double>(scene.adaptivity.maximum_cells)
+                              / triangulation.n_global_active_cells();
+        estimate.at_most = program + std::max(1., growth) * (estimate.run - program);
+      }
+    return estimate;
+  }
+
+
+  template MemoryEstimate memory_estimate(const Scene<2> &, const MeshedScene<2> &);
+  template MemoryEstimate memory_estimate(const Scene<3> &, const MeshedScene<3> &);
+} // namespace signorini
