@@ -33,7 +33,7 @@ namespace signorini
         return;
       const std::filesystem::path folder(directory);
       remove_matching(folder,
-                      std::regex("(history|supports|pairs|bodies|probe_.*)\\.csv|"
+                      std::regex("(history|supports|pairs|bodies|forces|probe_.*)\\.csv|"
                                  "(volume|surface|obstacles)\\.pvd|obstacles\\.vtu"));
       remove_matching(folder / "fields",
                       std::regex("(volume|surface|obstacles)_.*\\.p?vtu(\\.part)?"));

@@ -47,6 +47,12 @@ namespace signorini
                       "Write pairs.csv: force on the slave, its moment about the origin, normal "
                       "force, friction force, active nodes, smallest gap and penetration of each "
                       "contact pair, pair_<k>_..., k = 0, 1, ... in the order of `Contact/Pairs`.");
+    prm.declare_entry("Forces",
+                      "true",
+                      Bool(),
+                      "Write forces.csv, if there are pairs: the contact force on each body by the "
+                      "multipliers, by the stress at its boundary and by the change of its "
+                      "momentum, force_<body>_..., and their relative spread.");
     prm.declare_entry("Bodies",
                       "true",
                       Bool(),
@@ -66,6 +72,7 @@ namespace signorini
     output.supports      = in.flag("Supports");
     output.pairs         = in.flag("Pairs");
     output.bodies        = in.flag("Bodies");
+    output.forces        = in.flag("Forces");
     return output;
   }
 

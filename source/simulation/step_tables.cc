@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/output/body_table.h>
+#include <signorini/output/force_table.h>
 #include <signorini/output/pair_table.h>
 #include <signorini/output/point_probe_table.h>
 #include <signorini/output/support_table.h>
@@ -30,6 +31,16 @@ namespace signorini
         std::make_unique<PairTable<dim>>(directory, scene.pairs.size(), communicator));
     if (scene.output.bodies)
       tables.push_back(std::make_unique<BodyTable<dim>>(directory, scene.bodies, communicator));
+    if (scene.output.forces && !scene.pairs.empty())
+      {
+        const SchemeInfo &scheme = scheme_info(scene.time.scheme);
+        tables.push_back(
+          std::make_unique<ForceTable<dim>>(directory,
+                                            scene.bodies,
+                                            ForceBalance<dim>(scheme.balance, scheme.inertia),
+                                            force_before_end(scheme, scene.time.parameters),
+                                            communicator));
+      }
     if (!scene.point_probes.empty())
       tables.push_back(
         std::make_unique<PointProbeTable<dim>>(directory, scene.point_probes, communicator));
@@ -37,11 +48,14 @@ namespace signorini
 
 
   template <int dim>
-  void StepTables<dim>::use_mesh(const MeshedScene<dim> &meshed,
-                                 const BodyMotion<dim>  &motion,
-                                 const State            &state)
+  void StepTables<dim>::use_mesh(MeshedScene<dim>      &meshed,
+                                 const BodyMotion<dim> &motion,
+                                 const State           &state)
   {
-    const ObservedMesh<dim> mesh{meshed.discretization, meshed.dirichlet, meshed.surface, motion};
+    const ObservedMesh<dim> mesh{
+      meshed.discretization, meshed.dirichlet, meshed.surface, motion, [&](const double time) {
+        return meshed.load(time);
+      }};
     for (const auto &table : tables)
       table->use_mesh(mesh, state);
   }

@@ -67,6 +67,7 @@ namespace signorini
     bool         supports      = true; ///< table of the forces of supports, if there are any
     bool         pairs         = true; ///< table of the contact of each pair, if there are any
     bool         bodies        = true; ///< table of energies and momenta of each body
+    bool         forces        = true; ///< table of contact forces by three routes, with pairs
   };
 } // namespace signorini
 

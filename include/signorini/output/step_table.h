@@ -9,16 +9,19 @@
 #include <signorini/output/csv_table.h>
 #include <signorini/time/time_scheme.h>
 
+#include <functional>
+
 namespace signorini
 {
   /** What tables observe, on one mesh. */
   template <int dim>
   struct ObservedMesh
   {
-    const Discretization<dim>      &discretization;
-    const DirichletConditions<dim> &dirichlet;
-    const ContactSurface<dim>      &surface;
-    const BodyMotion<dim>          &motion;
+    const Discretization<dim>            &discretization;
+    const DirichletConditions<dim>       &dirichlet;
+    const ContactSurface<dim>            &surface;
+    const BodyMotion<dim>                &motion;
+    std::function<const Vector *(double)> load; ///< at a time; null without loads
   };
 
   /**

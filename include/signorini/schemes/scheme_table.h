@@ -118,6 +118,16 @@ namespace signorini
   double automatic_spectral_radius(double courant_number);
 
   /**
+   * Whether one contact force, that of the step, changes the momentum of a step (for
+   * StepBalance::both_ends, the mean with that of the step before); other schemes mix forces,
+   * accelerations or impulses of several instants.
+   */
+  bool balances_momentum_by_one_force(const SchemeInfo &info);
+
+  /** SchemeInfo::force_before_end as a number. */
+  double force_before_end(const SchemeInfo &info, const SchemeParameters &parameters);
+
+  /**
    * Every scheme there is, in the order of documents; the first one is the default. The one place
    * where names of schemes are written.
    */

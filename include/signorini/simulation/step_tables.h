@@ -19,8 +19,7 @@ namespace signorini
     StepTables(const Scene<dim> &scene, MPI_Comm communicator);
 
     /** See StepTable. Mesh and motion must live until the next mesh. */
-    void
-    use_mesh(const MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
+    void use_mesh(MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
     void write(const State &state, const StepReport &report, bool is_due);
     void finish();
     /** See CsvTable. */
