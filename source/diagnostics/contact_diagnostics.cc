@@ -38,17 +38,20 @@ namespace signorini
         summary.n_active += is_active;
         summary.n_stick += (is_active && friction.status == contact_status::stick);
         summary.n_slip += (is_active && friction.status == contact_status::slip);
-        summary.max_slip        = std::max(summary.max_slip, friction.slip_path);
-        summary.max_tension     = std::max(summary.max_tension, force);
-        summary.max_penetration = std::max(summary.max_penetration, -gap[k]);
+        summary.max_slip           = std::max(summary.max_slip, friction.slip_path);
+        summary.max_tension        = std::max(summary.max_tension, force);
+        summary.largest_node_force = std::max(summary.largest_node_force, std::abs(force));
+        summary.max_penetration    = std::max(summary.max_penetration, -gap[k]);
       }
-    summary.normal_force    = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
-    summary.n_active        = dealii::Utilities::MPI::sum(summary.n_active, communicator);
-    summary.friction_force  = dealii::Utilities::MPI::sum(summary.friction_force, communicator);
-    summary.n_stick         = dealii::Utilities::MPI::sum(summary.n_stick, communicator);
-    summary.n_slip          = dealii::Utilities::MPI::sum(summary.n_slip, communicator);
-    summary.max_slip        = dealii::Utilities::MPI::max(summary.max_slip, communicator);
-    summary.max_tension     = dealii::Utilities::MPI::max(summary.max_tension, communicator);
+    summary.normal_force   = dealii::Utilities::MPI::sum(summary.normal_force, communicator);
+    summary.n_active       = dealii::Utilities::MPI::sum(summary.n_active, communicator);
+    summary.friction_force = dealii::Utilities::MPI::sum(summary.friction_force, communicator);
+    summary.n_stick        = dealii::Utilities::MPI::sum(summary.n_stick, communicator);
+    summary.n_slip         = dealii::Utilities::MPI::sum(summary.n_slip, communicator);
+    summary.max_slip       = dealii::Utilities::MPI::max(summary.max_slip, communicator);
+    summary.max_tension    = dealii::Utilities::MPI::max(summary.max_tension, communicator);
+    summary.largest_node_force =
+      dealii::Utilities::MPI::max(summary.largest_node_force, communicator);
     summary.max_penetration = dealii::Utilities::MPI::max(summary.max_penetration, communicator);
     summary.n_nodes         = surface.n_global_nodes();
     summary.depths          = surface.geometric_penetration(state.displacement);

@@ -33,6 +33,13 @@ namespace signorini
                       "Write a row of history.csv and of the other tables every so many steps, and "
                       "one for the last step. Works, iterations and products of the steps between "
                       "are summed into the next row.");
+    prm.declare_entry("Guard",
+                      "stop",
+                      Selection("stop|warn"),
+                      "What to do when a step breaks a law that its scheme proves (growth of "
+                      "energy, adhesion, Coulomb's bound, penetration, momentum) beyond the "
+                      "accuracy of the solvers: stop, with a diagnosis and the state written, or "
+                      "warn and go on. See doc/output.md.");
     prm.declare_entry("Supports",
                       "true",
                       Bool(),
@@ -72,6 +79,7 @@ namespace signorini
     output.supports      = in.flag("Supports");
     output.pairs         = in.flag("Pairs");
     output.bodies        = in.flag("Bodies");
+    output.guard         = in.choice<GuardAction>("Guard");
     output.forces        = in.flag("Forces");
     return output;
   }

@@ -42,6 +42,7 @@ namespace signorini
                    dim,
                    scheme_info(scene.time.scheme).inertia,
                    scheme_info(scene.time.scheme).energy == EnergyLaw::none})
+    , law_watch(scene)
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())
     , validity(names_of(scene.bodies),
@@ -73,6 +74,7 @@ namespace signorini
     ledger.open(state, meshed->load(state.time));
     initial_momentum = momentum_of(state);
     tables.use_mesh(*meshed, body_motion, state);
+    law_watch.start(*meshed, state);
     const HistoryRow row = evaluate(state, report_of_start(state), EnergyBooking());
     run_summary.start(row);
     write(row, true);
@@ -111,6 +113,7 @@ namespace signorini
     alternation.forget();
     probes = make_probes(scene, *meshed);
     tables.use_mesh(*meshed, body_motion, state);
+    law_watch.start(*meshed, state);
   }
 
 
@@ -133,6 +136,7 @@ namespace signorini
     validity.archive(archive);
     missing_pairs.archive(archive);
     alternation.archive(archive);
+    law_watch.archive(archive);
     turning_normals.archive(archive, meshed->discretization.communicator());
     double time = earlier_time + clock.wall_time();
     archive(initial_momentum, strains, energy_of_strains, velocity_zigzags, products_before, time);
@@ -154,7 +158,9 @@ namespace signorini
                        "constants of the scene.");
     const HistoryRow row = evaluate(state, report, booking);
     run_summary.add(row);
-    write(row, is_last);
+    broken =
+      law_watch.judge(law_watch.read(state, report, booking, contact_now, run_summary.scale()));
+    write(row, is_last || !broken.empty());
     std::vector<std::string> news = validity.judge(validity_reading(state));
     for (const std::string &overlap :
          missing_pairs.judge(meshed->discretization, state.displacement, state.time, is_last))

@@ -67,16 +67,17 @@ namespace signorini
 
 
   template <int dim>
-  Simulation<dim>::Simulation(const Scene<dim> &scene,
-                              const MPI_Comm    communicator,
-                              const bool        quiet)
+  Simulation<dim>::Simulation(const Scene<dim>           &scene,
+                              const MPI_Comm              communicator,
+                              const bool                  quiet,
+                              std::unique_ptr<TimeScheme> given_scheme)
     : scene(scene)
     , quiet(quiet)
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
     , scheme_parameters(with_spectral_radius(scene, mesh))
-    , scheme(make_scheme(scene, scheme_parameters))
+    , scheme(given_scheme ? std::move(given_scheme) : make_scheme(scene, scheme_parameters))
     , mesh_control(mesh,
                    scene.adaptivity,
                    time_integration(scene.time, scheme_parameters),
@@ -163,6 +164,7 @@ namespace signorini
           meshed->system.set_energy(observation.energy_of_motion());
           tell_progress(stepping.fraction_done(state), observation, log);
         }
+        heed(observation.broken_laws(), scene.output.guard, log);
         if (scene.time.stop_on_warning && !news.empty())
           throw RunError("`Time/Stop on warning`: " + news.front());
         if (writes_fields(stepping.fraction_done(state)))

@@ -86,11 +86,6 @@ namespace signorini::tests
       return times;
     }
 
-  private:
-    ScratchFolder         folder;
-    std::vector<Override> overrides;
-    Scene<2>              current;
-
     const Scene<2> &scene()
     {
       if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
@@ -129,6 +124,11 @@ end
       current = read_scene<2>(path("mine.prm"), all);
       return current;
     }
+
+  private:
+    ScratchFolder         folder;
+    std::vector<Override> overrides;
+    Scene<2>              current;
   };
 } // namespace signorini::tests
 

@@ -25,13 +25,15 @@ namespace signorini
     double geometric_penetration   = 0.; ///< the same by the true geometry, with all obstacles
     std::vector<double> depths;   ///< of each body, see ContactSurface::geometric_penetration()
     std::vector<double> slidings; ///< of each pair, see ContactSurface::largest_sliding()
-    double              max_tension = 0.; ///< largest nodal force of the wrong sign
+    double              max_tension        = 0.; ///< largest nodal force of the wrong sign
+    double              largest_node_force = 0.; ///< largest |normal nodal force|
 
     void archive(Archive &archive)
     {
       archive(
         normal_force, friction_force, resultant, n_nodes, n_active, n_stick, n_slip, max_slip);
       archive(max_penetration, geometric_penetration, depths, slidings, max_tension);
+      archive(largest_node_force);
     }
   };
 

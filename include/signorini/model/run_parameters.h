@@ -55,6 +55,20 @@ namespace signorini
     bool any() const { return every_steps > 0 || every_minutes > 0.; }
   };
 
+  /** What a run does when a step breaks a law that its scheme proves. */
+  enum class GuardAction
+  {
+    stop,
+    warn
+  };
+
+  template <>
+  struct EnumNames<GuardAction>
+  {
+    static constexpr EnumName<GuardAction> table[] = {{GuardAction::stop, "stop"},
+                                                      {GuardAction::warn, "warn"}};
+  };
+
   /** Section `Output`. */
   struct OutputParameters
   {
@@ -67,6 +81,7 @@ namespace signorini
     bool         supports      = true; ///< table of the forces of supports, if there are any
     bool         pairs         = true; ///< table of the contact of each pair, if there are any
     bool         bodies        = true; ///< table of energies and momenta of each body
+    GuardAction  guard         = GuardAction::stop;
     bool         forces        = true; ///< table of contact forces by three routes, with pairs
   };
 } // namespace signorini

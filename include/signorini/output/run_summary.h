@@ -52,6 +52,15 @@ namespace signorini
      */
     double relative_energy_change() const { return relative(change); }
 
+    /**
+     * The energy that changes are compared with: the largest one of the motion, or the largest
+     * work from outside since the start, if that is more. The work of loads is what their potential
+     * has lost, but for what their own changes did to it (booked as external, as is the work of
+     * prescribed nodes and moving obstacles). For a free body this is the energy that it starts
+     * with; what starts at rest, or is driven slowly, is measured by what drives it.
+     */
+    double scale() const;
+
     /** Kinetic and elastic. */
     double largest_energy_of_motion() const { return largest_energy; }
 
@@ -86,14 +95,6 @@ namespace signorini
     unsigned int   n_contact_steps = 0, phase = 0, longest_phase = 0; ///< steps with contact
     ContactSummary largest_contact;                                   ///< at the largest force
 
-    /**
-     * The energy that changes are compared with: the largest one of the motion, or the largest
-     * work from outside since the start, if that is more. The work of loads is what their potential
-     * has lost, but for what their own changes did to it (booked as external, as is the work of
-     * prescribed nodes and moving obstacles). For a free body this is the energy that it starts
-     * with; what starts at rest, or is driven slowly, is measured by what drives it.
-     */
-    double scale() const;
     double relative(double energy) const;
     void   add_contact(const HistoryRow &row);
   };

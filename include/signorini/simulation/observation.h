@@ -12,7 +12,7 @@
 #include <signorini/diagnostics/validity.h>
 #include <signorini/output/history.h>
 #include <signorini/output/run_summary.h>
-#include <signorini/simulation/meshed_scene.h>
+#include <signorini/simulation/law_watch.h>
 #include <signorini/simulation/step_tables.h>
 
 #include <deal.II/base/timer.h>
@@ -49,6 +49,9 @@ namespace signorini
     /** The run ends early: the last step gets its rows, whether they were due or not. */
     void finish();
 
+    /** The laws of the scheme that the latest step is the first one to break, a diagnosis each. */
+    const std::vector<std::string> &broken_laws() const { return broken; }
+
     const ContactSummary &contact() const { return contact_now; }
 
     /** Kinetic and elastic energy. */
@@ -68,26 +71,28 @@ namespace signorini
     std::vector<std::string> warnings() const;
 
   private:
-    const Scene<dim>       &scene;
-    MeshedScene<dim>       *meshed;
-    std::vector<Probe<dim>> probes;
-    History<dim>            history;
-    EnergyLedger            ledger;
-    ErrorEvaluation<dim>    errors;
-    ContactSummary          contact_now;
-    Momentum                initial_momentum;
-    RunSummary              run_summary;
-    BodyMotion<dim>         body_motion;
-    StepTables<dim>         tables;
-    Validity                validity;
-    MissingPairs<dim>       missing_pairs;
-    std::vector<double>     strains; ///< of the bodies, when they were last evaluated
-    double                  energy_of_strains = 0.; ///< elastic, at that time
-    std::vector<Zigzag>     velocity_zigzags;
-    Alternation<dim>        alternation;
-    TurningNormals<dim>     turning_normals;
-    dealii::Timer           clock;
-    double                  earlier_time = 0.; ///< on the clock, before the run was resumed
+    const Scene<dim>        &scene;
+    MeshedScene<dim>        *meshed;
+    std::vector<Probe<dim>>  probes;
+    History<dim>             history;
+    EnergyLedger             ledger;
+    ErrorEvaluation<dim>     errors;
+    ContactSummary           contact_now;
+    Momentum                 initial_momentum;
+    RunSummary               run_summary;
+    LawWatch<dim>            law_watch;
+    std::vector<std::string> broken;
+    BodyMotion<dim>          body_motion;
+    StepTables<dim>          tables;
+    Validity                 validity;
+    MissingPairs<dim>        missing_pairs;
+    std::vector<double>      strains; ///< of the bodies, when they were last evaluated
+    double                   energy_of_strains = 0.; ///< elastic, at that time
+    std::vector<Zigzag>      velocity_zigzags;
+    Alternation<dim>         alternation;
+    TurningNormals<dim>      turning_normals;
+    dealii::Timer            clock;
+    double                   earlier_time = 0.; ///< on the clock, before the run was resumed
     ProductCount
       products_before; ///< at the end of the last observation, whose own products do not count
 

@@ -35,9 +35,12 @@ namespace signorini
   public:
     /**
      * Builds the mesh. @param quiet no output on the screen. The scene must outlive the
-     * simulation.
+     * simulation. @param scheme null: that of the scene; another one must keep to its properties
      */
-    Simulation(const Scene<dim> &scene, MPI_Comm communicator, bool quiet);
+    Simulation(const Scene<dim>           &scene,
+               MPI_Comm                    communicator,
+               bool                        quiet,
+               std::unique_ptr<TimeScheme> scheme = nullptr);
 
     /**
      * Build everything that a run needs, and look for penetration at the start.

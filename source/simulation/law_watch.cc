@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/user_error.h>
+#include <signorini/diagnostics/friction_excess.h>
+#include <signorini/simulation/law_watch.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  template <int dim>
+  std::set<Law> proved_laws(const Scene<dim> &scene)
+  {
+    const SchemeInfo &scheme = scheme_info(scene.time.scheme);
+    std::set<Law>     laws   = {Law::no_adhesion, Law::coulomb};
+    if (scheme.inertia && scheme.own_tolerance.empty())
+      laws.insert(Law::energy_identity);
+    if (scheme.energy != EnergyLaw::none)
+      laws.insert(Law::no_gain);
+    // A finer mesh sees more of a curved surface, and what is inside then stays there.
+    if (!scheme.penetrates && !scene.adaptivity.any())
+      laws.insert(Law::no_penetration);
+    if (balances_momentum_by_one_force(scheme))
+      laws.insert(Law::momentum);
+    return laws;
+  }
+
+
+  void heed(const std::vector<std::string> &diagnoses, const GuardAction action, RunLog &log)
+  {
+    for (const std::string &diagnosis : diagnoses)
+      if (action == GuardAction::stop)
+        throw RunError(diagnosis);
+      else
+        log.warning(diagnosis);
+  }
+
+
+  template <int dim>
+  LawWatch<dim>::LawWatch(const Scene<dim> &scene)
+    : balance(scheme_info(scene.time.scheme).balance, scheme_info(scene.time.scheme).inertia)
+    , guard(scene.time.scheme, proved_laws(scene), scene.solver.tolerance)
+  {
+  }
+
+
+  template <int dim>
+  void LawWatch<dim>::start(MeshedScene<dim> &new_meshed, const State &state)
+  {
+    meshed = &new_meshed;
+    balance.start(meshed->discretization, state, meshed->load(state.time));
+  }
+
+
+  template <int dim>
+  double LawWatch<dim>::momentum_residual(const State &state, const StepReport &report)
+  {
+    double error = 0., scale = 0.;
+    for (const ContactForceOnBody &body : balance.step(state, report, meshed->load(state.time)))
+      {
+        double square = 0., force = 0.;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            square += std::pow(body.by_multiplier[c] - body.by_momentum[c], 2);
+            force += std::pow(body.by_multiplier[c], 2);
+          }
+        error = std::max(error, std::sqrt(square));
+        scale = std::max({scale, std::sqrt(force), body.momentum_scale});
+      }
+    // What a step exchanges may be nothing; then the energy of the motion says what a force is.
+    const double energy =
+      0.5 * (state.velocity * state.momentum + state.displacement * state.internal_force);
+    scale = std::max(scale, energy / meshed->discretization.mesh().body_size());
+    return scale > 0. ? error / scale : 0.;
+  }
+
+
+  template <int dim>
+  LawReading LawWatch<dim>::read(const State          &state,
+                                 const StepReport     &report,
+                                 const EnergyBooking  &booking,
+                                 const ContactSummary &contact,
+                                 const double          energy_scale)
+  {
+    const auto &mesh = meshed->discretization.mesh();
+    largest_force    = std::max(largest_force, contact.largest_node_force);
+    const auto over  = [](const double value, const double scale) {
+      return scale > 0. ? value / scale : 0.;
+    };
+    LawReading reading;
+    reading.time      = state.time;
+    reading.violation = {
+      {over(booking.contact + booking.predictor + booking.friction, energy_scale),
+       over(std::abs(booking.residual), energy_scale),
+       over(contact.max_tension, largest_force),
+       over(friction_excess(meshed->surface, state, mesh.communicator()), largest_force),
+       contact.max_penetration / mesh.body_size(),
+       momentum_residual(state, report)}};
+    return reading;
+  }
+
+
+  template std::set<Law> proved_laws(const Scene<2> &);
+  template std::set<Law> proved_laws(const Scene<3> &);
+  template class LawWatch<2>;
+  template class LawWatch<3>;
+} // namespace signorini
