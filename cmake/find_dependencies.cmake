@@ -20,6 +20,11 @@ foreach(feature MPI P4EST TRILINOS SUNDIALS MUPARSER)
   endif()
 endforeach()
 
+find_package(OpenSSL QUIET COMPONENTS Crypto)
+if(NOT OPENSSL_FOUND)
+  message(FATAL_ERROR "signorini needs OpenSSL. On Debian: apt-get install libssl-dev.")
+endif()
+
 find_package(Eigen3 3.3 QUIET NO_MODULE)
 if(NOT Eigen3_FOUND)
   message(FATAL_ERROR "signorini needs Eigen 3.3 or newer. "

@@ -73,7 +73,7 @@ namespace signorini
       {
         values.reinit(cell, face);
         values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, gradients);
-        add_modes(cell, face, displacement);
+        add_modes(cell, displacement);
         const Material &material = mesh.bodies()[cell->material_id()].material;
         Tensor<1, dim>  force;
         for (unsigned int q = 0; q < points.size(); ++q)
@@ -95,7 +95,6 @@ namespace signorini
 
       /** What the modes of the element add: polynomials on the unit cell over its volume. */
       void add_modes(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                     const unsigned int                                    face,
                      const Vector                                         &displacement)
       {
         const auto matrix = mesh.cell_matrices().of(cell);

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <set>
 #include <sstream>
 
 namespace signorini
@@ -44,7 +43,7 @@ namespace signorini
 
   std::string provenance(const std::string                                      &scene_file,
                          const std::vector<std::pair<std::string, std::string>> &overrides,
-                         const std::vector<std::string>                         &mesh_files,
+                         const std::map<std::string, std::string>               &mesh_files,
                          const MPI_Comm                                          communicator)
   {
     std::ostringstream text;
@@ -54,7 +53,7 @@ namespace signorini
       text << "\n  command line      --set \"" << key << "=" << value << "\"";
     succeed_together(communicator, [&] {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        for (const std::string &file : std::set<std::string>(mesh_files.begin(), mesh_files.end()))
+        for (const auto &[key, file] : mesh_files)
           text << "\n  mesh              " << file << "\n  its SHA-256       "
                << sha256_of_file(file);
     });

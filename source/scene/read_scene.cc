@@ -239,7 +239,7 @@ namespace signorini
 
     const auto meshes = meshes_of(scene);
     for (const NamedMesh &mesh : meshes)
-      scene.mesh_files.push_back(mesh.path);
+      scene.mesh_files[join(mesh.section, "/") + "/File"] = mesh.path;
     scene.overrides      = overrides;
     scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, meshes));
     scene.all_parameters = print_all(text, prm, meshes);

@@ -40,18 +40,14 @@ namespace signorini
     }
 
 
-    /** The meshes that a scene reads, with their checksums. */
+    /** Checksums of the meshes that a scene reads. */
     template <int dim>
-    std::map<std::string, std::uint32_t> files_of(const Scene<dim> &scene)
+    std::map<std::string, std::uint32_t> checksums(const Scene<dim> &scene)
     {
-      std::map<std::string, std::uint32_t> files;
-      for (const auto &body : scene.bodies)
-        if (body.shape == BodyShape::file)
-          files["Bodies/" + body.name + "/File"] = checksum(body.mesh_file.path);
-      for (const auto &obstacle : scene.obstacles)
-        if (const std::string path = obstacle.shape->file(); !path.empty())
-          files["Obstacles/" + obstacle.name + "/File"] = checksum(path);
-      return files;
+      std::map<std::string, std::uint32_t> sums;
+      for (const auto &[key, path] : scene.mesh_files)
+        sums[key] = checksum(path);
+      return sums;
     }
 
 
@@ -61,7 +57,7 @@ namespace signorini
     {
       std::map<std::string, std::uint32_t> then;
       archive(then);
-      for (const auto &[key, sum] : files_of(scene))
+      for (const auto &[key, sum] : checksums(scene))
         if (then.at(key) != sum)
           throw UserError("the file of `" + key
                           + "` has changed since the checkpoint was written. Put it back, or run "
@@ -129,8 +125,8 @@ namespace signorini
         }
       std::ostringstream memory;
       Archive            archive(memory);
-      auto               files = files_of(scene);
-      archive(files);
+      auto               sums = checksums(scene);
+      archive(sums);
       mesh_control.archive(archive);
       packed.archive(archive, state.displacement);
       this->archive(archive, stepping, observation);

@@ -16,6 +16,7 @@
 #include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,7 +64,8 @@ namespace signorini
     SolverParameters                        solver;
     OutputParameters                        output;
     CheckpointParameters                    checkpoint;
-    std::vector<std::string> mesh_files; ///< of bodies and obstacles, from the root of the files
+    /** Of bodies and obstacles: keys, and paths from the root of the file system. */
+    std::map<std::string, std::string>               mesh_files;
     std::vector<std::pair<std::string, std::string>> overrides; ///< as in CommandLine
     std::string original_text;  ///< the scene file and the command line, see repeatable_text()
     std::string all_parameters; ///< every key with the value used, as a .prm
