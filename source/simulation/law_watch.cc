@@ -10,6 +10,20 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Whether nodes may come to an obstacle past its end, and then be inside of it. */
+    template <int dim>
+    bool comes_past_ends(const Scene<dim> &scene)
+    {
+      return scene.motion == ContactMotion::linearised
+             && std::any_of(scene.obstacles.begin(), scene.obstacles.end(), [](const auto &named) {
+                  return named.shape->has_end();
+                });
+    }
+  } // namespace
+
+
   template <int dim>
   std::set<Law> proved_laws(const Scene<dim> &scene)
   {
@@ -17,10 +31,12 @@ namespace signorini
     std::set<Law>     laws   = {Law::no_adhesion, Law::coulomb};
     if (scheme.inertia && scheme.own_tolerance.empty())
       laws.insert(Law::energy_identity);
-    if (scheme.energy != EnergyLaw::none)
+    // A projection in another mass than that of the step may bring energy.
+    if (scheme.energy != EnergyLaw::none && !comes_past_ends(scene)
+        && scene.time.mass.predictor == PredictorMass::consistent)
       laws.insert(Law::no_gain);
     // A finer mesh sees more of a curved surface, and what is inside then stays there.
-    if (!scheme.penetrates && !scene.adaptivity.any())
+    if (!scheme.penetrates && !scene.adaptivity.any() && !comes_past_ends(scene))
       laws.insert(Law::no_penetration);
     if (balances_momentum_by_one_force(scheme))
       laws.insert(Law::momentum);
@@ -40,39 +56,48 @@ namespace signorini
 
   template <int dim>
   LawWatch<dim>::LawWatch(const Scene<dim> &scene)
-    : balance(scheme_info(scene.time.scheme).balance, scheme_info(scene.time.scheme).inertia)
+    : has_inertia(scheme_info(scene.time.scheme).inertia)
+    , balance(scheme_info(scene.time.scheme).balance, has_inertia)
     , guard(scene.time.scheme, proved_laws(scene), scene.solver.tolerance)
   {
   }
 
 
   template <int dim>
-  void LawWatch<dim>::start(MeshedScene<dim> &new_meshed, const State &state)
+  void LawWatch<dim>::start(MeshedScene<dim>      &new_meshed,
+                            const BodyMotion<dim> &motion,
+                            const State           &state)
   {
     meshed = &new_meshed;
+    masses = motion.masses_of_bodies();
     balance.start(meshed->discretization, state, meshed->load(state.time));
   }
 
 
   template <int dim>
-  double LawWatch<dim>::momentum_residual(const State &state, const StepReport &report)
+  double LawWatch<dim>::momentum_residual(const State      &state,
+                                          const StepReport &report,
+                                          const double      energy_scale)
   {
-    double error = 0., scale = 0.;
-    for (const ContactForceOnBody &body : balance.step(state, report, meshed->load(state.time)))
+    const auto forces = balance.step(state, report, meshed->load(state.time));
+    double     error = 0., scale = 0.;
+    for (std::size_t b = 0; b < forces.size(); ++b)
       {
         double square = 0., force = 0.;
         for (unsigned int c = 0; c < dim; ++c)
           {
-            square += std::pow(body.by_multiplier[c] - body.by_momentum[c], 2);
-            force += std::pow(body.by_multiplier[c], 2);
+            square += std::pow(forces[b].by_multiplier[c] - forces[b].by_momentum[c], 2);
+            force += std::pow(forces[b].by_multiplier[c], 2);
           }
         error = std::max(error, std::sqrt(square));
-        scale = std::max({scale, std::sqrt(force), body.momentum_scale});
+        scale = std::max({scale, std::sqrt(force), forces[b].momentum_scale});
+        // The solver answers for a part of the energy of the motion: an error of the velocity that
+        // has the energy E moves a body of mass m with the momentum sqrt(2 E m) at most.
+        if (has_inertia)
+          scale = std::max(scale, std::sqrt(2. * energy_scale * masses[b]) / report.step_size);
       }
-    // What a step exchanges may be nothing; then the energy of the motion says what a force is.
-    const double energy =
-      0.5 * (state.velocity * state.momentum + state.displacement * state.internal_force);
-    scale = std::max(scale, energy / meshed->discretization.mesh().body_size());
+    if (!has_inertia)
+      scale = std::max(scale, energy_scale / meshed->discretization.mesh().body_size());
     return scale > 0. ? error / scale : 0.;
   }
 
@@ -97,7 +122,7 @@ namespace signorini
        over(contact.max_tension, largest_force),
        over(friction_excess(meshed->surface, state, mesh.communicator()), largest_force),
        contact.max_penetration / mesh.body_size(),
-       momentum_residual(state, report)}};
+       momentum_residual(state, report, energy_scale)}};
     return reading;
   }
 

@@ -74,7 +74,7 @@ namespace signorini
     ledger.open(state, meshed->load(state.time));
     initial_momentum = momentum_of(state);
     tables.use_mesh(*meshed, body_motion, state);
-    law_watch.start(*meshed, state);
+    law_watch.start(*meshed, body_motion, state);
     const HistoryRow row = evaluate(state, report_of_start(state), EnergyBooking());
     run_summary.start(row);
     write(row, true);
@@ -113,7 +113,7 @@ namespace signorini
     alternation.forget();
     probes = make_probes(scene, *meshed);
     tables.use_mesh(*meshed, body_motion, state);
-    law_watch.start(*meshed, state);
+    law_watch.start(*meshed, body_motion, state);
   }
 
 

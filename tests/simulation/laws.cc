@@ -105,7 +105,7 @@ namespace
     EnergyLedger ledger;
     ledger.open(state, nullptr);
     LawWatch<2> watch(scene);
-    watch.start(meshed, state);
+    watch.start(meshed, BodyMotion<2>(meshed.discretization), state);
     BrokenScheme scheme(mischief);
     LawReading   reading;
     while (state.step < 8)

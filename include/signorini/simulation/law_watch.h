@@ -4,6 +4,7 @@
 #ifndef signorini_simulation_law_watch_h
 #define signorini_simulation_law_watch_h
 
+#include <signorini/diagnostics/body_motion.h>
 #include <signorini/diagnostics/contact_diagnostics.h>
 #include <signorini/diagnostics/energy_ledger.h>
 #include <signorini/diagnostics/force_balance.h>
@@ -29,7 +30,8 @@ namespace signorini
     explicit LawWatch(const Scene<dim> &scene);
 
     /** Begin with a state, also on a new mesh, which must live until the next one. Collective. */
-    void start(MeshedScene<dim> &meshed, const State &state);
+    void
+    start(MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
 
     /**
      * Of a step that led to a state. Collective.
@@ -48,12 +50,15 @@ namespace signorini
     std::vector<std::string> judge(const LawReading &reading) { return guard.judge(reading); }
 
   private:
-    MeshedScene<dim> *meshed = nullptr;
-    ForceBalance<dim> balance;
-    LawGuard          guard;
-    double            largest_force = 0.; ///< of a contact node, in the whole run
+    const bool          has_inertia;
+    MeshedScene<dim>   *meshed = nullptr;
+    std::vector<double> masses; ///< of the bodies
+    ForceBalance<dim>   balance;
+    LawGuard            guard;
+    double              largest_force = 0.; ///< of a contact node, in the whole run
 
-    double momentum_residual(const State &state, const StepReport &report);
+    double
+    momentum_residual(const State &state, const StepReport &report, double energy_scale);
   };
 } // namespace signorini
 
