@@ -12,6 +12,9 @@ namespace signorini
 {
   namespace
   {
+    /** What strains less is compared with the forces of this strain. */
+    constexpr double least_strain = 1e-7;
+
     /** Whether nodes may come to an obstacle past its end, and then be inside of it. */
     template <int dim>
     bool comes_past_ends(const Scene<dim> &scene)
@@ -79,8 +82,9 @@ namespace signorini
                                           const StepReport &report,
                                           const double      energy_scale)
   {
-    const auto forces = balance.step(state, report, meshed->load(state.time));
-    double     error = 0., scale = 0.;
+    const auto &mesh   = meshed->discretization.mesh();
+    const auto  forces = balance.step(state, report, meshed->load(state.time));
+    double      error = 0., scale = 0.;
     for (std::size_t b = 0; b < forces.size(); ++b)
       {
         double square = 0., force = 0.;
@@ -95,9 +99,11 @@ namespace signorini
         // has the energy E moves a body of mass m with the momentum sqrt(2 E m) at most.
         if (has_inertia)
           scale = std::max(scale, std::sqrt(2. * energy_scale * masses[b]) / report.step_size);
+        // Where a trial has strained what then stays at rest, round-off of that is left.
+        scale = std::max(scale,
+                         least_strain * masses[b] * std::pow(mesh.lowest_frequency(), 2)
+                           * mesh.body_size(b));
       }
-    if (!has_inertia)
-      scale = std::max(scale, energy_scale / meshed->discretization.mesh().body_size());
     return scale > 0. ? error / scale : 0.;
   }
 

@@ -30,8 +30,7 @@ namespace signorini
     explicit LawWatch(const Scene<dim> &scene);
 
     /** Begin with a state, also on a new mesh, which must live until the next one. Collective. */
-    void
-    start(MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
+    void start(MeshedScene<dim> &meshed, const BodyMotion<dim> &motion, const State &state);
 
     /**
      * Of a step that led to a state. Collective.
@@ -57,8 +56,7 @@ namespace signorini
     LawGuard            guard;
     double              largest_force = 0.; ///< of a contact node, in the whole run
 
-    double
-    momentum_residual(const State &state, const StepReport &report, double energy_scale);
+    double momentum_residual(const State &state, const StepReport &report, double energy_scale);
   };
 } // namespace signorini
 
