@@ -6,33 +6,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    /** What is built on a mesh after something has been done with it. */
-    template <int dim>
-    void build(void (Mesh<dim>::*change)(),
-               Mesh<dim>                         &mesh,
-               const Scene<dim>                  &scene,
-               const unsigned int                 mesh_life_time,
-               std::unique_ptr<MeshedScene<dim>> &meshed,
-               dealii::TimerOutput               &timer)
-    {
-      const double       energy   = meshed->system.energy();
-      const ProductCount products = meshed->discretization.matrices().products();
-      {
-        dealii::TimerOutput::Scope scope(timer, "mesh: cells");
-        // It lives until the cells have changed; if they cannot, nothing is left to be taken for a
-        // state.
-        const std::unique_ptr<MeshedScene<dim>> old = std::move(meshed);
-        (mesh.*change)();
-      }
-      meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_life_time, timer);
-      meshed->system.set_energy(energy);
-      meshed->discretization.matrices().add_products(products);
-    }
-  } // namespace
-
-
   template <int dim>
   void build_on_changed_mesh(Mesh<dim>                         &mesh,
                              const Scene<dim>                  &scene,
@@ -40,18 +13,32 @@ namespace signorini
                              std::unique_ptr<MeshedScene<dim>> &meshed,
                              dealii::TimerOutput               &timer)
   {
-    build(&Mesh<dim>::carry_out_flags, mesh, scene, mesh_life_time, meshed, timer);
+    const double       energy   = meshed->system.energy();
+    const ProductCount products = meshed->discretization.matrices().products();
+    {
+      dealii::TimerOutput::Scope scope(timer, "mesh: cells");
+      // It lives until the cells have changed; if they cannot, nothing is left to be taken for a
+      // state.
+      const std::unique_ptr<MeshedScene<dim>> old = std::move(meshed);
+      mesh.carry_out_flags();
+    }
+    meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_life_time, timer);
+    meshed->system.set_energy(energy);
+    meshed->discretization.matrices().add_products(products);
   }
 
 
   template <int dim>
-  void build_anew(Mesh<dim>                         &mesh,
-                  const Scene<dim>                  &scene,
+  void build_anew(const Scene<dim>                  &scene,
                   const unsigned int                 mesh_life_time,
                   std::unique_ptr<MeshedScene<dim>> &meshed,
                   dealii::TimerOutput               &timer)
   {
-    build(&Mesh<dim>::update, mesh, scene, mesh_life_time, meshed, timer);
+    const double       energy   = meshed->system.energy();
+    const ProductCount products = meshed->discretization.matrices().products();
+    meshed = std::make_unique<MeshedScene<dim>>(std::move(meshed), scene, mesh_life_time, timer);
+    meshed->system.set_energy(energy);
+    meshed->discretization.matrices().set_products(products);
   }
 
 
@@ -87,11 +74,8 @@ namespace signorini
                                       unsigned int,                                                \
                                       std::unique_ptr<MeshedScene<dim>> &,                         \
                                       dealii::TimerOutput &);                                      \
-  template void build_anew(Mesh<dim> &,                                                            \
-                           const Scene<dim> &,                                                     \
-                           unsigned int,                                                           \
-                           std::unique_ptr<MeshedScene<dim>> &,                                    \
-                           dealii::TimerOutput &);                                                 \
+  template void build_anew(                                                                        \
+    const Scene<dim> &, unsigned int, std::unique_ptr<MeshedScene<dim>> &, dealii::TimerOutput &); \
   template void change_mesh(Mesh<dim> &,                                                           \
                             const Scene<dim> &,                                                    \
                             unsigned int,                                                          \

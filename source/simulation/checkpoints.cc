@@ -148,7 +148,7 @@ namespace signorini
                                    TimeStepping      &stepping,
                                    Observation<dim>  &observation)
   {
-    build_anew(mesh, scene, mesh_control.mesh_life_time(), meshed, timer);
+    build_anew(scene, mesh_control.mesh_life_time(), meshed, timer);
     mesh_control.mesh_is_made_anew();
     stepping.forget();
     scheme->forget();

@@ -35,9 +35,34 @@ namespace signorini
                                 const Scene<dim>    &scene,
                                 const unsigned int   mesh_life_time,
                                 dealii::TimerOutput &timer)
-    : discretization(timed(timer,
-                           "mesh: degrees of freedom and matrices",
-                           [&] { return Discretization<dim>(mesh); }))
+    : MeshedScene({timed(timer,
+                         "mesh: degrees of freedom and matrices",
+                         [&] { return std::make_shared<Discretization<dim>>(mesh); }),
+                   std::nullopt},
+                  scene,
+                  mesh_life_time,
+                  timer)
+  {
+  }
+
+
+  template <int dim>
+  MeshedScene<dim>::MeshedScene(std::unique_ptr<MeshedScene> other,
+                                const Scene<dim>            &scene,
+                                const unsigned int           mesh_life_time,
+                                dealii::TimerOutput         &timer)
+    : MeshedScene(taken_from(std::move(other)), scene, mesh_life_time, timer)
+  {
+  }
+
+
+  template <int dim>
+  MeshedScene<dim>::MeshedScene(Matrices             matrices,
+                                const Scene<dim>    &scene,
+                                const unsigned int   mesh_life_time,
+                                dealii::TimerOutput &timer)
+    : owned(std::move(matrices.first))
+    , discretization(*owned)
     , dirichlet(discretization)
     , surface(timed(timer,
                     "mesh: contact surface",
@@ -49,7 +74,8 @@ namespace signorini
                                                  scene.motion,
                                                  scene.how_to_follow);
                     }))
-    , mass_note(give_mass(discretization, surface, scene.time.mass))
+    , mass_note(matrices.second ? *matrices.second
+                                : give_mass(discretization, surface, scene.time.mass))
     , coordinates(discretization, surface, dirichlet)
     , loads(discretization)
     , system(discretization,

@@ -101,8 +101,12 @@ namespace signorini
       count.combined += earlier.combined;
     }
 
-    /** Count on from another number. */
-    void set_products(const ProductCount &products) { count = products; }
+    /** Count on from another number; of a product that is half done nothing is left. */
+    void set_products(const ProductCount &products)
+    {
+      count  = products;
+      n_read = ProductCount();
+    }
 
   private:
     mutable ProductCount count, n_read; ///< products, and blocks of the next ones

@@ -20,10 +20,9 @@ namespace signorini
                              std::unique_ptr<MeshedScene<dim>> &meshed,
                              dealii::TimerOutput               &timer);
 
-  /** Build everything anew on the mesh as it is. Collective. */
+  /** Build everything but the matrices anew on the mesh as it is. Collective. */
   template <int dim>
-  void build_anew(Mesh<dim>                         &mesh,
-                  const Scene<dim>                  &scene,
+  void build_anew(const Scene<dim>                  &scene,
                   unsigned int                       mesh_life_time,
                   std::unique_ptr<MeshedScene<dim>> &meshed,
                   dealii::TimerOutput               &timer);

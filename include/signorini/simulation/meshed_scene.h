@@ -7,6 +7,9 @@
 #include <signorini/scene/scene.h>
 #include <signorini/system/elastic_contact_system.h>
 
+#include <memory>
+#include <optional>
+
 namespace signorini
 {
   /** What a scene says to a system. */
@@ -39,7 +42,17 @@ namespace signorini
                 unsigned int         mesh_life_time,
                 dealii::TimerOutput &timer);
 
-    Discretization<dim>      discretization;
+    /** On the mesh of another one, which ends: all but its matrices is built anew. Collective. */
+    MeshedScene(std::unique_ptr<MeshedScene> other,
+                const Scene<dim>            &scene,
+                unsigned int                 mesh_life_time,
+                dealii::TimerOutput         &timer);
+
+  private:
+    std::shared_ptr<Discretization<dim>> owned;
+
+  public:
+    Discretization<dim>     &discretization;
     DirichletConditions<dim> dirichlet;
     ContactSurface<dim>      surface;
     std::string mass_note; ///< what became of the mass, if that is not the consistent one
@@ -49,6 +62,20 @@ namespace signorini
 
     /** f at a time, null without loads. */
     const Vector *load(const double time) { return loads.any() ? &loads.at(time) : nullptr; }
+
+  private:
+    /** Matrices, and the note about their mass; empty: they have not got it yet. */
+    using Matrices = std::pair<std::shared_ptr<Discretization<dim>>, std::optional<std::string>>;
+
+    static Matrices taken_from(std::unique_ptr<MeshedScene> other)
+    {
+      return {other->owned, other->mass_note};
+    }
+
+    MeshedScene(Matrices             matrices,
+                const Scene<dim>    &scene,
+                unsigned int         mesh_life_time,
+                dealii::TimerOutput &timer);
   };
 } // namespace signorini
 
