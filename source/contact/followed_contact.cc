@@ -68,9 +68,12 @@ namespace signorini
               sites.back().facings.push_back({pair, true, node->second, {}});
         }
     for (unsigned int pair = 0; pair < surface.pairs().size(); ++pair)
-      some_move =
-        some_move
-        || (!surface.pairs()[pair].of_two_bodies() && !at_obstacles.obstacle(pair).is_at_rest());
+      if (!surface.pairs()[pair].of_two_bodies())
+        {
+          const MovedObstacle<dim> &faced = at_obstacles.obstacle(pair);
+          some_move                       = some_move || !faced.is_at_rest();
+          some_are_curved = some_are_curved || (faced.is_at_rest() && !faced.is_flat());
+        }
     find_friction();
   }
 
@@ -181,10 +184,11 @@ namespace signorini
           {
             const auto way =
               facing.is_there() ? obstacle(facing).try_project_before(site.start) : std::nullopt;
-            const auto projection = way.value_or(far_projection<dim>());
-            rank                  = {!projection.is_carried(tolerance), projection.gap};
-            facing.gap            = rank.first ? infinity : projection.gap;
-            facing.condition      = {projection.normal, facing.gap};
+            const auto projection  = way.value_or(far_projection<dim>());
+            rank                   = {!projection.is_carried(tolerance), projection.gap};
+            facing.gap             = rank.first ? infinity : projection.gap;
+            facing.condition       = {projection.normal, facing.gap};
+            facing.normal_at_start = projection.normal;
           }
         if (f == 0 || rank < closest)
           {

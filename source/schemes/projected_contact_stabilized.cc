@@ -10,6 +10,42 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /**
+     * Bounds of the predictor: what touches and goes along a hollow does not approach it. 0 is
+     * admissible as ever, so that the projection takes energy.
+     */
+    NormalGap bounds_of_predictor(DynamicalSystem &system,
+                                  const Vector    &velocity,
+                                  const double     tau,
+                                  const NormalGap &gap)
+    {
+      const double    touching = touching_distance(system.length());
+      const NormalGap turned   = tangential_approach(system, velocity);
+      NormalGap       bounds   = gap;
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        if (gap[k] <= touching)
+          bounds[k] += tau * turned[k];
+      return bounds;
+    }
+
+
+    /** Let something be done with the normals of where an increment ends. */
+    template <typename Action>
+    auto at_end(DynamicalSystem &system, const Vector &increment, const Action &action)
+    {
+      MovingContact *contact = system.capabilities().moving_contact;
+      if (contact == nullptr || contact->steps_are_trials())
+        return action();
+      contact->face_end(increment);
+      const auto result = action();
+      contact->face_motion();
+      return result;
+    }
+  } // namespace
+
+
   ProjectedContactStabilized::Motion ProjectedContactStabilized::move(DynamicalSystem &system,
                                                                       const State     &state,
                                                                       const double     tau,
@@ -20,8 +56,9 @@ namespace signorini
     // What was in vain is so with normals that are a little different, too, or is looked at anew.
     if (!is_repetition(system))
       lifted.assign(gap.size(), false);
-    NormalGap    bounds               = lift_bounds(gap, lifted);
-    const Vector free_right_hand_side = rule.right_hand_side(system, state, tau);
+    const NormalGap all_bounds           = bounds_of_predictor(system, state.velocity, tau, gap);
+    NormalGap       bounds               = lift_bounds(all_bounds, lifted);
+    const Vector    free_right_hand_side = rule.right_hand_side(system, state, tau);
     do
       {
         motion.predictor = project_predictor(system, state, tau, bounds);
@@ -34,11 +71,12 @@ namespace signorini
         motion.solution = rule.solve(system, state, tau, b, gap, &projection_reaction);
         correctors.add(motion.solution.effort);
       }
-    while (lower_bounds_lifted_in_vain(system, motion.solution.increment, gap, lifted, bounds)
+    while (lower_bounds_lifted_in_vain(
+             system, motion.solution.increment, gap, all_bounds, lifted, bounds)
            || lift_bounds_stopped_in_vain(
              system, motion.predictor, motion.solution.increment, gap, bounds));
     for (std::size_t k = 0; k < gap.size(); ++k)
-      lifted[k] = bounds[k] != gap[k];
+      lifted[k] = bounds[k] != all_bounds[k];
     motion.predictor.effort = predictors;
     motion.solution.effort  = correctors;
     return motion;
@@ -86,8 +124,9 @@ namespace signorini
     // -p.nu/tau there.
     const ActiveSet held =
       staying_nodes(system, gaps_at_start(system, gap), solution, true, stop_sticking_nodes);
-    report.work_predictor +=
-      stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
+    report.work_predictor += at_end(system, d, [&] {
+      return stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
+    });
 
     FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
     report.work_friction    = friction.work;

@@ -57,11 +57,11 @@ namespace signorini
   }
 
 
-  NormalGap lift_bounds(const NormalGap &gap, const std::vector<bool> &lifted)
+  NormalGap lift_bounds(const NormalGap &all_bounds, const std::vector<bool> &lifted)
   {
-    AssertDimension(lifted.size(), gap.size());
-    NormalGap bounds = gap;
-    for (std::size_t k = 0; k < gap.size(); ++k)
+    AssertDimension(lifted.size(), all_bounds.size());
+    NormalGap bounds = all_bounds;
+    for (std::size_t k = 0; k < bounds.size(); ++k)
       if (lifted[k])
         bounds[k] = std::numeric_limits<double>::infinity();
     return bounds;
@@ -71,6 +71,7 @@ namespace signorini
   bool lower_bounds_lifted_in_vain(const DynamicalSystem &system,
                                    const Vector          &increment,
                                    const NormalGap       &gap,
+                                   const NormalGap       &all_bounds,
                                    std::vector<bool>     &lifted,
                                    NormalGap             &bounds)
   {
@@ -82,7 +83,7 @@ namespace signorini
     if (dealii::Utilities::MPI::sum(n_in_vain, increment.get_mpi_communicator()) == 0)
       return false;
     lifted.assign(gap.size(), false);
-    bounds = gap;
+    bounds = all_bounds;
     return true;
   }
 } // namespace signorini

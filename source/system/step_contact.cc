@@ -156,6 +156,33 @@ namespace signorini
 
 
   template <int dim>
+  NormalGap StepContact<dim>::tangential_approach(const Vector &free_increment) const
+  {
+    return geometry->tangential_approach(free_increment);
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::face_end(const Vector &increment)
+  {
+    if (!geometry->may_turn())
+      return;
+    geometry->face_end(increment);
+    coordinates.follow_frames();
+  }
+
+
+  template <int dim>
+  void StepContact<dim>::face_motion()
+  {
+    if (!geometry->may_turn())
+      return;
+    geometry->face_motion();
+    coordinates.follow_frames();
+  }
+
+
+  template <int dim>
   NormalGap StepContact<dim>::gaps_at_start() const
   {
     return geometry->gaps_at_start();

@@ -6,10 +6,18 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <vector>
+
 namespace signorini
 {
   /** Distributed vector of nodal values; knows its ghost entries and exchanges them. */
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /**
+   * Distances gamma = g - u.nu of the contact nodes that this process owns; also bounds for normal
+   * increments.
+   */
+  using NormalGap = std::vector<double>;
 } // namespace signorini
 
 #endif

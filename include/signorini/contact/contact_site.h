@@ -21,7 +21,8 @@ namespace signorini
     double       area;     ///< of the node in this pair
     FrictionLaw  friction; ///< of the node in this pair, with all of its area
     double       gap = std::numeric_limits<double>::infinity(); ///< at the start of the step
-    MotionCondition<dim>          condition = {};
+    MotionCondition<dim>          condition       = {};
+    dealii::Tensor<1, dim>        normal_at_start = {}; ///< unit normal of an obstacle there
     const PairCondition<dim>     *opposite = nullptr; ///< of a body: null if it is not opposite now
     static constexpr unsigned int whole = -1, absent = -2;
     unsigned int side = whole; ///< of an obstacle; `whole`, or `absent` for no side at all

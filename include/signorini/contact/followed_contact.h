@@ -76,6 +76,19 @@ namespace signorini
     /** The motion of the obstacles at the contact nodes in the step, zero elsewhere. */
     Vector obstacle_motion() const;
 
+    /** See MovingContact::tangential_approach(), per contact node. */
+    std::vector<double> tangential_approach(const Vector &free_increment) const;
+
+    /**
+     * Normals are those of the end of a motion at the nodes that tangential_approach() is about,
+     * until face_motion().
+     */
+    void face_end(const Vector &increment);
+    void face_motion();
+
+    /** Whether tangential_approach() may be about any node, on any process. */
+    bool may_turn() const { return some_are_curved; }
+
     /** Per contact node at the start of the step; infinite where nothing bounds it. */
     std::vector<double> gaps_at_start() const
     {
@@ -108,8 +121,8 @@ namespace signorini
     const ObstacleContact<dim>     &at_obstacles;
     FollowedPairs<dim>             &pairs;
     std::vector<Site>               sites;
-    bool                            some_move = false;
-    double                          strain    = 0.;             ///< of contact, mean
+    bool                            some_move = false, some_are_curved = false;
+    double                          strain   = 0.;              ///< of contact, mean
     double                          accepted = 0., wanted = 0.; ///< lengths
     unsigned int                    n_followed      = 0;        ///< motions of this step
     StepNormals                     normals_of_step = StepNormals::of_motion;
@@ -123,6 +136,8 @@ namespace signorini
     {
       return !facing.of_body && facing.gap < -accepted;
     }
+    /** Whether a node faces one curved obstacle at rest, and nothing else. */
+    bool turns(const Site &site) const;
     /** Whether a motion is so large that what faces the node may be in its way. */
     bool is_in_reach(const Facing<dim> &facing, const dealii::Tensor<1, dim> &motion) const;
     /** The obstacle that a node faces, or one of its sides. */

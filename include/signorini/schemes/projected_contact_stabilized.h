@@ -36,6 +36,12 @@ namespace signorini
    * their gap, and @f$w@f$ would be @f$-\tfrac1\tau p \cdot \nu@f$ there. Both projections act as
    * impulses; the state's contact force @f$r + M c / \tau^2 + M s / \tau@f$ contains them.
    *
+   * Where contact follows the motion and @f$\nu@f$ turns from @f$\nu_0@f$ at the start to
+   * @f$\nu_1@f$ at the end, a node that touches has @f$p \cdot \nu \le \mathrm{gap} +
+   * \tau \max(0, v \cdot (\nu - \nu_0))@f$, which stops what approaches and not what goes along
+   * (MovingContact::tangential_approach()), and @f$v \cdot \nu_1 = 0@f$. Zero is admissible as
+   * ever.
+   *
    * Where @f$d@f$ leaves a node open by more than it moves, @f$p@f$ was stopped in vain: it
    * followed a velocity that alternates, and its reaction would be a force across a gap. The step
    * is made again with a projection that does not look at this node; the law of energy holds for

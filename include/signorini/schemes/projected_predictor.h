@@ -37,17 +37,19 @@ namespace signorini
                                    NormalGap                &bounds);
 
   /** The bounds, infinite at some contact nodes. */
-  NormalGap lift_bounds(const NormalGap &gap, const std::vector<bool> &lifted);
+  NormalGap lift_bounds(const NormalGap &all_bounds, const std::vector<bool> &lifted);
 
   /**
    * If a bound was lifted although the increment does not leave its node open by more than it
    * moves, all of them get their bounds again. Collective.
+   * @param all_bounds of the projection, none of them lifted
    * @param lifted before the increment was known; none afterwards in this case
    * @return whether it is
    */
   bool lower_bounds_lifted_in_vain(const DynamicalSystem &system,
                                    const Vector          &increment,
                                    const NormalGap       &gap,
+                                   const NormalGap       &all_bounds,
                                    std::vector<bool>     &lifted,
                                    NormalGap             &bounds);
 } // namespace signorini

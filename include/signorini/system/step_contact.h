@@ -48,6 +48,9 @@ namespace signorini
     const std::vector<unsigned int> &entries() const override { return entries_of_contact; }
     const Vector                    *obstacle_motion() const override;
     double                           geometry_work(const Vector &contact_force) const override;
+    NormalGap tangential_approach(const Vector &free_increment) const override;
+    void      face_end(const Vector &increment) override;
+    void      face_motion() override;
 
     /**
      * The motion of the obstacles along the tangents on which friction acts, in contact

@@ -6,20 +6,13 @@
 
 #include <signorini/base/contact_status.h>
 #include <signorini/base/solve_report.h>
-#include <signorini/base/step_normals.h>
 #include <signorini/base/types.h>
-#include <signorini/time/state.h>
+#include <signorini/time/moving_contact.h>
 
 #include <vector>
 
 namespace signorini
 {
-  /**
-   * Distances gamma = g - u.nu of the contact nodes that this process owns; also bounds for normal
-   * increments.
-   */
-  using NormalGap = std::vector<double>;
-
   /**
    * The problem of a step:
    * @f[
@@ -193,71 +186,6 @@ namespace signorini
   };
 
 
-  /**
-   * Contact whose normals and gaps are those of the motion of each step. In a step they are fixed,
-   * and a step that was made with those of another motion is made again.
-   */
-  class MovingContact
-  {
-  public:
-    virtual ~MovingContact() = default;
-
-    /** The bodies are here, and no step has begun: on a new mesh. */
-    virtual void arrive(const Vector &displacement, double time) = 0;
-
-    /** Look around at the start of a step; normals are those of the motion that is expected. */
-    virtual void begin_step(const State &start, double step_size, StepNormals normals) = 0;
-
-    /**
-     * Return to the geometry of a step that was made before others, and that its forces belong to.
-     */
-    virtual void return_to(const State &start, const State &end) = 0;
-
-    /**
-     * The latest step does not count: return to the geometry of the one before it.
-     * @param start of the latest step
-     */
-    virtual void take_back(const State &start) = 0;
-
-    /** Take the normals of a motion of the same step, which will be made again with them. */
-    virtual void follow(const Vector &increment) = 0;
-
-    /** Whether the step that is made now is the latest one with other normals. */
-    virtual bool repeats() const = 0;
-
-    /**
-     * Whether steps are trials from now on: they will be made again, so that nothing but their
-     * motion is wanted, and that with a hundredth of the error of its first guess.
-     */
-    virtual void let_steps_be_trials(bool they_are) = 0;
-    virtual bool steps_are_trials() const           = 0;
-
-    /**
-     * How far the true gaps at the end of the step just made are from what its normals say, where
-     * that matters; in units of what can be tolerated. The same on all processes.
-     */
-    virtual double mismatch(const Vector &increment) = 0;
-
-    /** Whether a motion passes through something, between a start and an end without contact. */
-    virtual bool passes_through(const Vector &increment) const = 0;
-
-    /** Entries (owned, local) of increments on which normals depend. */
-    virtual const std::vector<unsigned int> &entries() const = 0;
-
-    /**
-     * The motion of what the contact nodes face, in the step: an increment for each contact node,
-     * zero elsewhere. Null where nothing moves by itself.
-     */
-    virtual const Vector *obstacle_motion() const = 0;
-
-    /**
-     * What contact forces would do along what the conditions of the latest motion miss of its true
-     * gaps: an energy, zero where the motion belongs to its own conditions. Collective.
-     */
-    virtual double geometry_work(const Vector &contact_force) const = 0;
-  };
-
-
   /** What a system can do beyond DynamicalSystem; null: it cannot, or has nothing of the kind. */
   struct Capabilities
   {
@@ -381,6 +309,14 @@ namespace signorini
           gaps[k] -= moved[k];
       }
     return gaps;
+  }
+
+  /** See MovingContact; zero where contact does not follow the motion. */
+  inline NormalGap tangential_approach(DynamicalSystem &system, const Vector &free_increment)
+  {
+    const MovingContact *contact = system.capabilities().moving_contact;
+    return contact != nullptr ? contact->tangential_approach(free_increment)
+                              : NormalGap(system.relative_normal(free_increment).size(), 0.);
   }
 
   /** The part of nodal forces in prescribed directions; zero in a system that has none. */
