@@ -40,6 +40,16 @@ namespace signorini
     return result;
   }
 
+  bool consists_of(const std::string &text, const std::string &characters)
+  {
+    return !text.empty() && text.find_first_not_of(characters) == std::string::npos;
+  }
+
+  bool is_name(const std::string &text)
+  {
+    return consists_of(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-");
+  }
+
   unsigned int edit_distance(const std::string &first, const std::string &second)
   {
     const auto same = [](const char a, const char b) {

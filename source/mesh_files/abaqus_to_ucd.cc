@@ -160,8 +160,10 @@ namespace signorini
 
     void Translator::check_type(const std::string &type)
     {
-      const auto is = [&](const char *pattern) {
-        return std::regex_match(type, std::regex(pattern));
+      // Labels of Abaqus are not longer, and a search for a pattern takes memory for each letter.
+      constexpr std::size_t longest = 80;
+      const auto            is      = [&](const char *pattern) {
+        return type.size() <= longest && std::regex_match(type, std::regex(pattern));
       };
       const std::string head = "it has elements of type `" + type + "`. ";
       const std::string only = "Only quadrilaterals with 4 vertices (2d, CPE4 or CPS4) and "

@@ -123,7 +123,12 @@ namespace signorini
       else if (verb == "include" || verb == "INCLUDE")
         include(rest, file_name, depth);
       else if (line.find('=') != std::string::npos)
-        fail("`" + line + "` is not a statement. Write `set " + line + "`.");
+        {
+          // Whatever stands in front of a `set` that is there belongs nowhere.
+          const std::size_t at = line.substr(0, line.find('=')).find(" set ");
+          fail("`" + line + "` is not a statement. Write `"
+               + (at == std::string::npos ? "set " + line : line.substr(at + 1)) + "`.");
+        }
       else
         fail("`" + line
              + "` is not a statement. Valid: `set key = value`, `subsection name`, `end`, `include "

@@ -56,23 +56,41 @@ namespace signorini
       return ids;
     }
 
+    /** `[0,2]`, or nothing at all. */
+    bool are_ids(const std::string &brackets)
+    {
+      if (brackets.empty())
+        return true;
+      if (brackets.size() < 3 || brackets.front() != '[' || brackets.back() != ']')
+        return false;
+      const auto ids = split(brackets.substr(1, brackets.size() - 2), ',');
+      return std::all_of(ids.begin(), ids.end(), [](const std::string &id) {
+        return id.size() <= 6 && consists_of(id, "0123456789");
+      });
+    }
+
     PairName parse_pair(const SectionReader &in, const std::string &text)
     {
-      const std::string ids     = R"((\[[0-9]{1,6}(?:,[0-9]{1,6})*\])?)";
-      const std::string name    = "([A-Za-z0-9_-]+)";
       const std::string compact = without_blanks(text);
-      std::smatch       match;
       if (compact.empty())
         in.fail("Pairs", "the list has an empty entry. Remove the superfluous comma.");
-      if (!std::regex_match(compact, match, std::regex(name + ids + ":" + name + ids)))
+      const std::vector<std::string> sides = split(compact, ':');
+      std::vector<std::string>       names, brackets;
+      for (const std::string &side : sides)
+        {
+          names.push_back(side.substr(0, side.find('[')));
+          brackets.push_back(side.substr(names.back().size()));
+        }
+      if (sides.size() != 2 || !std::all_of(names.begin(), names.end(), is_name)
+          || !std::all_of(brackets.begin(), brackets.end(), are_ids))
         in.fail("Pairs",
                 "`" + trim(text)
                   + "` is not a pair. Write `body : partner` or, for some boundaries of a "
                   + "body, `body[0,2] : partner[3]`, and separate pairs by commas.");
-      return {match[1],
-              parse_ids(in, trim(text), match[2]),
-              match[3],
-              parse_ids(in, trim(text), match[4])};
+      return {names[0],
+              parse_ids(in, trim(text), brackets[0]),
+              names[1],
+              parse_ids(in, trim(text), brackets[1])};
     }
 
     void check_names(const SectionReader            &in,

@@ -8,12 +8,14 @@
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
-#include <regex>
 
 namespace signorini
 {
   namespace
   {
+    /** Names of files have at most 255 characters, and some are made of two names. */
+    constexpr std::size_t longest_name = 100;
+
     std::string value_of(const SceneText &text, const std::string &section, const std::string &key)
     {
       const Statement *statement = text.find({section}, key);
@@ -29,11 +31,16 @@ namespace signorini
         {
           if (name.empty())
             in.fail("Names", "the list has an empty name. Remove the superfluous comma.");
-          if (!std::regex_match(name, std::regex("[A-Za-z0-9_-]+")))
+          if (!is_name(name))
             in.fail("Names",
                     "the name `" + name
                       + "` has strange characters. Use letters, digits, - and _ only, "
                       + "and separate names by commas.");
+          if (name.size() > longest_name)
+            in.fail("Names",
+                    "the name `" + name + "` has " + std::to_string(name.size())
+                      + " characters. It also names files and columns: use at most "
+                      + std::to_string(longest_name) + ".");
           if (name == "Names")
             in.fail("Names", "`Names` is a key and cannot be a name. Choose another one.");
           if (std::find(names.begin(), names.end(), name) != names.end())

@@ -11,10 +11,34 @@
 #include <signorini/simulation/initial_equilibrium.h>
 #include <signorini/simulation/simulation.h>
 
+#include <sstream>
+
 namespace signorini
 {
   namespace
   {
+    /**
+     * The matrix of a step is the mass plus a stiffness that is larger by the square of the Courant
+     * number. Where this square is all that a number can hold, round-off moves the bodies.
+     */
+    template <int dim>
+    void check_courant_number(const Mesh<dim> &mesh, const TimeParameters &time)
+    {
+      constexpr double most   = 1e7;
+      const double     number = mesh.courant_number(time.step_size);
+      if (!scheme_info(time.scheme).inertia || number <= most)
+        return;
+      std::ostringstream message;
+      message << "Time/Step size = " << time.step_size << " gives the Courant number " << number
+              << ": so many smallest cells are passed by a wave in a step, and with more than "
+              << most
+              << " round-off hides the inertia of the bodies. Use smaller steps or a softer "
+                 "material, take a rigid obstacle instead of a body that is nearly rigid, or a "
+                 "scheme without inertia.";
+      throw UserError(message.str());
+    }
+
+
     /** Each of them has to find its point, see PointProbe and Probe. Collective. */
     template <int dim>
     void check_probes(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
@@ -30,6 +54,7 @@ namespace signorini
   template <int dim>
   void Simulation<dim>::prepare()
   {
+    check_courant_number(mesh, scene.time);
     mesh_control.check_first_mesh();
     check_that_bodies_are_apart(mesh, scene.pairs);
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);

@@ -31,4 +31,9 @@ TEST(Spelling, Words)
   EXPECT_EQ(trim("  a \t b  "), "a b");
   EXPECT_EQ(split(" a ;; b", ';'), (std::vector<std::string>{"a", "", "b"}));
   EXPECT_EQ(join({"a", "b"}, "/"), "a/b");
+  EXPECT_TRUE(consists_of("121", "12"));
+  EXPECT_FALSE(consists_of("123", "12"));
+  EXPECT_FALSE(consists_of("", "12"));
+  EXPECT_TRUE(is_name("a-B_3"));
+  EXPECT_FALSE(is_name("a b"));
 }

@@ -188,6 +188,50 @@ TEST(MeshFiles, BodiesWithoutSizeBesideTheirCoordinatesAreRefused)
   EXPECT_EQ(refusal(near), "");
 }
 
+// One direction is enough, and it is the size that counts, not the unit.
+TEST(MeshFiles, FlatBodiesAreRefusedAndSmallOnesAreNot)
+{
+  for (const unsigned int direction : {0, 1})
+    {
+      BodyDescription<2> flat = box<2>(), small = box<2>();
+      flat.lower_corner            = Point<2>();
+      flat.upper_corner            = Point<2>(1., 1.);
+      flat.upper_corner[direction] = 1e-9;
+      EXPECT_NE(refusal(flat).find("it is 1e-09 thick and has coordinates up to 1."),
+                std::string::npos)
+        << refusal(flat);
+      flat.upper_corner[direction] = 1e-7;
+      EXPECT_EQ(refusal(flat), "");
+      small.lower_corner = Point<2>();
+      small.upper_corner = Point<2>(1e-51, 1e-51);
+      EXPECT_NE(refusal(small).find("between 1e-50 and 1e+50"), std::string::npos)
+        << refusal(small);
+      small.upper_corner = Point<2>(1e-40, 1e-40);
+      EXPECT_EQ(refusal(small), "");
+    }
+}
+
+// A node that is far away by mistake makes a body that is flat beside its place.
+TEST(MeshFiles, MeshesWithANodeFarAwayAreRefused)
+{
+  const ScratchFolder folder;
+  const std::string   path = folder.name + "/rectangle.msh";
+  if (dealii::Utilities::MPI::this_mpi_process(MPI_COMM_WORLD) == 0)
+    {
+      std::string       text = gmsh_rectangle(1, 1);
+      const std::string node = "\n2 1 0 0\n";
+      std::ofstream(path) << text.replace(text.find(node), node.size(), "\n2 2e8 0 0\n");
+    }
+  MPI_Barrier(MPI_COMM_WORLD);
+  BodyDescription<2> body;
+  body.name      = "body";
+  body.shape     = BodyShape::file;
+  body.mesh_file = describe_mesh_file<2>(path);
+  EXPECT_NE(refusal(body).find("Bodies/body: it is 1 thick and has coordinates up to 2e+08."),
+            std::string::npos)
+    << refusal(body);
+}
+
 TEST(MeshFiles, CoarseCellsThatNoProcessCanKeepAreRefusedBeforeTheyAreMade)
 {
   BodyDescription<2> square = box<2>();

@@ -168,6 +168,7 @@ TEST(Mistakes, Names)
                    {"Bodies/Names", "ball, ball", {"given twice", "unique"}},
                    {"Bodies/Names", "ball, b/x", {"strange characters", "letters"}},
                    {"Bodies/Names", "ball box", {"strange characters"}},
+                   {"Bodies/Names", std::string(100000, '-'), {"has 100000 characters", "at most"}},
                    {"Obstacles/Names", "floor, ball", {"name of a body"}}});
 }
 
@@ -199,6 +200,13 @@ TEST(Mistakes, Pairs)
      {"Contact/Pairs", "floor : ball", {"The body comes first"}},
      {"Contact/Pairs", "ball floor", {"is not a pair", "Write"}},
      {"Contact/Pairs", "ball[ : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[] : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[0,] : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[0 : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[0]] : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball[1234567] : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball : : floor", {"is not a pair"}},
+     {"Contact/Pairs", "ball : " + std::string(100000, 'f'), {"no obstacle or body"}},
      {"Contact/Pairs", "ball[0] : floor[1]", {"no boundary ids"}}});
 }
 

@@ -193,6 +193,7 @@ TEST(MistakesInMeshes, Cells)
       {"cell 2 is of type `tri`", "Only quadrilaterals"}},
      {"2 1 0 0 0\n1 0 0 0\n2 1 0 0\n1 0 line 1 2\n", ".ucd", 2, {"no quadrilaterals"}},
      {replaced(inp, "CPE4", "CPE3"), ".inp", 2, {"type `CPE3`", "Only quadrilaterals"}},
+     {replaced(inp, "CPE4", "C3D8" + std::string(100000, 'A')), ".inp", 2, {"type `C3D8AAA"}},
      {replaced(read_file("hammer.inp"), "C3D8", "C3D4"),
       ".inp",
       3,

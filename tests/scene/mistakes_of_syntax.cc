@@ -63,6 +63,7 @@ TEST(Syntax, Lines)
                  {"line 1", "`subsection Time` has no `end`", "Add"});
   expect_refusal("subsection Time\nend\nend\n", {"line 3", "`end` closes nothing", "Remove"});
   expect_refusal("\nRadius = 1\n", {"line 2", "Write `set Radius = 1`"});
+  expect_refusal("\xe2\x80\xa8 set Dimension = 2\n", {"line 1", "Write `set Dimension = 2`"});
   expect_refusal("set Dimension 3\n", {"line 1", "has no value", "set key = value"});
   expect_refusal("set = 3\n", {"line 1", "names no key"});
   expect_refusal("what is this\n", {"line 1", "Valid: `set key = value`"});

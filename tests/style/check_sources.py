@@ -4,7 +4,7 @@
 
 """Checks of the form of all tracked files.
 
-check_sources.py length|functions|columns|folders|guard|licence|schemes [ROOT]
+check_sources.py length|functions|columns|folders|guard|licence|schemes|kinds [ROOT]
 """
 
 import ast
@@ -188,6 +188,16 @@ def schemes(root):
                     )
 
 
+def kinds(root):
+    """CONTRIBUTING.md names all kinds of ./dev check."""
+    script, guide = root / "tools" / "check.sh", root / "CONTRIBUTING.md"
+    usage = script.read_text(encoding="utf-8") if script.exists() else ""
+    text = guide.read_text(encoding="utf-8") if guide.exists() else ""
+    for kind in re.findall(r"^  (--[a-z-]+)", usage, re.MULTILINE):
+        if not re.search(rf"^ +\./dev check {kind}\b(?!-)", text, re.MULTILINE):
+            yield f"CONTRIBUTING.md must say what `./dev check {kind}` does"
+
+
 CHECKS = {
     "length": length,
     "functions": functions,
@@ -196,6 +206,7 @@ CHECKS = {
     "guard": guard,
     "licence": licence,
     "schemes": schemes,
+    "kinds": kinds,
 }
 
 

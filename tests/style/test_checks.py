@@ -107,6 +107,13 @@ class StyleChecks(unittest.TestCase):
         self.write('if (scheme == "contact-implicit")\n', name="source/time/state.cc")
         self.assertEqual(self.findings(check_sources.schemes), 1)
 
+    def test_kinds_of_checks(self):
+        self.write("usage\n  --debug [ARGS]  tests\n  --no-fma  others\n", name="tools/check.sh")
+        self.write("    ./dev check --no-fma    # tests\n", name="CONTRIBUTING.md")
+        self.assertEqual(self.findings(check_sources.kinds), 1)
+        self.write("    ./dev check --debug\n    ./dev check --no-fma\n", name="CONTRIBUTING.md")
+        self.assertEqual(self.findings(check_sources.kinds), 0)
+
     def test_outdated_documents(self):
         marks = "<!-- modules: by a program -->\n%s\n<!-- end of modules -->\n"
         self.write(marks % ("\n" + check_dependencies.table() + "\n"), name="CONTRIBUTING.md")

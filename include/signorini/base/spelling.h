@@ -18,6 +18,12 @@ namespace signorini
   /** @p text without white space at both ends and with single blanks inside. */
   std::string trim(const std::string &text);
 
+  /** Whether @p text has at least one character, and only some of @p characters. */
+  bool consists_of(const std::string &text, const std::string &characters);
+
+  /** Whether @p text may be a name: letters, digits, - and _ only. */
+  bool is_name(const std::string &text);
+
   /**
    * Least number of inserted, deleted or replaced characters between two words, upper and lower
    * case being the same.
