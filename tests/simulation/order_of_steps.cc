@@ -160,7 +160,7 @@ TEST(OrderOfSteps, ASceneThatCannotRunTouchesNoResults)
 TEST(OrderOfSteps, BodiesWithoutInertiaBesideTheirStiffnessAreRefused)
 {
   const auto refusal = [](const char *modulus) {
-    SmallRun run({{"Bodies/box/Young's modulus", modulus}});
+    SmallRun run(std::vector<Override>{{"Bodies/box/Young's modulus", modulus}});
     try
       {
         run.validate();
