@@ -4,6 +4,7 @@
 #include <signorini/base/build_information.h>
 #include <signorini/base/command_line.h>
 #include <signorini/base/user_error.h>
+#include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/run_program.h>
@@ -23,6 +24,8 @@ namespace
       std::cout << help();
     else if (options.version)
       std::cout << version_and_commit();
+    else if (!options.explain.empty())
+      explain_key(options.explain, std::cout);
     else if (options.print_parameters)
       print_parameters(std::cout);
     else if (options.print_schemes)
@@ -41,18 +44,13 @@ namespace
     return nullptr;
   }
 
-  bool asks_for_information_only(const CommandLine &options)
-  {
-    return options.help || options.version || options.print_parameters || options.print_schemes;
-  }
-
   /** What needs no MPI, whose start takes longer, is printed without. @return whether it was */
   bool print_at_once(const std::vector<std::string> &arguments)
   {
     try
       {
         const CommandLine options = parse_command_line(arguments);
-        if (!options.scene_file.empty() && !asks_for_information_only(options))
+        if (!options.scene_file.empty() && !options.asks_for_information_only())
           return false;
         const char *rank = rank_by_launcher();
         if (rank == nullptr || std::string(rank) == "0")

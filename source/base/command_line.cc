@@ -12,6 +12,7 @@ namespace signorini
     const std::vector<std::string> options = {"--set",
                                               "--validate",
                                               "--resume",
+                                              "--explain",
                                               "--print-parameters",
                                               "--print-schemes",
                                               "--quiet",
@@ -75,6 +76,14 @@ namespace signorini
                 "--set needs a key and a value. Write --set \"Section/Subsection/Key=value\".");
             result.overrides.push_back(parse_override(arguments[i]));
           }
+        else if (argument == "--explain")
+          {
+            if (++i == arguments.size())
+              throw UserError("--explain needs a key. Write --explain \"Section/Key\".");
+            result.explain = trim(arguments[i]);
+            if (result.explain.empty())
+              throw UserError("--explain needs a key, not an empty one.");
+          }
         else if (!argument.empty() && argument[0] == '-')
           parse_option(argument, result);
         else if (!result.scene_file.empty())
@@ -83,14 +92,12 @@ namespace signorini
         else
           result.scene_file = argument;
       }
-    const bool only_information =
-      result.help || result.version || result.print_parameters || result.print_schemes;
     if (result.resume && result.validate)
       throw UserError("--resume and --validate: a run goes on, or is checked. Name one of them.");
     if (result.print_schemes && result.scene_file == "json")
       throw UserError("--print-schemes: `json` is taken for a scene here. Write "
                       "--print-schemes=json.");
-    if (result.scene_file.empty() && !arguments.empty() && !only_information)
+    if (result.scene_file.empty() && !arguments.empty() && !result.asks_for_information_only())
       throw UserError(
         "no scene. Name a .prm file, for example: signorini parameters/quick_start.prm");
     return result;
@@ -113,6 +120,9 @@ namespace signorini
            "  --validate[=json]          check scene and physics, say what would run and what to "
            "expect, and stop\n"
            "  --resume                   go on from the latest checkpoint in the output directory\n"
+           "  --explain \"Section/Key\"    say what a key means, its default and its values; or "
+           "list "
+           "a section\n"
            "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
            "  --print-schemes[=json]     print what is known about each time scheme, as a table or "
            "for programs\n"

@@ -47,6 +47,8 @@ namespace signorini
 
     /** Between what solvers are asked for and what they give in the worst of many steps. */
     constexpr double margin = 1e4;
+    /** Between one rounding and those of a step. */
+    constexpr double many_roundings = 100.;
   } // namespace
 
 
@@ -58,9 +60,10 @@ namespace signorini
   }
 
 
-  double LawGuard::limit(const Law law) const
+  double LawGuard::limit(const Law law, const double round_off) const
   {
-    return std::max(text_of(law).limit, margin * accuracy);
+    const double of_forces = law == Law::no_penetration ? 0. : many_roundings * round_off;
+    return std::max({text_of(law).limit, margin * accuracy, of_forces});
   }
 
 
@@ -69,20 +72,22 @@ namespace signorini
     std::vector<std::string> result;
     for (std::size_t i = 0; i < all_laws.size(); ++i)
       // A violation that is not a number is none that is small.
-      if (!(reading.violation[i] <= limit(all_laws[i])) && watched.erase(all_laws[i]) > 0)
-        result.push_back(diagnosis(all_laws[i], reading.violation[i], reading.time));
+      if (!(reading.violation[i] <= limit(all_laws[i], reading.round_off))
+          && watched.erase(all_laws[i]) > 0)
+        result.push_back(diagnosis(all_laws[i], reading.violation[i], reading));
     return result;
   }
 
 
-  std::string LawGuard::diagnosis(const Law law, const double violation, const double time) const
+  std::string
+  LawGuard::diagnosis(const Law law, const double violation, const LawReading &reading) const
   {
     const LawText      text_of_law = text_of(law);
     std::ostringstream text;
     text.precision(3);
-    text << "at time " << time << " a law is broken that `Time/Scheme = " << scheme
+    text << "at time " << reading.time << " a law is broken that `Time/Scheme = " << scheme
          << "` keeps on every mesh and with every step: " << text_of_law.broken << " (" << violation
-         << " " << text_of_law.unit << ", where " << limit(law)
+         << " " << text_of_law.unit << ", where " << limit(law, reading.round_off)
          << " would be beyond the accuracy of the solvers). A smaller `Solver/Tolerance` may help; "
             "otherwise it is a mistake of the program: please report it with this folder. "
             "`Output/Guard = warn` lets such runs go on.";

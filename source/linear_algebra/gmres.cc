@@ -13,6 +13,9 @@ namespace signorini
 {
   namespace
   {
+    /** Of a norm by the recurrence; beyond, round-off of the preconditioner may be all there is. */
+    constexpr double trusted_reduction = 1e-3;
+
     /** Room for entry j of a basis, like a given vector. */
     Vector &place(std::vector<Vector> &basis, const unsigned int j, const Vector &like)
     {
@@ -45,8 +48,6 @@ namespace signorini
       return report;
     while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
       {
-        if (report.iterations > 0)
-          inverse_of_preconditioner(preconditioned[0], residual);
         const double       before = norm;
         const unsigned int done   = cycle(matrix,
                                         inverse_of_preconditioner,
@@ -56,6 +57,12 @@ namespace signorini
                                         maximum_iterations - report.iterations,
                                         norm);
         report.iterations += done;
+        // The recurrence knows the norm as far as the preconditioner is linear and symmetric.
+        if (norm > goal || norm < trusted_reduction * before)
+          {
+            inverse_of_preconditioner(preconditioned[0], residual);
+            norm = std::sqrt(std::max(0., dot(residual, preconditioned[0])));
+          }
         if (done == 0
             || (norm > goal && norm > 0.99 * before)) // stagnates: the caller judges the result
           break;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -73,6 +74,8 @@ namespace signorini
   {
     meshed = &new_meshed;
     masses = motion.masses_of_bodies();
+    if (has_inertia)
+      courant_number_per_time = meshed->discretization.mesh().courant_number(1.);
     balance.start(meshed->discretization, state, meshed->load(state.time));
   }
 
@@ -108,6 +111,25 @@ namespace signorini
   }
 
 
+  namespace
+  {
+    /** The largest entry in the balance of a step. */
+    double flow_of(const EnergyBooking &booking)
+    {
+      double flow = 0.;
+      for (const double work : {booking.contact,
+                                booking.predictor,
+                                booking.friction,
+                                booking.damping,
+                                booking.scheme,
+                                booking.external,
+                                booking.transfer})
+        flow = std::max(flow, std::abs(work));
+      return flow;
+    }
+  } // namespace
+
+
   template <int dim>
   LawReading LawWatch<dim>::read(const State          &state,
                                  const StepReport     &report,
@@ -117,14 +139,17 @@ namespace signorini
   {
     const auto &mesh = meshed->discretization.mesh();
     largest_force    = std::max(largest_force, contact.largest_node_force);
+    largest_flow     = std::max(largest_flow, flow_of(booking));
     const auto over  = [](const double value, const double scale) {
       return scale > 0. ? value / scale : 0.;
     };
     LawReading reading;
     reading.time      = state.time;
+    reading.round_off = std::numeric_limits<double>::epsilon()
+                        * std::pow(courant_number_per_time * report.step_size, 2);
     reading.violation = {
       {over(booking.contact + booking.predictor + booking.friction, energy_scale),
-       over(std::abs(booking.residual), energy_scale),
+       over(std::abs(booking.residual), std::max(energy_scale, largest_flow)),
        over(contact.max_tension, largest_force),
        over(friction_excess(meshed->surface, state, mesh.communicator()), largest_force),
        contact.max_penetration / mesh.body_size(),

@@ -3,11 +3,14 @@
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
+#include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/simulation/run_program.h>
 #include <signorini/simulation/run_scene.h>
 
 #include <deal.II/base/exceptions.h>
+
+#include <iostream>
 
 namespace signorini
 {
@@ -20,7 +23,9 @@ namespace signorini
     CommandLine  options;
     unsigned int dimension = 0;
     const int    status    = reporter.separately([&] {
-      options   = parse_command_line(arguments);
+      options = parse_command_line(arguments);
+      if (!options.explain.empty()) // it is printed without MPI, unless there is no such key
+        explain_key(options.explain, std::cout);
       dimension = read_dimension(options.scene_file, options.overrides);
     });
     if (status != 0)

@@ -15,6 +15,19 @@ namespace signorini
 {
   namespace
   {
+    /** Times the first iterates, beyond which Newton's method is lost. */
+    constexpr double astray = 1e4;
+    /** Times the solution: the round-off of such iterates is in the residual that they leave. */
+    constexpr double of_round_off = 10.;
+
+    void
+    compute_residual(const ConstrainedProblem &problem, const Vector &solution, Vector &residual)
+    {
+      problem.matrix.vmult(residual, solution);
+      residual.sadd(-1., 1., problem.right_hand_side);
+    }
+
+
     /** Move fixed entries, and those that statuses hold, to their values. @return how many moved */
     unsigned int
     move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution)
@@ -51,8 +64,10 @@ namespace signorini
     Precision    precision = Precision::rough;
     double       last_norm = 0.;
 
-    stiffness = node_stiffness(problem);
+    const ActiveSet at_start = status;
+    stiffness                = node_stiffness(problem);
     start(problem, status, solution, residual);
+    double size = solution.l2_norm(), largest = size;
     // Beyond round-off GMRES would go on to a space that is exhausted, and spoil the forces.
     tolerance = std::max(problem.tolerance, attainable_norm(problem, solution));
     slipping.clear();
@@ -68,13 +83,27 @@ namespace signorini
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
+        const double now = solution.l2_norm();
+        largest          = std::max(largest, now);
+        size             = report.active_set_iterations == 1 ? largest : size;
+        if (!(now <= astray * size))
+          {
+            solution = 0.;
+            status   = at_start;
+            break;
+          }
 
         if (update(problem, status, solution, residual) == 0)
           {
             if (linear.iterations == 0 || problem.is_rough)
               {
-                report.n_active = record.n_closed(status);
-                return report;
+                if (largest <= of_round_off * now)
+                  {
+                    report.n_active = record.n_closed(status);
+                    return report;
+                  }
+                compute_residual(problem, solution, residual);
+                largest = now;
               }
             if (precision == Precision::rough)
               precision = Precision::settled;
@@ -117,8 +146,7 @@ namespace signorini
         return;
       }
     move_to_values(problem, status, solution);
-    problem.matrix.vmult(residual, solution);
-    residual.sadd(-1., 1., problem.right_hand_side);
+    compute_residual(problem, solution, residual);
   }
 
 

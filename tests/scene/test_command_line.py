@@ -86,6 +86,36 @@ class CommandLine(unittest.TestCase):
             self.expect_nothing_else(result.stderr, [])
             self.assertIn(word, result.stdout)
 
+    def test_explanations_of_keys(self):
+        """Of every key that --print-parameters prints, with its default, and of all sections."""
+        path, keys = [], {}
+        for line in self.call("--print-parameters").stdout.splitlines():
+            line = line.strip()
+            if line.startswith("subsection "):
+                path.append(line.removeprefix("subsection "))
+            elif line == "end":
+                path.pop()
+            elif line.startswith("set "):
+                name, _, value = line.removeprefix("set ").partition("=")
+                keys["/".join([*path, name.strip()])] = value.strip()
+        self.assertGreater(len(keys), 100)
+        examples = ("Time/Step size", "Bodies/ball/Radius", "Contact/ball : floor/Friction law")
+        for key in (*examples, "Mapping"):
+            result = self.call("--explain", key)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertEqual(result.stdout.splitlines()[0], key)
+            self.assertIn("default:", result.stdout)
+        self.assertIn("default: " + keys["Mapping"], result.stdout)
+        self.assertIn("linear, curved, automatic", result.stdout)
+        for section in {key.rpartition("/")[0] for key in keys} - {""}:
+            listed = self.call("--explain", section).stdout
+            for key in keys:
+                if key.rpartition("/")[0] == section:
+                    self.assertIn(f"  {key.rpartition('/')[2]} = ", listed)
+        self.expect_mistake(["--explain", "Time/Schem"], "Did you mean `Scheme`?")
+        self.expect_mistake(["--explain", "Time/Scheme/a"], "That is a key")
+        self.expect_mistake(["--explain"], "--explain needs a key")
+
     def test_table_of_schemes(self):
         """As a table it is that of doc/schemes.md; as JSON, each scheme can be named in a scene."""
         page = (pathlib.Path(QUICK_START).parents[1] / "doc" / "schemes.md").read_text(

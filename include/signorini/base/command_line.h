@@ -15,14 +15,21 @@ namespace signorini
   {
     std::string                                      scene_file; ///< file name of the scene
     std::vector<std::pair<std::string, std::string>> overrides;  ///< --set: path of the key, value
-    bool                                             validate         = false;
-    bool                                             resume           = false;
+    bool                                             validate = false;
+    bool                                             resume   = false;
+    std::string                                      explain; ///< key or section; empty: none
     bool                                             print_parameters = false;
     bool                                             print_schemes    = false;
     bool                                             as_json = false; ///< print for programs
     bool                                             quiet   = false;
     bool                                             version = false;
     bool                                             help    = false;
+
+    /** Whether there is nothing to run. */
+    bool asks_for_information_only() const
+    {
+      return help || version || print_parameters || print_schemes || !explain.empty();
+    }
   };
 
   /**

@@ -39,6 +39,11 @@ namespace signorini
      * balance. Zero or less if a law is kept.
      */
     std::array<double, all_laws.size()> violation{};
+    /**
+     * Relative, of forces that move bodies: stiffness is larger than inertia by the square of the
+     * Courant number, and takes the digits.
+     */
+    double round_off = 0.;
   };
 
   /**
@@ -58,15 +63,15 @@ namespace signorini
     /** @return the laws that this step is the first one to break, a diagnosis each */
     std::vector<std::string> judge(const LawReading &reading);
 
-    /** From which violation on a law counts as broken. */
-    double limit(Law law) const;
+    /** From which violation on a law counts as broken. @param round_off see LawReading */
+    double limit(Law law, double round_off = 0.) const;
 
   private:
     const std::string scheme;
     const double      accuracy;
     std::set<Law>     watched; ///< proved, and not broken yet
 
-    std::string diagnosis(Law law, double violation, double time) const;
+    std::string diagnosis(Law law, double violation, const LawReading &reading) const;
   };
 } // namespace signorini
 

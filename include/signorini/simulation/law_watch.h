@@ -43,7 +43,7 @@ namespace signorini
                     double                energy_scale);
 
     /** What it remembers of earlier steps. */
-    void archive(Archive &archive) { archive(largest_force); }
+    void archive(Archive &archive) { archive(largest_force, largest_flow); }
 
     /** See LawGuard. */
     std::vector<std::string> judge(const LawReading &reading) { return guard.judge(reading); }
@@ -54,7 +54,9 @@ namespace signorini
     std::vector<double> masses; ///< of the bodies
     ForceBalance<dim>   balance;
     LawGuard            guard;
-    double              largest_force = 0.; ///< of a contact node, in the whole run
+    double              largest_force           = 0.; ///< of a contact node, in the whole run
+    double              largest_flow            = 0.; ///< of energy in a step, in the whole run
+    double              courant_number_per_time = 0.; ///< zero without inertia
 
     double momentum_residual(const State &state, const StepReport &report, double energy_scale);
   };
