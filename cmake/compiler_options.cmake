@@ -49,6 +49,7 @@ if(SIGNORINI_SANITIZE)
   set(SIGNORINI_SANITIZERS -fsanitize=address,undefined -fno-sanitize=vptr
                            -fno-sanitize-recover=all)
   list(APPEND SIGNORINI_FLAGS ${SIGNORINI_SANITIZERS} -O1 -g1 -fno-omit-frame-pointer)
+  add_library(signorini_keep_libraries OBJECT tools/sanitizers/keep_libraries.cc)
 endif()
 if(SIGNORINI_UNITY)
   # GCC takes the sources of a unity build for headers, where unnamed namespaces would be a mistake.
@@ -73,4 +74,8 @@ function(signorini_compile target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra $<$<BOOL:${SIGNORINI_WARNINGS_AS_ERRORS}>:-Werror> ${SIGNORINI_FLAGS})
   target_link_options(${target} PRIVATE ${SIGNORINI_SANITIZERS})
+  get_target_property(type ${target} TYPE)
+  if(SIGNORINI_SANITIZE AND type STREQUAL EXECUTABLE)
+    target_sources(${target} PRIVATE $<TARGET_OBJECTS:signorini_keep_libraries>)
+  endif()
 endfunction()

@@ -75,14 +75,12 @@ check_debug() {
 }
 
 # Leaks of MPI and of libraries that live as long as the program are left out, by the list of
-# suppressions. OpenMPI starts programs of its own, which would be asked for leaks, too. It unloads
-# its components before the end: the fast way to write down who allocates knows no more names then.
+# suppressions. OpenMPI starts programs of its own, which would be asked for leaks, too.
 check_sanitize() {
   cmake --preset sanitize
   cmake --build --preset sanitize
   local suppressions=$PWD/tools/sanitizers/leaks.txt
   export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1:detect_stack_use_after_return=1
-  ASAN_OPTIONS+=:fast_unwind_on_malloc=0
   export LSAN_OPTIONS=suppressions=$suppressions:print_suppressions=0
   export UBSAN_OPTIONS=print_stacktrace=1
   ctest --preset sanitize -j2 -LE "scenes|verification|style|plotting" "$@"

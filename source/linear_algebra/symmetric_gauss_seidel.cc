@@ -96,7 +96,7 @@ namespace signorini
         if (basis.size() == dim)
           projector = 0.; // without what is left by rounding
         is_held[position] = 1;
-        free_parts.push_back({position, to_float(projector), 0.f});
+        free_parts.push_back({position, to_float(projector), {}});
       }
     std::sort(free_parts.begin(), free_parts.end(), [](const FreePart &a, const FreePart &b) {
       return a.position < b.position;

@@ -62,6 +62,21 @@ namespace signorini
 
   namespace
   {
+    /**
+     * What a block of elements of version 4 begins with: dimension and number of what it belongs
+     * to, and the type. deal.II believes the dimension, which counts in a table.
+     */
+    unsigned int type_of_block(std::istream &in, const double version, const std::string &where)
+    {
+      const auto first = next<long>(in, where), second = next<long>(in, where);
+      const long dim = version > 4. ? first : second;
+      if (dim < 0 || dim > 3)
+        throw MeshFileError("the file is broken: " + where + " has elements in "
+                            + std::to_string(dim) + " dimensions. " + MeshFileError::remedy);
+      return next<unsigned int>(in, where);
+    }
+
+
     /** Section Elements of version 1 to 4.1: only points, lines, quadrilaterals and hexahedra? */
     void check_gmsh_elements(std::istream &in, const double version, const std::string &where)
     {
@@ -95,8 +110,7 @@ namespace signorini
           }
         else
           {
-            skip_numbers(in, 2, where);
-            const auto type = next<unsigned int>(in, where);
+            const auto type = type_of_block(in, version, where);
             skip_numbers(in, next<unsigned long>(in, where) * (1 + n_nodes(type)), where);
           }
     }

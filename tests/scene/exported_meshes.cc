@@ -33,10 +33,10 @@ namespace
                                                         const std::string &extension)
   {
     const TemporaryFile                     file(mesh, extension);
-    const TemporaryFile                     scene(scene_of(file.name, 2));
+    const TemporaryFile                     scene_file(scene_of(file.name, 2));
+    const Scene<2>                          scene = read_scene<2>(scene_file.name, {});
     std::vector<dealii::types::boundary_id> ids;
-    for (const auto &[id, vertices] :
-         read_scene<2>(scene.name, {}).bodies[0].mesh_file.boundary_vertices)
+    for (const auto &[id, vertices] : scene.bodies[0].mesh_file.boundary_vertices)
       ids.push_back(id);
     return ids;
   }

@@ -138,6 +138,8 @@ TEST(MistakesInMeshes, CountsBeyondTheFile)
   expect_mesh_refusals(
     {{replaced(msh_4, "$Entities\n0", "$Entities\n99999999999"), ".msh", 2, {"`$Entities`"}},
      {replaced(msh_4, "1 7 0\n", "99999999999 7 0\n"), ".msh", 2, {"`$Entities`"}},
+     {replaced(msh_4, "1 1 1 1\n1 1 2", "4 1 1 1\n1 1 2"), ".msh", 2, {"in 4 dimensions"}},
+     {replaced(msh_4, "1 1 1 1\n1 1 2", "-1 1 1 1\n1 1 2"), ".msh", 2, {"in -1 dimensions"}},
      {"$NOD\n4000000000\n1 0 0 0\n$ENDNOD\n$ELM\n0\n$ENDELM\n", ".msh", 2, {"`$NOD`"}},
      {squares + "*Elset, elset=all, generate\n1, 999999999999\n",
       ".inp",

@@ -52,9 +52,9 @@ namespace signorini
     /** Projector onto the free directions of a position that is (partly) held. */
     struct FreePart
     {
-      unsigned int                 position;
-      std::array<float, dim * dim> projector;
-      [[maybe_unused]] float       spare; ///< see Lanes
+      unsigned int                                position;
+      std::array<float, dim * dim>                projector;
+      [[maybe_unused]] std::array<float, 4 - dim> spare; ///< see Lanes
     };
     /** Over the nodes of a sweep: p'q, r'q, q'q and r'r. */
     using Sums = std::array<double, 4>;
