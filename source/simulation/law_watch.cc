@@ -32,7 +32,10 @@ namespace signorini
   std::set<Law> proved_laws(const Scene<dim> &scene)
   {
     const SchemeInfo &scheme = scheme_info(scene.time.scheme);
-    std::set<Law>     laws   = {Law::no_adhesion, Law::coulomb};
+    std::set<Law>     laws   = {Law::no_adhesion};
+    // Impulses that stop nodes in contact come after friction has seen the normal forces.
+    if (!scheme.projects_velocity)
+      laws.insert(Law::coulomb);
     if (scheme.inertia && scheme.own_tolerance.empty())
       laws.insert(Law::energy_identity);
     // A projection in another mass than that of the step may bring energy.

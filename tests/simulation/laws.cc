@@ -82,7 +82,8 @@ namespace
 
   std::vector<Override> with_friction(const std::string &guard)
   {
-    return {{"Contact/box[2] : floor/Friction coefficient", "0.2"},
+    return {{"Time/Scheme", "contact-stabilized"},
+            {"Contact/box[2] : floor/Friction coefficient", "0.2"},
             {"Contact/Motion", "linearised"},
             {"Bodies/box/Initial velocity", "1; -2"},
             {"Output/Guard", guard}};
