@@ -68,8 +68,10 @@ namespace signorini
              << impact.duration;
         if (std::isfinite(n_steps))
           text << " (" << n_steps << " steps)";
-        text << " on " << std::round(impact.n_nodes) << " nodes, strain " << 100. * impact.strain
-             << " % (" << (first.is_round ? "Hertz" : "a plane wave") << ", without other forces)";
+        const double n_nodes = std::max(1., std::round(impact.n_nodes));
+        text << " on " << n_nodes << (n_nodes > 1. ? " nodes" : " node") << ", strain "
+             << 100. * impact.strain << " % (" << (first.is_round ? "Hertz" : "a plane wave")
+             << ", without other forces)";
         remarks.notes.push_back(text.str());
         for (const std::string &doubt : doubts(pair, impact, n_steps, first.is_round, enough_nodes))
           remarks.warnings.push_back(doubt);

@@ -120,6 +120,33 @@ namespace signorini
     }
 
 
+    /** Velocities relative to an obstacle that moves, at a time of the scene. */
+    template <int dim>
+    void make_relative(const NamedObstacle<dim>  &obstacle,
+                       const double               time,
+                       const double               step_size,
+                       const Discretization<dim> &discretization,
+                       const Vector              &displacement,
+                       Vector                    &velocity)
+    {
+      if (!obstacle.motion)
+        return;
+      const double             interval = 1e-3 * step_size;
+      const ObstaclePlace<dim> now      = obstacle.motion->place(time),
+                               next     = obstacle.motion->place(time + interval);
+      const unsigned int n_owned        = discretization.matrices().pattern.n_owned;
+      for (unsigned int node = 0; node < n_owned; ++node)
+        {
+          dealii::Point<dim> x = discretization.node_positions()[node];
+          for (unsigned int c = 0; c < dim; ++c)
+            x[c] += displacement.local_element(dim * node + c);
+          const dealii::Tensor<1, dim> motion = next.forth(now.back(x)) - x;
+          for (unsigned int c = 0; c < dim; ++c)
+            velocity.local_element(dim * node + c) -= motion[c] / interval;
+        }
+    }
+
+
     /** How the surfaces of a pair meet that have flown for a time, and nearly touch. */
     template <int dim>
     FirstTouch touch_after(const unsigned int      pair,
@@ -129,11 +156,19 @@ namespace signorini
                            MeshedScene<dim>       &meshed,
                            const State            &state)
     {
-      const MPI_Comm communicator = meshed.discretization.communicator();
-      const Vector   displacement = flight.displacement(time), velocity = flight.velocity(time);
-      const PairDescription &description = meshed.surface.pairs()[pair];
-      const bool             of_two      = description.of_two_bodies();
-      MovingContact         *following   = meshed.system.capabilities().moving_contact;
+      const MPI_Comm         communicator = meshed.discretization.communicator();
+      const Vector           displacement = flight.displacement(time);
+      Vector                 velocity     = flight.velocity(time);
+      const PairDescription &description  = meshed.surface.pairs()[pair];
+      const bool             of_two       = description.of_two_bodies();
+      if (!of_two)
+        make_relative(scene.obstacles[description.obstacle],
+                      state.time + time,
+                      scene.time.step_size,
+                      meshed.discretization,
+                      displacement,
+                      velocity);
+      MovingContact *following = meshed.system.capabilities().moving_contact;
       if (following == nullptr || (of_two && description.slave == description.master))
         return first_touches(meshed.surface, displacement, velocity, communicator)[pair];
       if (of_two)
@@ -176,6 +211,18 @@ namespace signorini
                               state.time,
                               scene.time.end_time - state.time,
                               obstacles_move);
+    }
+
+
+    /** Until a wave is back from the other end of a body of the pair. */
+    template <int dim>
+    double wave_transit(const PairDescription &pair, const Mesh<dim> &mesh)
+    {
+      const auto there_and_back = [&](const unsigned int body) {
+        return 2. * mesh.body_size(body) / mesh.bodies()[body].material.pressure_wave_speed();
+      };
+      const double of_slave = there_and_back(pair.slave);
+      return pair.of_two_bodies() ? std::min(of_slave, there_and_back(pair.master)) : of_slave;
     }
 
 
@@ -237,6 +284,9 @@ namespace signorini
         // A body that is hit before changes the motion that would have led there.
         if (!grazes && touch.is_smooth && !third_body_is_hit_before(touches, p, meshed))
           expect(touch, meshed.surface.pairs()[p], meshed, masses, first);
+        if (!first.is_known)
+          first.wave_transit =
+            wave_transit(meshed.surface.pairs()[p], meshed.discretization.mesh());
         impacts.push_back(first);
       }
     return impacts;

@@ -3,11 +3,14 @@
 
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/simulation/memory_estimate.h>
+#include <signorini/system/step_matrices.h>
 
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
+#include <utility>
 
 namespace signorini
 {
@@ -16,13 +19,16 @@ namespace signorini
     /** Of the program without a scene: libraries, and what MPI keeps. */
     constexpr double of_the_program = 90e6;
 
-    /** Bytes that steps add per unknown: copies of the matrix, and vectors. */
+    /**
+     * Bytes that steps add per unknown: copies of the matrix, and vectors; without the levels of
+     * multigrid, which are measured.
+     */
     template <int dim>
     double bytes_per_unknown(const bool multigrid)
     {
       if (dim == 2)
-        return multigrid ? 830. : 620.;
-      return multigrid ? 1040. : 740.;
+        return multigrid ? 570. : 620.;
+      return multigrid ? 650. : 740.;
     }
 
     /** Bytes that fields take per cell while they are written: patches of values at corners. */
@@ -45,6 +51,30 @@ namespace signorini
       cost.solves_roughly   = !has_friction(scene.pairs);
       return choose_preconditioner(cost) == PreconditionerKind::multigrid;
     }
+    /** Of this process: now, and the most so far. */
+    std::pair<double, double> resident_bytes()
+    {
+      dealii::Utilities::System::MemoryStats measured;
+      dealii::Utilities::System::get_memory_stats(measured);
+      return {1024. * measured.VmRSS, 1024. * measured.VmHWM}; // kB
+    }
+
+
+    /** What a cycle takes, by making one: algebraic levels are as large as they turn out to be. */
+    template <int dim>
+    double memory_of_multigrid(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
+    {
+      std::ostringstream  no_table;
+      dealii::TimerOutput timer(
+        no_table, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
+      const double      step = scene.time.step_size, before = resident_bytes().first;
+      StepMatrices<dim> matrices(meshed.discretization,
+                                 meshed.coordinates,
+                                 {PreconditionerKind::multigrid, 1, false},
+                                 timer);
+      matrices.get(0.25 * step * step, 0., step);
+      return std::max(0., resident_bytes().first - before);
+    }
   } // namespace
 
 
@@ -57,12 +87,15 @@ namespace signorini
 
     dealii::Utilities::System::MemoryStats measured;
     dealii::Utilities::System::get_memory_stats(measured);
-    const double prepared = 1024. * measured.VmHWM; // kB
-    const double steps    = bytes_per_unknown<dim>(takes_multigrid(scene, meshed))
-                         * discretization.locally_owned().n_elements();
+    const double prepared  = 1024. * measured.VmHWM; // kB
+    const bool   multigrid = takes_multigrid(scene, meshed);
+    const double steps =
+      bytes_per_unknown<dim>(multigrid) * discretization.locally_owned().n_elements()
+      + (multigrid ? memory_of_multigrid(scene, meshed) : 0.);
     const double fields =
       scene.output.vtu ? bytes_per_cell<dim> * triangulation.n_locally_owned_active_cells() : 0.;
-    const double run = prepared + steps + fields;
+    // While levels are made they may take more than they keep.
+    const double run = std::max(prepared + steps + fields, resident_bytes().second);
 
     MemoryEstimate estimate;
     estimate.prepared        = dealii::Utilities::MPI::sum(prepared, communicator);

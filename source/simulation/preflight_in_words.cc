@@ -47,13 +47,14 @@ namespace signorini
     }
 
 
-    void write_impact(const ImpactForecast &impact, std::ostream &out)
+    void write_impact(const ImpactForecast &impact, const double step_size, std::ostream &out)
     {
       const FirstImpact &first = impact.first;
       out << "  first touch of '" << impact.pair << "': time " << first.time << ", speed "
           << first.speed;
       if (!first.is_known)
-        out << "; no theory tells how long it lasts\n";
+        out << "; no theory tells how long it lasts (a wave is back after " << first.wave_transit
+            << ", " << first.wave_transit / step_size << " steps)\n";
       else
         {
           out << ", contact for " << first.impact.duration << " (" << impact.n_steps
@@ -101,6 +102,8 @@ namespace signorini
           .number("recommended_step_size", impact.recommended_step_size)
           .number("recommended_node_spacing",
                   impact.recommended_node_spacing > 0. ? impact.recommended_node_spacing : NAN);
+      else
+        object.number("wave_transit", first.wave_transit);
       return object.line();
     }
   } // namespace
@@ -116,7 +119,7 @@ namespace signorini
       for (const BodyForecast &body : preflight.bodies)
         write_body(body, preflight.step_size, out);
     for (const ImpactForecast &impact : preflight.impacts)
-      write_impact(impact, out);
+      write_impact(impact, preflight.step_size, out);
     if (preflight.has_inertia)
       out << "  step size         " << preflight.step_size << ", recommended "
           << preflight.recommended_step_size << '\n';

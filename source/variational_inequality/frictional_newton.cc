@@ -15,10 +15,34 @@ namespace signorini
 {
   namespace
   {
-    /** Times the first iterates, beyond which Newton's method is lost. */
-    constexpr double astray = 1e4;
-    /** Times the solution: the round-off of such iterates is in the residual that they leave. */
-    constexpr double of_round_off = 10.;
+    /** How large the iterates are, from which more can be lost than is won. */
+    class IterateSizes
+    {
+    public:
+      explicit IterateSizes(const Vector &first)
+        : at_start(first.l2_norm())
+        , now(at_start)
+        , largest(at_start)
+      {
+      }
+
+      void add(const Vector &iterate, const bool is_first)
+      {
+        now      = iterate.l2_norm();
+        largest  = std::max(largest, now);
+        at_start = is_first ? largest : at_start;
+      }
+
+      /** Newton's method is lost. */
+      bool went_astray() const { return !(now <= 1e4 * at_start); }
+      /** The round-off of larger iterates is in the residual that they leave. */
+      bool left_round_off() const { return largest > 10. * now; }
+      void forget() { largest = now; }
+
+    private:
+      double at_start, now, largest;
+    };
+
 
     void
     compute_residual(const ConstrainedProblem &problem, const Vector &solution, Vector &residual)
@@ -67,12 +91,7 @@ namespace signorini
     const ActiveSet at_start = status;
     stiffness                = node_stiffness(problem);
     start(problem, status, solution, residual);
-    double size = solution.l2_norm(), largest = size;
-    // Beyond round-off GMRES would go on to a space that is exhausted, and spoil the forces.
-    tolerance = std::max(problem.tolerance, attainable_norm(problem, solution));
-    slipping.clear();
-    if (update(problem, status, solution, residual) > 0)
-      hold(problem, status, solution, residual);
+    IterateSizes sizes(solution);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
@@ -83,50 +102,54 @@ namespace signorini
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
-        const double now = solution.l2_norm();
-        largest          = std::max(largest, now);
-        size             = report.active_set_iterations == 1 ? largest : size;
-        if (!(now <= astray * size))
+        sizes.add(solution, report.active_set_iterations == 1);
+        if (sizes.went_astray())
           {
             solution = 0.;
             status   = at_start;
             break;
           }
-
         if (update(problem, status, solution, residual) == 0)
           {
-            if (linear.iterations == 0 || problem.is_rough)
+            const bool is_solved = linear.iterations == 0 || problem.is_rough;
+            if (is_solved && !sizes.left_round_off())
               {
-                if (largest <= of_round_off * now)
-                  {
-                    report.n_active = record.n_closed(status);
-                    return report;
-                  }
+                report.n_active = record.n_closed(status);
+                return report;
+              }
+            if (is_solved)
+              {
                 compute_residual(problem, solution, residual);
-                largest = now;
+                sizes.forget();
               }
             if (precision == Precision::rough)
               precision = Precision::settled;
           }
+        else if (is_cycle(record, status, precision))
+          break;
         else
-          {
-            if (!record.is_new(status))
-              {
-                if (precision == Precision::full)
-                  break; // a cycle, and not for want of accuracy
-                precision = Precision::full;
-                record.forget();
-              }
-            if (precision == Precision::settled)
-              precision = Precision::rough;
-            hold(problem, status, solution, residual);
-          }
+          hold(problem, status, solution, residual);
         last_norm = slip.any() ? slip.initial_norm() : 0.;
       }
-
     report.add(fallback.solve(problem, status, solution, residual));
     ++report.n_fallbacks;
     return report;
+  }
+
+
+  bool
+  FrictionalNewton::is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision)
+  {
+    if (!record.is_new(status))
+      {
+        if (precision == Precision::full)
+          return true; // not for want of accuracy
+        precision = Precision::full;
+        record.forget();
+      }
+    if (precision == Precision::settled)
+      precision = Precision::rough;
+    return false;
   }
 
 
@@ -141,12 +164,17 @@ namespace signorini
       else if (contact_status::sticks(status[k]) && problem.friction[k].entries.empty())
         status[k] = contact_status::slip;
     if (problem.continues)
+      hold(problem, status, solution, residual);
+    else
       {
-        hold(problem, status, solution, residual);
-        return;
+        move_to_values(problem, status, solution);
+        compute_residual(problem, solution, residual);
       }
-    move_to_values(problem, status, solution);
-    compute_residual(problem, solution, residual);
+    // Beyond round-off GMRES would go on to a space that is exhausted, and spoil the forces.
+    tolerance = std::max(problem.tolerance, attainable_norm(problem, solution));
+    slipping.clear();
+    if (update(problem, status, solution, residual) > 0)
+      hold(problem, status, solution, residual);
   }
 
 

@@ -44,6 +44,36 @@ end
 """
 
 
+#: Without refinements, so that the levels of multigrid are algebraic.
+CUBE = """
+set Dimension = 3
+subsection Bodies
+  set Names = cube
+  subsection cube
+    set Shape            = box
+    set Lower corner     = 0, 0, 0.001
+    set Upper corner     = 1, 1, 1.001
+    set Repetitions      = 24, 24, 24
+    set Young's modulus  = 1e5
+    set Poisson's ratio  = 0.25
+    set Initial velocity = 0; 0; -1
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Normal = 0, 0, 1
+  end
+end
+subsection Contact
+  set Pairs = cube[4] : floor
+end
+subsection Solver
+  set Preconditioner = multigrid
+end
+"""
+
+
 def validate(scene, *overrides, form="--validate=json"):
     command = [check_history.settings["executable"], str(scene), form]
     for override in overrides:
@@ -104,6 +134,17 @@ class Preflight(check_history.SceneTest):
         (impact,) = onto["impacts"]
         self.expect_close(impact["time"], 1.0, 1e-2, "time of the first touch")
         self.assertFalse(any("no pair meets" in warning for warning in onto["warnings"]))
+
+    def test_an_obstacle_that_comes(self):
+        """The floor rises with speed 2 to the disc, 0.5 above it, which rests."""
+        scene = self.written("comes", FALLING_DISC)
+        said = self.forecast(
+            scene, "Bodies/disc/Body force=0;0", "Obstacles/floor/Motion=0; 2*t", "Time/End time=1"
+        )
+        (impact,) = said["impacts"]
+        self.expect_close(impact["time"], 0.25, 1e-3, "time of the first touch")
+        self.expect_close(impact["speed"], 2, 1e-6, "speed")
+        self.assertEqual(impact["theory"], "Hertz")
 
     def test_waves(self):
         """The bar of length 10 with wave speed 30: a transit takes 1/3, contact two of them."""
@@ -174,6 +215,7 @@ class Preflight(check_history.SceneTest):
             ("2d", disc, ["Bodies/disc/Refinements=7"], "memory"),
             ("without fields", disc, ["Bodies/disc/Refinements=7", "Output/VTU=false"], "memory"),
             ("adaptive", disc, adaptive, "memory"),
+            ("algebraic levels", self.written("cube", CUBE), [], "memory"),
             (
                 "3d",
                 check_history.scene_file("quick_start"),

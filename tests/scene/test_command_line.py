@@ -106,7 +106,7 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(result.stdout.splitlines()[0], key)
             self.assertIn("default:", result.stdout)
         self.assertIn("default: " + keys["Mapping"], result.stdout)
-        self.assertIn("linear, curved, automatic", result.stdout)
+        self.assertIn("automatic, linear, curved", result.stdout)
         for section in {key.rpartition("/")[0] for key in keys} - {""}:
             listed = self.call("--explain", section).stdout
             for key in keys:

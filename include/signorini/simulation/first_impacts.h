@@ -19,6 +19,7 @@ namespace signorini
     bool           is_round     = false; ///< Hertz, otherwise a plane wave
     double         node_spacing = 0.;    ///< of the slave surface at that place
     ExpectedImpact impact       = {};
+    double wave_transit = 0.; ///< where nothing is known: through a body and back, a duration
   };
 
   /**

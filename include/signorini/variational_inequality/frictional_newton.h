@@ -6,6 +6,7 @@
 
 #include <signorini/variational_inequality/constrained_solver.h>
 #include <signorini/variational_inequality/slip_system.h>
+#include <signorini/variational_inequality/status_record.h>
 #include <signorini/variational_inequality/tresca_fixed_point.h>
 
 namespace signorini
@@ -46,7 +47,7 @@ namespace signorini
     double                   tolerance = 0.; ///< that of the problem, or what is attainable
     std::vector<double>      stiffness; ///< of each node: the mean of the diagonal over its entries
 
-    /** Put the fixed and held entries to their values and compute the residual. */
+    /** Put the fixed and held entries to their values, compute the residual, look at statuses. */
     void
     start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual);
     /** The semismooth Newton update of the statuses. @return number of changes on all processes */
@@ -74,6 +75,9 @@ namespace signorini
       settled,
       full
     };
+    /** Statuses have changed: how accurate to be from now on. @return whether they go in a circle
+     */
+    static bool is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision);
     /**
      * Solve the linear system.
      * @param last_norm what was unbalanced at the start of the last one
