@@ -25,6 +25,17 @@ namespace signorini
                   return named.shape->has_end();
                 });
     }
+
+    /** Whether bodies meet whose gaps are those of the motion: where that finds none, bounds are
+     * clipped. */
+    template <int dim>
+    bool clips_bounds(const Scene<dim> &scene)
+    {
+      return scene.motion == ContactMotion::follow
+             && std::any_of(scene.pairs.begin(), scene.pairs.end(), [](const auto &pair) {
+                  return pair.of_two_bodies();
+                });
+    }
   } // namespace
 
 
@@ -43,7 +54,8 @@ namespace signorini
         && scene.time.mass.predictor == PredictorMass::consistent)
       laws.insert(Law::no_gain);
     // A finer mesh sees more of a curved surface, and what is inside then stays there.
-    if (!scheme.penetrates && !scene.adaptivity.any() && !comes_past_ends(scene))
+    if (!scheme.penetrates && !scene.adaptivity.any() && !comes_past_ends(scene)
+        && !clips_bounds(scene))
       laws.insert(Law::no_penetration);
     if (balances_momentum_by_one_force(scheme))
       laws.insert(Law::momentum);

@@ -123,6 +123,8 @@ namespace signorini
           std::max(problem.tolerance, beyond_round_off * attainable_norm(problem, solution)),
           1e-2,
           maximum_linear_iterations);
+        if (report.iterations == 0 && !report.converged)
+          throw StepError("The preconditioner is indefinite. Choose another `Preconditioner`.");
         if (report.iterations == 0)
           return 0;
         target = solution;
@@ -320,9 +322,8 @@ namespace signorini
 
       /**
        * A step that ends just short of a kink leaves a part of 1e-15 of the slip, and the next one
-       * a part of that. The node would count as slipping, with all the force of its bound, in a
-       * direction that nothing can turn: the curvature of |slip| hides the node from Newton's
-       * method.
+       * a part of that. The node would count as slipping, with all the force of its bound: the
+       * curvature of |slip| hides it from Newton's method.
        */
       void stop_slip_of_round_off()
       {

@@ -9,6 +9,7 @@
 // depend on the guess. A tolerance below round-off is met as well as round-off lets it: the minimum
 // of a million times larger data is a million times that of the data.
 
+#include <signorini/base/user_error.h>
 #include <signorini/variational_inequality/tresca_minimisation.h>
 
 #include "frictional_problem.h"
@@ -97,6 +98,41 @@ namespace
     for (double &bound : bounds)
       bound = std::uniform_real_distribution<double>(0.05, 1.)(generator);
     return bounds;
+  }
+
+  /** A preconditioner that has nothing to say about errors. */
+  class MinusIdentity : public MaskedPreconditioner
+  {
+  public:
+    void set_mask(const Mask &) override {}
+    void vmult(Vector &destination, const Vector &source) const override
+    {
+      destination = source;
+      destination *= -1.;
+    }
+  };
+
+  // Its norm of a residual is no norm: that it is below a tolerance must not count as an answer.
+  TEST(TrescaMinimisation, IndefinitePreconditionersAreFound)
+  {
+    const auto data = random_frictional(5, 1, FrictionLaw{0.3}, 7);
+    const auto solve =
+      [&](const ConstrainedProblem &problem, ActiveSet &status, Vector &x, Vector &residual) {
+        MinusIdentity            wrong;
+        const ConstrainedProblem with_wrong{problem.matrix,
+                                            wrong,
+                                            problem.right_hand_side,
+                                            problem.bounded_entries,
+                                            problem.upper_bounds,
+                                            problem.fixed_entries,
+                                            problem.fixed_values,
+                                            problem.tolerance,
+                                            problem.bound_tolerance,
+                                            problem.friction};
+        return TrescaMinimisation().solve(
+          with_wrong, std::vector<double>(5, 0.1), status, x, residual);
+      };
+    EXPECT_THROW(solve_with(solve, data, Eigen::VectorXd::Zero(12), false), StepError);
   }
 } // namespace
 
