@@ -102,17 +102,17 @@ namespace signorini
      * and by their products, which overflow.
      */
     template <int dim>
-    void check_place(const BodyDescription<dim> &body, const Triangulation<dim> &mesh)
+    void check_place(const BodyDescription<dim> &body, const std::vector<Point<dim>> &points)
     {
       constexpr double most_far = 1e8, smallest = 1e-50, largest = 1e50;
       double           farthest = 0., thickness = largest;
       for (unsigned int c = 0; c < dim; ++c)
         {
-          double low = mesh.get_vertices()[0][c], high = low;
-          for (const Point<dim> &vertex : mesh.get_vertices())
+          double low = points[0][c], high = low;
+          for (const Point<dim> &point : points)
             {
-              low  = std::min(low, vertex[c]);
-              high = std::max(high, vertex[c]);
+              low  = std::min(low, point[c]);
+              high = std::max(high, point[c]);
             }
           farthest  = std::max({farthest, std::abs(low), std::abs(high)});
           thickness = std::min(thickness, high - low);
@@ -127,6 +127,20 @@ namespace signorini
     }
 
 
+    /** Two opposite corners of the box around a body whose shape is made here, in its own place. */
+    template <int dim>
+    std::vector<Point<dim>> corners_around(const BodyDescription<dim> &body)
+    {
+      if (body.shape == BodyShape::box)
+        return {body.lower_corner, body.upper_corner};
+      Tensor<1, dim> half;
+      for (unsigned int c = 0; c < dim; ++c)
+        half[c] =
+          body.shape == BodyShape::cylinder && c == body.axis ? body.length / 2. : body.radius;
+      return {body.centre - half, body.centre + half};
+    }
+
+
     /** The coarse mesh of a body, if it is neither too large nor lost in round-off. */
     template <int dim>
     Triangulation<dim> coarse_mesh(const BodyDescription<dim> &body, const unsigned int n_processes)
@@ -136,10 +150,12 @@ namespace signorini
                    std::accumulate(
                      body.repetitions.begin(), body.repetitions.end(), 1., std::multiplies<>()),
                    n_processes);
+      if (body.shape != BodyShape::file)
+        check_place(body, corners_around(body));
       Triangulation<dim> mesh;
       make_coarse_mesh(body, mesh);
       check_size(body, mesh.n_active_cells(), n_processes);
-      check_place(body, mesh);
+      check_place(body, mesh.get_vertices());
       return mesh;
     }
   } // namespace

@@ -181,6 +181,9 @@ TEST(MeshFiles, BodiesWithoutSizeBesideTheirCoordinatesAreRefused)
       far.upper_corner[0] = distance + distance * 1e-9;
       EXPECT_NE(refusal(far).find("Bodies/box: it is "), std::string::npos) << refusal(far);
     }
+  BodyDescription<3> far_ball = ball<3>(1);
+  far_ball.centre[1]          = 1e20;
+  EXPECT_NE(refusal(far_ball).find("Bodies/ball: it is "), std::string::npos) << refusal(far_ball);
   huge.upper_corner[0] = 1e308;
   EXPECT_NE(refusal(huge).find("coordinates up to 1e+308"), std::string::npos) << refusal(huge);
   near.lower_corner[0] += 1e5;
