@@ -19,6 +19,8 @@ namespace signorini
 
   namespace
   {
+    constexpr double largest_value = 1e100; ///< squares and products must not overflow
+
     template <int dim>
     [[noreturn]] void refuse(const std::string &body,
                              const std::string &expression,
@@ -27,7 +29,8 @@ namespace signorini
     {
       std::ostringstream message;
       message << "Bodies/" << body << ": the expression '" << expression
-              << "' is not a finite number at (" << place << "), t = " << time
+              << "' is not a finite number (up to " << largest_value << ") at (" << place
+              << "), t = " << time
               << ". Change it so that it can be evaluated everywhere in the body.";
       throw UserError(message.str());
     }
@@ -145,7 +148,7 @@ namespace signorini
             functions[body]->vector_value(cell->vertex(v), value);
             for (unsigned int c = 0; c < dim; ++c)
               {
-                if (!std::isfinite(value[c]))
+                if (!(std::abs(value[c]) <= largest_value))
                   refuse(all_cells.bodies()[body].name,
                          expressions_by_body[body][c],
                          cell->vertex(v),

@@ -91,8 +91,10 @@ namespace signorini
   template <int dim>
   typename FacetedObstacle<dim>::Foot FacetedObstacle<dim>::find_foot(const Point<dim> &p) const
   {
-    Foot   foot;
-    double least = std::numeric_limits<double>::infinity();
+    // Of a point whose distances are no numbers any facet is the nearest.
+    const unsigned int any = trees->numbers.front();
+    Foot               foot{any, closest_point(p, surface->corners(any))};
+    double             least = std::numeric_limits<double>::infinity();
     trees->facets.least_square_distance(p, [&](const unsigned int thing) {
       const auto   facet    = trees->numbers[thing];
       const auto   place    = closest_point(p, surface->corners(facet));

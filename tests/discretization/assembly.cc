@@ -7,6 +7,8 @@
 
 #include "bodies.h"
 
+#include <signorini/base/user_error.h>
+
 #include <gtest/gtest.h>
 
 #include <map>
@@ -184,4 +186,12 @@ TEST(Assembly, AChangeOfTheMassMayCoupleAnyNodes)
   ASSERT_EQ(again.size(), before.size());
   for (const auto &[nodes, value] : before)
     EXPECT_NEAR(again.at(nodes), value, 1e-14 * value);
+}
+
+TEST(Assembly, FieldsOfNumbersThatOverflowAreRefused)
+{
+  const Assembled<2> square(box<2>());
+  for (const std::string value : {"1/(x-x)", "1e200", "-1e101"})
+    EXPECT_THROW(field<2>(square.discretization, {{"0", value}}), UserError) << value;
+  EXPECT_NO_THROW(field<2>(square.discretization, {{"0", "1e99"}}));
 }

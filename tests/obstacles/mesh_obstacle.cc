@@ -15,6 +15,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 using namespace signorini;
@@ -240,4 +241,13 @@ TEST(MeshObstacle, TheTreeFindsTheNearest)
         p, 1., [&](const unsigned int k) { n_found += p.distance(places[k]) <= 1.; });
       EXPECT_EQ(n_found, n_near);
     }
+}
+
+// Squares of their distances are no numbers: whatever is found, nothing breaks.
+TEST(MeshObstacle, PointsOutOfReachDoNoHarm)
+{
+  const auto mesh = obstacle_of(cuboid(1., 2., 0.5));
+  for (const double far : {1e160, 1e308, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_NO_THROW(mesh.try_project({far, -far, 0.}));
+  EXPECT_FALSE(mesh.project({1e160, 0., 0.}).gap < 0.);
 }
