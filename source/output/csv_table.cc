@@ -70,23 +70,35 @@ namespace signorini
   void CsvTable::archive(Archive &archive)
   {
     archive(length, last);
-    if (archive.reads())
-      succeed_together(communicator, [&] {
-        if (first_process && length > 0)
-          reopen();
-      });
+    if (!archive.reads())
+      return;
+    const std::string what_lacks =
+      dealii::Utilities::MPI::broadcast(communicator, first_process ? what_it_lacks() : "");
+    if (!what_lacks.empty())
+      throw UserError("cannot go on with `" + path + "`: " + what_lacks
+                      + ". Put the file of the run back, or run anew without --resume.");
+    succeed_together(communicator, [&] {
+      if (first_process && length > 0)
+        reopen();
+    });
+  }
+
+
+  std::string CsvTable::what_it_lacks() const
+  {
+    if (length == 0)
+      return "";
+    std::error_code      error;
+    const std::uintmax_t now = std::filesystem::file_size(path, error);
+    return error          ? error.message()
+           : now < length ? "it is shorter than when the checkpoint was written"
+                          : "";
   }
 
 
   void CsvTable::reopen()
   {
     std::error_code error;
-    if (const std::uintmax_t now = std::filesystem::file_size(path, error); error || now < length)
-      throw RunError("cannot go on with `" + path + "`: "
-                     + (error ? error.message()
-                              : "it is shorter than when the checkpoint was "
-                                "written")
-                     + ". Put the file of the run back, or run anew without --resume.");
     std::filesystem::resize_file(path, length, error);
     if (error)
       throw_write_error(path, error.value());

@@ -7,7 +7,9 @@
 
 #include <deal.II/base/utilities.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 namespace signorini
 {
@@ -93,11 +95,41 @@ namespace signorini
   void FieldSeries::archive(Archive &archive)
   {
     archive(moments);
-    if (archive.reads() && !moments.empty())
+    if (archive.reads())
       succeed_together(communicator, [&] {
-        if (this_process == 0)
+        if (this_process != 0)
+          return;
+        forget_missing_moments();
+        remove_later_moments();
+        if (!moments.empty())
           write_record(moments);
       });
+  }
+
+
+  void FieldSeries::forget_missing_moments()
+  {
+    const auto is_missing = [&](const std::pair<double, std::string> &moment) {
+      return !std::filesystem::exists(directory + "/" + moment.second);
+    };
+    moments.erase(std::remove_if(moments.begin(), moments.end(), is_missing), moments.end());
+  }
+
+
+  void FieldSeries::remove_later_moments() const
+  {
+    std::set<std::string> known;
+    for (const auto &[time, record] : moments)
+      known.insert(std::filesystem::path(record).stem());
+    std::vector<std::filesystem::path> later;
+    for (const auto &entry : std::filesystem::directory_iterator(directory + "/fields"))
+      {
+        const std::string file = entry.path().filename(), moment = file.substr(0, file.find('.'));
+        if (moment.rfind(name + "_", 0) == 0 && known.count(moment) == 0)
+          later.push_back(entry.path());
+      }
+    for (const auto &path : later)
+      std::filesystem::remove(path);
   }
 
 

@@ -7,6 +7,7 @@ allows, after a signal and beyond its end. What cannot be gone on with is refuse
 """
 
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -80,6 +81,38 @@ class Resume(check_history.SceneTest):
             else:
                 self.assertEqual(status, 2)
                 self.assertIn("there is no checkpoint to go on from: ", messages[0])
+
+    def test_a_table_is_gone_or_short(self):
+        run, _ = self.ended_by_signal("without_table")
+        table = run.output / "history.csv"
+        content = table.read_bytes()
+        for lacking in (content[: len(content) // 2], None):
+            if lacking is None:
+                table.unlink()
+            else:
+                table.write_bytes(lacking)
+            status, messages = run.start("--resume").end()
+            self.assertEqual(status, 2)
+            self.assertIn("history.csv`: ", messages[0])
+            self.assertIn("Put the file of the run back", messages[0])
+
+    def test_series_name_what_is_there(self):
+        """Files that somebody took away are not named, and those of steps to come do not stay."""
+        run = InterruptedRun("fields")
+        run.overrides = ("Output/VTU=true", "Output/VTU every=4", "Time/End time=0.1")
+        self.assertEqual(run.start().end()[0], 0)
+        fields = run.output / "fields"
+        (fields / "volume_000004.pvtu").unlink()
+        (fields / "volume_000099.pvtu").write_text("of a run that was killed", encoding="utf-8")
+        run.overrides = (*run.overrides[:2], "Time/End time=0.14")
+        self.assertEqual(run.start("--resume").end()[0], 0)
+        series = (run.output / "volume.pvd").read_text(encoding="utf-8")
+        named = re.findall(r'file="fields/(volume_\d+)\.pvtu"', series)
+        self.assertNotIn("volume_000004", named)
+        self.assertEqual(len(named), len(set(named)))
+        self.assertIn("volume_000028", named)
+        there = {path.stem for path in fields.glob("volume_*.pvtu")}
+        self.assertEqual(there, set(named))
 
     def test_another_mesh(self):
         """The scene is the same, but not the file that it names."""

@@ -42,7 +42,7 @@ namespace signorini
 
     /**
      * Where the file ends now. Read from an archive: the file is cut there, and rows go on.
-     * Collective if it reads. @throws RunError on all processes if the file is not that of the
+     * Collective if it reads. @throws UserError on all processes if the file is not that of the
      * archive any more
      */
     void archive(Archive &archive);
@@ -59,6 +59,8 @@ namespace signorini
 
     void open();
     void write_line(const std::string &line);
+    /** Why a run cannot go on with its file; empty if it can. */
+    std::string what_it_lacks() const;
     /** Go on after the first bytes. */
     void reopen();
   };

@@ -46,7 +46,9 @@ namespace signorini
                      double                                         time);
 
     /**
-     * The moments so far. Read from an archive, they are those of the .pvd. Collective if it reads.
+     * The moments so far. Read from an archive, they are those of the .pvd but for those whose
+     * files somebody has taken away, and files of other moments are removed: of steps that come
+     * again. Collective if it reads.
      */
     void archive(Archive &archive);
 
@@ -56,7 +58,9 @@ namespace signorini
     unsigned int                                this_process, n_processes;
     std::vector<std::pair<double, std::string>> moments; ///< time, file relative to the directory
 
-    /** On the first process. */
+    // On the first process.
+    void forget_missing_moments();
+    void remove_later_moments() const;
     void write_record(const std::vector<std::pair<double, std::string>> &known) const;
     /** Without folder and ending. */
     std::string moment(unsigned int step) const;
