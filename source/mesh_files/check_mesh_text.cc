@@ -121,8 +121,13 @@ namespace signorini
     std::vector<unsigned int> n_vertices;
     long                      n_points  = -1;
     bool                      has_types = false;
+    std::set<std::string>     sections;
     for (std::string word; in >> word;)
-      if (word == "POINTS")
+      if ((word == "POINTS" || word == "CELLS" || word == "CELL_TYPES")
+          && !sections.insert(word).second)
+        throw MeshFileError("the file is broken: it has the section `" + word + "` twice. "
+                            + MeshFileError::remedy);
+      else if (word == "POINTS")
         {
           n_points = next<unsigned int>(in, "`POINTS`");
           in >> word;

@@ -263,6 +263,7 @@ TEST(MistakesInMeshes, References)
       2,
       {"cell 1", "the point 6", "does not exist"}},
      {replaced(vtk, "9\n9", "9\n12"), ".vtk", 2, {"cell 1", "VTK type 12", "4 vertices"}},
+     {replaced(vtk, "CELL_TYPES", "CELLS 0 0\nCELL_TYPES"), ".vtk", 2, {"`CELLS` twice"}},
      {replaced(msh, "2 5 6 3", "2 5 9 3"), ".msh", 2, {"index 9", "Write it again"}},
      {replaced(msh, "7 7 1 2", "7 7 2 3"), ".msh", 2, {"internal face", "boundary only"}},
      {replaced(msh_4, "1 6 1 6", "1 5 1 6"), ".msh", 2, {"announces 5 nodes and has 6"}},
