@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace signorini
 {
@@ -15,6 +16,12 @@ namespace signorini
   {
     /** Of a norm by the recurrence; beyond, round-off of the preconditioner may be all there is. */
     constexpr double trusted_reduction = 1e-3;
+
+    /**
+     * A direction of which so little is new is one of round-off: in single precision a
+     * preconditioner leaves 1e-7 of the others in it.
+     */
+    constexpr double nothing_new = 1e-6;
 
     /** Room for entry j of a basis, like a given vector. */
     Vector &place(std::vector<Vector> &basis, const unsigned int j, const Vector &like)
@@ -42,6 +49,7 @@ namespace signorini
     const double square = dot(residual, first);
     double       norm   = std::sqrt(std::max(0., square));
     norm_at_start       = norm;
+    lost                = 0.;
     const double goal   = goal_of(norm);
     Assert(!(goal < 0.), dealii::ExcMessage("The accepted norm of a residual is not negative."));
     if (square < -goal * goal) // the preconditioner is not positive definite, and this is no norm
@@ -110,10 +118,10 @@ namespace signorini
         H.col(j).applyOnTheLeft(j, j + 1, rotations.back().adjoint());
         g.applyOnTheLeft(j, j + 1, rotations.back().adjoint());
         norm = std::abs(g[j + 1]);
-        if (original(j + 1, j) <= 1e-14 * original.col(j).norm()) // the space is exhausted
+        if (original(j + 1, j) <= nothing_new * original.col(j).norm()) // the space is exhausted
           {
             original(j + 1, j) =
-              1.; // what is left acts on held entries only, and is not normalised
+              1.; // what is left is round-off, or acts on held entries, and is not normalised
             ++j;
             break;
           }
@@ -125,6 +133,8 @@ namespace signorini
 
     const Eigen::VectorXd y = H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
     const Eigen::VectorXd change = original.topLeftCorner(j + 1, j) * y; // J x in the basis
+    const Eigen::MatrixXd passed = original.topLeftCorner(j + 1, j).cwiseAbs() * y.cwiseAbs();
+    lost = std::max(lost, std::numeric_limits<double>::epsilon() * passed.norm());
     for (unsigned int i = 0; i < j; ++i)
       correction.add(y[i], preconditioned[i]);
     for (unsigned int i = 0; i <= j; ++i)

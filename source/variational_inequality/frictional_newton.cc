@@ -19,28 +19,36 @@ namespace signorini
     class IterateSizes
     {
     public:
-      explicit IterateSizes(const Vector &first)
-        : at_start(first.l2_norm())
+      IterateSizes(const Vector &first, const double tolerance)
+        : tolerance(tolerance)
+        , at_start(first.l2_norm())
         , now(at_start)
         , largest(at_start)
       {
       }
 
-      void add(const Vector &iterate, const bool is_first)
+      /** @param lost of the residual, on the way there */
+      void add(const Vector &iterate, const double lost, const bool is_first)
       {
         now      = iterate.l2_norm();
         largest  = std::max(largest, now);
         at_start = is_first ? largest : at_start;
+        all_lost += lost;
       }
 
       /** Newton's method is lost. */
       bool went_astray() const { return !(now <= 1e4 * at_start); }
-      /** The round-off of larger iterates is in the residual that they leave. */
-      bool left_round_off() const { return largest > 10. * now; }
-      void forget() { largest = now; }
+      /** The round-off of larger iterates, or of a solver, is in the residual that they leave. */
+      bool left_round_off() const { return largest > 10. * now || all_lost > 0.1 * tolerance; }
+      void forget()
+      {
+        largest  = now;
+        all_lost = 0.;
+      }
 
     private:
-      double at_start, now, largest;
+      const double tolerance;
+      double       at_start, now, largest, all_lost = 0.;
     };
 
 
@@ -91,7 +99,7 @@ namespace signorini
     const ActiveSet at_start = status;
     stiffness                = node_stiffness(problem);
     start(problem, status, solution, residual);
-    IterateSizes sizes(solution);
+    IterateSizes sizes(solution, tolerance);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
@@ -102,7 +110,7 @@ namespace signorini
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
-        sizes.add(solution, report.active_set_iterations == 1);
+        sizes.add(solution, slip.round_off(), report.active_set_iterations == 1);
         if (sizes.went_astray())
           {
             solution = 0.;

@@ -42,10 +42,16 @@ namespace signorini
     /** The norm of the residual at the start of the last solve. */
     double initial_norm() const { return norm_at_start; }
 
+    /**
+     * What round-off has left in the residual of the last solve, as a norm: large where the space
+     * was nearly exhausted, and directions cancel. One more product would show it.
+     */
+    double round_off() const { return lost; }
+
   private:
     static constexpr unsigned int n_basis = 50; ///< then a restart
 
-    double              norm_at_start = 0.;
+    double              norm_at_start = 0., lost = 0.;
     std::vector<Vector> basis, preconditioned; ///< v_j and P^-1 v_j, kept for the next solve
 
     /**

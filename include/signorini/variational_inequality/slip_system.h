@@ -75,6 +75,9 @@ namespace signorini
     /** Norm of what was unbalanced at the start of the last solve(). */
     double initial_norm() const { return gmres.initial_norm(); }
 
+    /** What round-off of the last solve has left in the residual, as a norm; 0: nothing slips. */
+    double round_off() const { return any_slip ? gmres.round_off() : 0.; }
+
   private:
     struct Node
     {
