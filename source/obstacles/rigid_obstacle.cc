@@ -20,8 +20,10 @@ namespace signorini
     Tensor<1, dim> normal = in_middle->normal;
     const double   length = motion.norm();
     const double   missed = before - after - normal * motion;
-    // The tilt that round-off in the gaps suggests for a small motion would be arbitrary.
-    const double round_off = 1e-14 * (start.norm() + std::abs(before) + std::abs(after));
+    // The tilt that round-off in the gaps suggests for a small motion would be arbitrary. What is
+    // left without it must be less than the round-off that contact accepts of a gap.
+    const double round_off = 4. * std::numeric_limits<double>::epsilon()
+                             * (start.norm() + std::abs(before) + std::abs(after));
     if (std::abs(missed) <= round_off)
       return {normal, before};
     if (std::abs(missed) > largest_tilt * length)
