@@ -125,6 +125,44 @@ TEST(Gmres, StopsAtItsGoal)
   EXPECT_GT(residual.l2_norm(), 1e-4 * initial);
 }
 
+// What the carried residual has lost against b - J x is no more than is said, also where the
+// preconditioner computes in single precision and the space is exhausted.
+TEST(Gmres, RoundOffOfTheResidualIsKnown)
+{
+  const Eigen::Index n = 9;
+  Eigen::MatrixXd    J = matrix(n);
+  for (Eigen::Index i = 0; i < n; ++i) // entries of many sizes
+    {
+      const double scale = std::pow(10., static_cast<double>(i % 4));
+      J.row(i) *= scale;
+      J.col(i) *= scale;
+    }
+  const Eigen::MatrixXf inverse =
+    (0.5 * (J + J.transpose()) + 0.3 * J.diagonal().asDiagonal().toDenseMatrix())
+      .inverse()
+      .cast<float>();
+  const auto apply        = [&](Vector &y, const Vector &x) { y = to_vector(J * eigen_of(x)); };
+  const auto precondition = [&](Vector &y, const Vector &x) {
+    y = to_vector((inverse * eigen_of(x).cast<float>()).cast<double>());
+  };
+  const auto norm = [&](const Eigen::VectorXd &r) {
+    return std::sqrt(std::abs(r.dot(inverse.cast<double>() * r)));
+  };
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, -1., 2.);
+  for (const double goal : {1e-6, 1e-9, 1e-12, 1e-15})
+    {
+      Gmres      gmres;
+      Vector     x(n), residual = to_vector(b);
+      const auto report = gmres.solve(
+        apply, precondition, x, residual, [&](const double start) { return goal * start; }, 200);
+      EXPECT_TRUE(report.converged) << goal;
+      EXPECT_LT(report.iterations, 60u) << goal;
+      const double lost = norm(eigen_of(residual) - (b - J * eigen_of(x)));
+      EXPECT_LE(lost, 10. * gmres.round_off()) << goal;
+      EXPECT_LT(gmres.round_off(), 1e-13 * norm(b)) << goal;
+    }
+}
+
 // The square of the "norm" of the residual is negative then, which is not the same as small.
 TEST(Gmres, ANegativePreconditionerIsNoConvergence)
 {

@@ -21,8 +21,9 @@ namespace signorini
 
   /**
    * End a step with the velocity that is closest in M and without relative motion at some nodes,
-   * see MassProjections::stop_relative_motion(). It can only take kinetic energy. In a trial
-   * nothing is done.
+   * see MassProjections::stop_relative_motion(). It can only take kinetic energy. Nodes that
+   * contact would have to pull for that are let go. In a trial nothing is done.
+   * @param held            the nodes
    * @param velocity        at the start of the step
    * @param velocity_change of the step, corrected
    * @param contact_force   gets the impulses over the step size
@@ -31,7 +32,7 @@ namespace signorini
    * @return the change of energy, <= 0
    */
   double stop_held_nodes(DynamicalSystem &system,
-                         const ActiveSet &held,
+                         ActiveSet        held,
                          double           step_size,
                          const Vector    &velocity,
                          Vector          &velocity_change,
