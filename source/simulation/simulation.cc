@@ -13,7 +13,6 @@
 #include <signorini/simulation/following_contact.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/make_time_stepping.h>
-#include <signorini/schemes/trapezoidal_rule.h>
 #include <signorini/simulation/simulation.h>
 
 #include <algorithm>
@@ -97,7 +96,8 @@ namespace signorini
     remove_earlier_results(scene.output_directory, mesh.communicator());
     checkpoints.remove();
     log.copy_scene(scene.original_text, scene.all_parameters);
-    log.record(provenance(scene.file_name, scene.overrides, scene.input_files, mesh.communicator()));
+    log.record(
+      provenance(scene.file_name, scene.overrides, scene.input_files, mesh.communicator()));
     log.message(description());
     for (const std::string &warning : warnings())
       log.warning(warning);

@@ -64,7 +64,7 @@ namespace signorini
     SolverParameters                        solver;
     OutputParameters                        output;
     CheckpointParameters                    checkpoint;
-    /** Meshes of bodies and obstacles, plug-ins: keys, and paths from the root of the file system. */
+    /** Meshes and plug-ins: keys, and paths from the root of the file system. */
     std::map<std::string, std::string>               input_files;
     std::vector<std::pair<std::string, std::string>> overrides; ///< as in CommandLine
     std::string original_text;  ///< the scene file and the command line, see repeatable_text()
