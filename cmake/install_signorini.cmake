@@ -15,6 +15,8 @@ install(TARGETS signorini_core EXPORT signoriniTargets COMPONENT library
 install(TARGETS signorini EXPORT signoriniTargets)
 install(DIRECTORY include/signorini DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY parameters examples DESTINATION ${data_folder})
+install(FILES tools/completion/signorini
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(EXPORT signoriniTargets NAMESPACE signorini:: DESTINATION ${package_folder})
 string(TOUPPER ${CMAKE_BUILD_TYPE} flavour) # of deal.II
 configure_package_config_file(cmake/signoriniConfig.cmake.in

@@ -4,6 +4,7 @@
 #include <signorini/base/build_information.h>
 #include <signorini/base/command_line.h>
 #include <signorini/base/user_error.h>
+#include <signorini/prm/new_scene.h>
 #include <signorini/prm/plugins.h>
 #include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
@@ -28,6 +29,8 @@ namespace
       std::cout << help();
     else if (options.version)
       std::cout << version_and_commit();
+    else if (options.new_scene)
+      std::cout << write_new_scene(*options.new_scene);
     else if (!options.explain.empty())
       explain_key(options.explain, std::cout);
     else if (options.print_parameters)

@@ -3,9 +3,10 @@
 # Copyright (C) 2026 by the signorini authors
 
 """The program works where `cmake --install` puts it, and find_package(signorini) is enough to add a
-scheme, a shape, an obstacle and a material: as a plug-in, and as a program of one's own, which give
-the same bits. What is added keeps the laws like all else. Libraries that are no plug-ins, belong to
-another version or add a name twice are refused with one message.
+scheme, an obstacle and a material: as a plug-in, and as a program of one's own, which give the same
+bits. What is added keeps the laws like all else. Libraries that are no plug-ins, belong to another
+version or add a name twice are refused with one message. What else a user finds on the command line
+works there, too: scenes to start from, and completion.
 """
 
 import pathlib
@@ -96,6 +97,35 @@ class Extension(check_history.SceneTest):
         )
         self.assertIn("Young's modulus", message)
         self.assertIn("isotropic", message)
+
+    def test_scenes_to_start_from(self):
+        """Each is written once, says its own name, and is in order."""
+        names = self.run_program(self.program, "--new", status=2).split("Valid: ")[1]
+        names = names.strip().rstrip(".").split(", ")
+        self.assertEqual(names[0], "ball")
+        self.assertGreater(len(names), 20)
+        for name in names[:: len(names) // 5]:
+            self.run_program(self.program, "--new", name)
+            text = (self.folder / f"{name}.prm").read_text(encoding="utf-8")
+            self.assertIn(f"output/{name}", text)
+            self.assertNotIn("parameters/", text.split("#\n# What", maxsplit=1)[0])
+            self.run_program(self.program, f"{name}.prm", "--validate")
+            self.run_program(self.program, "--new", name, status=2)
+
+    def test_completion(self):
+        """The names that bash completes a word to."""
+        script = """source installed/share/bash-completion/completions/signorini
+            compopt() { :; }
+            COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
+            _signorini "$1"; printf '%s\\n' "${COMPREPLY[@]}" """
+        for words, expected in (
+            (("--pr",), "--print-parameters"),
+            (("--new", "ba"), "ball"),
+            (("--explain", "Time/Sch"), "Time/Scheme"),
+            (("--set", "Bodies/ball/You"), r"Bodies/ball/Young's\ modulus"),
+        ):
+            found = self.run_program("bash", "-c", script, "bash", self.program, *words)
+            self.assertIn(expected, found.splitlines())
 
     def test_what_is_no_plugin_of_this_program(self):
         other = self.folder / "other.cc"
