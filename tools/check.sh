@@ -117,8 +117,8 @@ check_format() {
 kind=${1:-}
 [[ $# -eq 0 ]] || shift
 case $kind in
-  --debian | --package | --perturb | --no-native | --no-fma | --debug | --sanitize | --memory | --clang | \
-    --format)
+  --debian | --package | --perturb | --no-native | --no-fma | --debug | --sanitize | --memory | \
+    --clang | --format)
     function=check_${kind#--}
     "${function//-/_}" "$@"
     ;;

@@ -76,7 +76,8 @@ run() {
     mkdir -p "$2/partial"
     mount --bind "$4" "$1/srv/signorini/build/package"
     exec chroot "$1" env -i "${@:5}" bash -c "cd /srv/signorini && ./dev $3"
-  ' bash "$root" "$cache/packages$number" "$1" "$cache/products$number" "${environment[@]}" >"$log" 2>&1 || status=$?
+  ' bash "$root" "$cache/packages$number" "$1" "$cache/products$number" "${environment[@]}" \
+    >"$log" 2>&1 || status=$?
   tail -n 15 "$log"
   echo "check_debian.sh: ./dev $1 in Debian $number: exit status $status, $((SECONDS - start)) s"
   [[ $status -ne 0 ]] || rm -rf "$root" # what has failed stays to be looked at

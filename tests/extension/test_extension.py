@@ -30,7 +30,7 @@ class Extension(check_history.SceneTest):
         sources = installed / "share/signorini/examples/extension"
         for command in (
             ("cmake", "--install", BUILD, "--prefix", installed),
-            ("cmake", "-S", sources, "-B", build, "-G", "Ninja", f"-DCMAKE_PREFIX_PATH={installed}"),
+            ("cmake", "-S", sources, "-B", build, f"-DCMAKE_PREFIX_PATH={installed}"),
             ("cmake", "--build", build),
         ):
             subprocess.run(command, check=True, capture_output=True)
