@@ -22,10 +22,10 @@ function(signorini_first_quiet_flags result)
   set(${result} "" PARENT_SCOPE)
 endfunction()
 
-# The flags of the options below that this compiler knows. All targets get them, because Eigen
-# aligns its memory by the widest registers: who includes a header with a matrix has to agree.
+# The flags of the options below that this compiler knows.
 set(SIGNORINI_FLAGS "")
-set(candidates "")
+# Nobody replaces functions of the library, so that they may be inlined in it.
+set(candidates -fno-semantic-interposition)
 if(SIGNORINI_NATIVE)
   # Floating-point contraction changes round-off only; every result is defined by a tolerance. Small
   # blocks fill registers of four numbers, so AVX-512 has nothing to add. GCC 14 gives a warning

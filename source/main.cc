@@ -4,6 +4,8 @@
 #include <signorini/base/build_information.h>
 #include <signorini/base/command_line.h>
 #include <signorini/base/user_error.h>
+#include <signorini/prm/new_scene.h>
+#include <signorini/prm/plugins.h>
 #include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
@@ -20,10 +22,15 @@ namespace
 
   void print_information(const CommandLine &options)
   {
+    load_plugins(options.scene_file.empty()
+                   ? plugins_without_a_scene(options.overrides)
+                   : read_scene_text(options.scene_file, options.overrides));
     if (options.help)
       std::cout << help();
     else if (options.version)
       std::cout << version_and_commit();
+    else if (options.new_scene)
+      std::cout << write_new_scene(*options.new_scene);
     else if (!options.explain.empty())
       explain_key(options.explain, std::cout);
     else if (options.print_parameters)

@@ -16,6 +16,7 @@ usage: ./dev check <kind> [ARGS]
 
   --debian 12|13 [FOLDER]  demo and tests in fresh chroots of that Debian, kept in FOLDER
                            (default: build/debian); needs root and debootstrap
+  --package 12|13 [FOLDER] a package made in a fresh chroot of that Debian, and tried in another one
   --perturb [ARGS]         all tests with initial velocities that differ by 1e-12, up and down
   --no-native [ARGS]       all tests, compiled for any processor
   --no-fma [ARGS]          all tests, compiled without fused multiply-add
@@ -46,6 +47,10 @@ build_and_test() {
 
 check_debian() {
   tools/check_debian.sh "$@"
+}
+
+check_package() {
+  tools/check_debian.sh "$1" "${2:-build/debian}" package try-package
 }
 
 check_perturb() {
@@ -112,8 +117,8 @@ check_format() {
 kind=${1:-}
 [[ $# -eq 0 ]] || shift
 case $kind in
-  --debian | --perturb | --no-native | --no-fma | --debug | --sanitize | --memory | --clang | \
-    --format)
+  --debian | --package | --perturb | --no-native | --no-fma | --debug | --sanitize | --memory | \
+    --clang | --format)
     function=check_${kind#--}
     "${function//-/_}" "$@"
     ;;

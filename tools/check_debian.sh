@@ -7,7 +7,8 @@
 # check_debian.sh 12|13 [FOLDER] [COMMAND...]
 #   FOLDER   where the bare system, downloaded packages, the chroots and the logs are kept
 #            (default: build/debian)
-#   COMMAND  commands of ./dev, each in a chroot of its own (default: demo test)
+#   COMMAND  commands of ./dev, each in a chroot of its own (default: demo test); they share the
+#            folder build/package
 # The mirror is http://deb.debian.org/debian, or what MIRROR says.
 set -euo pipefail
 
@@ -66,15 +67,17 @@ run() {
   cp -a "$cache/base$number/root" "$root"
   connect "$root"
   copy_checkout "$root/srv/signorini"
-  mkdir -p "$cache/packages$number"
+  mkdir -p "$cache/packages$number" "$cache/products$number" "$root/srv/signorini/build/package"
   echo "check_debian.sh: ./dev $1 in a fresh Debian $number, log in $log"
   unshare --mount --pid --fork bash -euc '
     mount -t proc proc "$1/proc"
     mount --rbind /dev "$1/dev"
     mount --bind "$2" "$1/var/cache/apt/archives"
     mkdir -p "$2/partial"
-    exec chroot "$1" env -i "${@:4}" bash -c "cd /srv/signorini && ./dev $3"
-  ' bash "$root" "$cache/packages$number" "$1" "${environment[@]}" >"$log" 2>&1 || status=$?
+    mount --bind "$4" "$1/srv/signorini/build/package"
+    exec chroot "$1" env -i "${@:5}" bash -c "cd /srv/signorini && ./dev $3"
+  ' bash "$root" "$cache/packages$number" "$1" "$cache/products$number" "${environment[@]}" \
+    >"$log" 2>&1 || status=$?
   tail -n 15 "$log"
   echo "check_debian.sh: ./dev $1 in Debian $number: exit status $status, $((SECONDS - start)) s"
   [[ $status -ne 0 ]] || rm -rf "$root" # what has failed stays to be looked at

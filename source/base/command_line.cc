@@ -13,6 +13,7 @@ namespace signorini
                                               "--validate",
                                               "--resume",
                                               "--explain",
+                                              "--new",
                                               "--print-parameters",
                                               "--print-schemes",
                                               "--quiet",
@@ -84,6 +85,8 @@ namespace signorini
             if (result.explain.empty())
               throw UserError("--explain needs a key, not an empty one.");
           }
+        else if (argument == "--new")
+          result.new_scene = ++i == arguments.size() ? "" : trim(arguments[i]);
         else if (!argument.empty() && argument[0] == '-')
           parse_option(argument, result);
         else if (!result.scene_file.empty())
@@ -106,8 +109,8 @@ namespace signorini
   std::string short_help()
   {
     return "signorini: elastic bodies that hit rigid obstacles or each other.\n\n"
-           "  signorini scene.prm               run a scene; start with "
-           "parameters/quick_start.prm\n"
+           "  signorini --new ball              write a scene to start from, ball.prm\n"
+           "  signorini scene.prm               run a scene\n"
            "  mpirun -np 4 signorini scene.prm  the same on four processes\n"
            "  signorini --help                  all options\n";
   }
@@ -123,13 +126,16 @@ namespace signorini
            "  --explain \"Section/Key\"    say what a key means, its default and its values; or "
            "list "
            "a section\n"
+           "  --new ball                 write a scene with comments to start from, ball.prm; "
+           "--new alone\n"
+           "                             says which there are\n"
            "  --print-parameters         print all keys of a scene with descriptions and defaults\n"
            "  --print-schemes[=json]     print what is known about each time scheme, as a table or "
            "for programs\n"
            "  --quiet                    no progress line\n"
            "  --version                  print version and commit\n"
            "  --help                     print this text\n\n"
-           "A first scene is parameters/quick_start.prm.\n"
+           "A first scene: signorini --new ball.\n"
            "Exit status: 0 done, 1 the run failed, 2 the command line or the scene has a mistake, "
            "130 or 143\nended by Ctrl-C or SIGTERM after a step, with its state written.\n";
   }

@@ -43,7 +43,7 @@ namespace signorini
 
   std::string provenance(const std::string                                      &scene_file,
                          const std::vector<std::pair<std::string, std::string>> &overrides,
-                         const std::map<std::string, std::string>               &mesh_files,
+                         const std::map<std::string, std::string>               &input_files,
                          const MPI_Comm                                          communicator)
   {
     std::ostringstream text;
@@ -53,8 +53,8 @@ namespace signorini
       text << "\n  command line      --set \"" << key << "=" << value << "\"";
     succeed_together(communicator, [&] {
       if (dealii::Utilities::MPI::this_mpi_process(communicator) == 0)
-        for (const auto &[key, file] : mesh_files)
-          text << "\n  mesh              " << file << "\n  its SHA-256       "
+        for (const auto &[key, file] : input_files)
+          text << "\n  file              " << file << "\n  its SHA-256       "
                << sha256_of_file(file);
     });
     text << "\n  libraries         " << libraries() << "\n  compiler          " << compiler();

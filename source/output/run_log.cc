@@ -220,7 +220,9 @@ namespace signorini
       contact_force,
       100. * relative_energy_change,
       n_active);
-    const std::string text = line + time_left(fraction);
+    if (before == no_step)
+      before = step - 1;
+    const std::string text = line + pace(step - before) + time_left(fraction);
     tenths                 = tenths_now;
     if (milestone)
       log << text << '\n' << std::flush;
@@ -235,6 +237,21 @@ namespace signorini
       }
     else if (milestone && to_screen)
       std::cout << text << '\n' << std::flush;
+  }
+
+
+  std::string RunLog::pace(const unsigned int n_steps) const
+  {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
+    if (n_steps == 0 || !(elapsed > 0.))
+      return "";
+    const double rate     = n_steps / elapsed;
+    char         text[32] = "";
+    std::snprintf(text,
+                  sizeof(text),
+                  rate >= 1. ? "%.3g steps/s, " : "%.3g s per step, ",
+                  rate >= 1. ? rate : 1. / rate);
+    return text;
   }
 
 

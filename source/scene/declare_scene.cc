@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/prm/plugins.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -51,6 +52,12 @@ namespace signorini
         "output",
         Anything(),
         "Folder for all results, relative to the current one. It is made if it does not exist.");
+      prm.declare_entry(
+        key_of_plugins,
+        "",
+        Anything(),
+        "Plug-ins that add schemes, obstacles, shapes or materials: shared libraries, separated by "
+        "commas, absolute or relative to the folder of the scene.");
       prm.declare_entry("Mapping",
                         name_of(MappingChoice::automatic),
                         choices_of<MappingChoice>(),

@@ -6,7 +6,7 @@
 #include <signorini/obstacles/obstacle_motion.h>
 #include <signorini/obstacles/obstacle_table.h>
 #include <signorini/prm/check_expressions.h>
-#include <signorini/prm/unused_keys.h>
+#include <signorini/prm/kinds_of_section.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -112,16 +112,7 @@ namespace signorini
   void declare_obstacle(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
-    std::vector<std::string> names, summaries;
-    for (const ObstacleShape<dim> &shape : obstacle_shapes<dim>())
-      {
-        names.emplace_back(shape.name);
-        summaries.emplace_back(shape.summary);
-      }
-    prm.declare_entry("Shape",
-                      names.front(),
-                      Selection(join(names, "|")),
-                      "One of: " + join(summaries, ", ") + ".");
+    declare_kinds(prm, "Shape", obstacle_shapes<dim>());
     prm.declare_entry(
       "Point",
       (dim == 2 ? "0, 0" : "0, 0, 0"),
@@ -134,24 +125,6 @@ namespace signorini
   }
 
 
-  namespace
-  {
-    template <int dim>
-    void refuse_keys_of_others(const SectionReader &in, const ObstacleShape<dim> &own)
-    {
-      dealii::ParameterHandler declared;
-      declare_obstacle<dim>(declared);
-      std::map<std::string, std::vector<std::string>> owners;
-      for (const ObstacleShape<dim> &shape : obstacle_shapes<dim>())
-        for (const std::string &key : shape.keys)
-          owners[key].emplace_back(shape.name);
-      for (const auto &[key, shapes] : owners)
-        if (std::find(own.keys.begin(), own.keys.end(), key) == own.keys.end())
-          refuse_without_effect(in, key, declared, "the shape " + join(shapes, " or "), "Shape");
-    }
-  } // namespace
-
-
   template <int dim>
   NamedObstacle<dim> parse_obstacle(const SectionReader &in, const std::string &name)
   {
@@ -159,13 +132,10 @@ namespace signorini
       in.fail("",
               "`Obstacles/Names` lists this obstacle, but it has no subsection. Add `subsection "
                 + name + " ... end` in section Obstacles, or remove the name from the list.");
-    const auto &shapes = obstacle_shapes<dim>();
-    const auto  shape =
-      std::find_if(shapes.begin(), shapes.end(), [&](const ObstacleShape<dim> &candidate) {
-        return candidate.name == in.text("Shape");
-      });
-    refuse_keys_of_others(in, *shape);
-    return {name, shape->parse(in, name), parse_obstacle_motion<dim>(in, name)};
+    dealii::ParameterHandler declared;
+    declare_obstacle<dim>(declared);
+    const auto &shape = kind_of(in, "Shape", obstacle_shapes<dim>(), declared, "the shape");
+    return {name, shape.parse(in, name), parse_obstacle_motion<dim>(in, name)};
   }
 
 

@@ -5,6 +5,7 @@
 #include <signorini/base/spelling.h>
 #include <signorini/prm/apply_statements.h>
 #include <signorini/prm/check_expressions.h>
+#include <signorini/prm/plugins.h>
 #include <signorini/prm/repeatable_text.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/scene/sections.h>
@@ -160,6 +161,7 @@ namespace signorini
                           dealii::ParameterHandler     &prm,
                           const std::vector<NamedMesh> &meshes)
     {
+      prm.set(key_of_plugins, join(plugins_of(text), ", "));
       for (const NamedMesh &mesh : meshes)
         {
           prm.enter_subsection(mesh.section[0]);
@@ -187,6 +189,9 @@ namespace signorini
       for (const NamedMesh &mesh : meshes)
         if (text.find(mesh.section, "File")->value != mesh.path)
           later.push_back({mesh.section, "File", mesh.path, ""});
+      if (const std::string plugins = join(plugins_of(text), ", ");
+          !plugins.empty() && text.find({}, key_of_plugins)->value != plugins)
+        later.push_back({{}, key_of_plugins, plugins, ""});
       return later;
     }
   } // namespace
@@ -206,7 +211,8 @@ namespace signorini
   template <int dim>
   Scene<dim> read_scene(const std::string &file_name, const std::vector<Override> &overrides)
   {
-    SceneText                text  = read_scene_text(file_name, overrides);
+    SceneText text = read_scene_text(file_name, overrides);
+    load_plugins(text);
     const SceneNames         names = read_scene_names(text);
     dealii::ParameterHandler prm;
     declare_scene<dim>(prm, names);
@@ -239,7 +245,9 @@ namespace signorini
 
     const auto meshes = meshes_of(scene);
     for (const NamedMesh &mesh : meshes)
-      scene.mesh_files[join(mesh.section, "/") + "/File"] = mesh.path;
+      scene.input_files[join(mesh.section, "/") + "/File"] = mesh.path;
+    for (const std::string &plugin : plugins_of(text))
+      scene.input_files[key_of_plugins + (" " + plugin)] = plugin;
     scene.overrides      = overrides;
     scene.original_text  = repeatable_text(text, statements_beyond_the_file(text, meshes));
     scene.all_parameters = print_all(text, prm, meshes);

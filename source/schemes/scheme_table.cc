@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
+#include <signorini/base/table_of_kinds.h>
 #include <signorini/base/user_error.h>
 #include <signorini/schemes/backward_euler.h>
 #include <signorini/schemes/contact_implicit_newmark.h>
@@ -339,31 +340,39 @@ namespace signorini
   } // namespace
 
 
-  double automatic_spectral_radius(const double courant_number)
+  namespace
   {
-    const double into_damping = std::log2(std::max(courant_number, 1.) / 40.);
-    return 1. - 0.4 * std::clamp(into_damping, 0., 1.);
-  }
+    std::vector<SchemeInfo> &table()
+    {
+      static std::vector<SchemeInfo> schemes = {contact_stabilized_projected(),
+                                                contact_stabilized(),
+                                                contact_implicit(),
+                                                laursen_chawla(),
+                                                laursen_love(),
+                                                khenous_laborde_renard(),
+                                                hager_hueeber_wohlmuth(),
+                                                newmark(),
+                                                hht_alpha(),
+                                                generalized_alpha(),
+                                                nonsmooth_generalized_alpha(),
+                                                backward_euler(),
+                                                moreau_jean(),
+                                                reference(),
+                                                load_steps()};
+      return schemes;
+    }
+  } // namespace
 
 
   const std::vector<SchemeInfo> &scheme_table()
   {
-    static const std::vector<SchemeInfo> table = {contact_stabilized_projected(),
-                                                  contact_stabilized(),
-                                                  contact_implicit(),
-                                                  laursen_chawla(),
-                                                  laursen_love(),
-                                                  khenous_laborde_renard(),
-                                                  hager_hueeber_wohlmuth(),
-                                                  newmark(),
-                                                  hht_alpha(),
-                                                  generalized_alpha(),
-                                                  nonsmooth_generalized_alpha(),
-                                                  backward_euler(),
-                                                  moreau_jean(),
-                                                  reference(),
-                                                  load_steps()};
-    return table;
+    return table();
+  }
+
+
+  void add_scheme(const SchemeInfo &info)
+  {
+    add_kind(table(), info, "scheme");
   }
 
 

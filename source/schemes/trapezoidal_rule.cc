@@ -6,8 +6,18 @@
 #include <signorini/schemes/support_forces.h>
 #include <signorini/schemes/trapezoidal_rule.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace signorini
 {
+  double automatic_spectral_radius(const double courant_number)
+  {
+    const double into_damping = std::log2(std::max(courant_number, 1.) / 40.);
+    return 1. - 0.4 * std::clamp(into_damping, 0., 1.);
+  }
+
+
   Vector TrapezoidalRule::right_hand_side(DynamicalSystem &system,
                                           const State     &state,
                                           const double     tau) const

@@ -45,7 +45,7 @@ namespace signorini
     std::map<std::string, std::uint32_t> checksums(const Scene<dim> &scene)
     {
       std::map<std::string, std::uint32_t> sums;
-      for (const auto &[key, path] : scene.mesh_files)
+      for (const auto &[key, path] : scene.input_files)
         sums[key] = checksum(path);
       return sums;
     }
@@ -233,7 +233,8 @@ namespace signorini
     const auto       stepping = make_stepping();
     this->archive(archive, *stepping, observation);
     go_on_with(packed, observation);
-    log.record(provenance(scene.file_name, scene.overrides, scene.mesh_files, mesh.communicator()));
+    log.record(
+      provenance(scene.file_name, scene.overrides, scene.input_files, mesh.communicator()));
     log.message("The run goes on from `" + found.folder + "`: step " + std::to_string(state.step)
                 + ", time " + Patterns::Tools::to_string(state.time) + ".");
     if (!stepping->finished(state))

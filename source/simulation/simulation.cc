@@ -96,7 +96,8 @@ namespace signorini
     remove_earlier_results(scene.output_directory, mesh.communicator());
     checkpoints.remove();
     log.copy_scene(scene.original_text, scene.all_parameters);
-    log.record(provenance(scene.file_name, scene.overrides, scene.mesh_files, mesh.communicator()));
+    log.record(
+      provenance(scene.file_name, scene.overrides, scene.input_files, mesh.communicator()));
     log.message(description());
     for (const std::string &warning : warnings())
       log.warning(warning);

@@ -4,6 +4,7 @@
 #ifndef signorini_base_command_line_h
 #define signorini_base_command_line_h
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,17 +19,18 @@ namespace signorini
     bool                                             validate = false;
     bool                                             resume   = false;
     std::string                                      explain; ///< key or section; empty: none
-    bool                                             print_parameters = false;
-    bool                                             print_schemes    = false;
-    bool                                             as_json = false; ///< print for programs
-    bool                                             quiet   = false;
-    bool                                             version = false;
-    bool                                             help    = false;
+    std::optional<std::string> new_scene; ///< to be written; an empty name asks for all
+    bool                       print_parameters = false;
+    bool                       print_schemes    = false;
+    bool                       as_json          = false; ///< print for programs
+    bool                       quiet            = false;
+    bool                       version          = false;
+    bool                       help             = false;
 
     /** Whether there is nothing to run. */
     bool asks_for_information_only() const
     {
-      return help || version || print_parameters || print_schemes || !explain.empty();
+      return help || version || print_parameters || print_schemes || !explain.empty() || new_scene;
     }
   };
 

@@ -31,6 +31,10 @@ namespace signorini
   /** All shapes; the first one is the default. */
   template <int dim>
   const std::vector<ObstacleShape<dim>> &obstacle_shapes();
+
+  /** One more, from a plug-in. @throws UserError if its name is taken */
+  template <int dim>
+  void add_obstacle_shape(const ObstacleShape<dim> &shape);
 } // namespace signorini
 
 #endif

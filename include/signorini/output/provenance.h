@@ -21,7 +21,7 @@ namespace signorini
    */
   std::string provenance(const std::string                                      &scene_file,
                          const std::vector<std::pair<std::string, std::string>> &overrides,
-                         const std::map<std::string, std::string>               &mesh_files,
+                         const std::map<std::string, std::string>               &input_files,
                          MPI_Comm                                                communicator);
 } // namespace signorini
 

@@ -91,7 +91,12 @@ namespace signorini
     Clock::time_point start, last_update;
     int               tenths = -1; ///< of the run, at the last line of the log
 
-    void        close_line();
+    static constexpr unsigned int no_step = -1;
+    unsigned int                  before  = no_step; ///< the step before the first one told
+
+    void close_line();
+    /** Steps per second, or seconds per step. */
+    std::string pace(unsigned int n_steps) const;
     std::string time_left(double fraction) const;
   };
 } // namespace signorini

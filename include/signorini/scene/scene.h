@@ -64,8 +64,8 @@ namespace signorini
     SolverParameters                        solver;
     OutputParameters                        output;
     CheckpointParameters                    checkpoint;
-    /** Of bodies and obstacles: keys, and paths from the root of the file system. */
-    std::map<std::string, std::string>               mesh_files;
+    /** Meshes and plug-ins: keys, and paths from the root of the file system. */
+    std::map<std::string, std::string>               input_files;
     std::vector<std::pair<std::string, std::string>> overrides; ///< as in CommandLine
     std::string original_text;  ///< the scene file and the command line, see repeatable_text()
     std::string all_parameters; ///< every key with the value used, as a .prm

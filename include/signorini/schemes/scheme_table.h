@@ -110,14 +110,6 @@ namespace signorini
   };
 
   /**
-   * The spectral radius of schemes that damp what the step cannot resolve, where the scene does not
-   * say it: 1 up to Courant number 40, 0.6 from 80 on, between them by the logarithm. The reasons
-   * and measurements are in doc/schemes.md.
-   * @param courant_number of the smallest cells
-   */
-  double automatic_spectral_radius(double courant_number);
-
-  /**
    * Whether one contact force, that of the step, changes the momentum of a step (for
    * StepBalance::both_ends, the mean with that of the step before); other schemes mix forces,
    * accelerations or impulses of several instants.
@@ -128,10 +120,13 @@ namespace signorini
   double force_before_end(const SchemeInfo &info, const SchemeParameters &parameters);
 
   /**
-   * Every scheme there is, in the order of documents; the first one is the default. The one place
-   * where names of schemes are written.
+   * Every scheme there is, in the order of documents, then those of plug-ins; the first one is the
+   * default. The one place where names of schemes are written.
    */
   const std::vector<SchemeInfo> &scheme_table();
+
+  /** One more, from a plug-in. @throws UserError if its name is taken */
+  void add_scheme(const SchemeInfo &info);
 
   /** The entry of a name. @throws UserError if there is none */
   const SchemeInfo &scheme_info(const std::string &name);

@@ -79,6 +79,14 @@ namespace signorini
                                double                   step_size,
                                const IncrementSolution &solution) const;
   };
+
+  /**
+   * The spectral radius of schemes that damp what the step cannot resolve, where the scene does not
+   * say it: 1 up to Courant number 40, 0.6 from 80 on, between them by the logarithm. The reasons
+   * and measurements are in doc/schemes.md.
+   * @param courant_number of the smallest cells
+   */
+  double automatic_spectral_radius(double courant_number);
 } // namespace signorini
 
 #endif

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/spelling.h>
-#include <signorini/scene/sections.h>
+#include <signorini/materials/material_table.h>
 
 #include <deal.II/base/parameter_handler.h>
-#include <deal.II/base/utilities.h>
-
-#include <cmath>
 
 namespace signorini
 {
-  void declare_material(dealii::ParameterHandler &prm)
+  void declare_isotropic(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.declare_entry("Young's modulus", "1", Double(), "E > 0 (force per area).");
@@ -20,14 +16,6 @@ namespace signorini
                       Double(),
                       "nu, larger than -1 and smaller than 0.5 (no unit). In 2d: plane strain.");
     prm.declare_entry("Density", "1", Double(), "Mass per volume, > 0.");
-    prm.declare_entry(
-      "Damping",
-      "0, 0",
-      List(Double(), 2, 2),
-      "a, b of the viscous damping a M + b A (a per time, b a time; both >= 0). A "
-      "vibration of angular frequency omega loses per cycle pi (a/omega + b omega) "
-      "of its amplitude. Known to the schemes "
-        + join(schemes_where([](const SchemeInfo &info) { return info.damping; }), ", ") + ".");
   }
 
   namespace
@@ -47,19 +35,13 @@ namespace signorini
   } // namespace
 
 
-  Material parse_material(const SectionReader &in)
+  Material parse_isotropic(const SectionReader &in)
   {
     Material material;
     material.youngs_modulus =
       number_of_material(in, "Young's modulus", "an elastic body resists deformation");
     material.poissons_ratio = in.number("Poisson's ratio");
     material.density        = number_of_material(in, "Density", "every body has mass");
-
-    const std::vector<double> damping =
-      dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(in.text("Damping")));
-    material.damping = {damping[0], damping[1]};
-    if (!(damping[0] >= 0. && damping[1] >= 0. && std::isfinite(damping[0] + damping[1])))
-      in.fail("Damping", "needs two finite numbers that are not negative: damping takes energy.");
 
     const double nu = material.poissons_ratio;
     if (nu == .5)
