@@ -6,6 +6,7 @@
 network."""
 
 import argparse
+import json
 import pathlib
 import sys
 
@@ -26,6 +27,8 @@ from reporting.view import View
 #: A page of this size opens in a second or two; curves and pictures take less than one of it.
 MOST_MEGABYTES = 30.0
 MEGABYTE = 1e6
+#: To meet the size.
+ATTEMPTS = 4
 
 
 def read_arguments():
@@ -44,9 +47,17 @@ def read_arguments():
 
 
 def make_view(run, most_bytes):
-    """(view, "") or (None, the reason)."""
+    """(view, "") or (None, the reason). The size of changing meshes is known when they are there:
+    then the view is made again, with less."""
+    aim = most_bytes
     try:
-        return View(run, most_bytes), ""
+        for _ in range(ATTEMPTS):
+            view = View(run, aim)
+            size = len(json.dumps(view.data()))
+            if size <= most_bytes:
+                break
+            aim *= 0.9 * most_bytes / size
+        return view, ""
     except Problem as problem:
         return None, str(problem)
 

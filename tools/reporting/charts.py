@@ -53,13 +53,14 @@ RULES = {
         ("Velocity", r"body_(.+?)_(velocity_[xyz])"),
     ),
     "forces": (
-        *(
-            (f"Contact force {axis} by three routes", rf"force_(.+)_(\w+_{axis})")
-            for axis in "xyz"
-        ),
+        *((f"Contact force {axis} by three routes", rf"force_(.+)_(\w+_{axis})") for axis in "xyz"),
         ("Distance of the routes", r"force_(.+)_(spread)"),
     ),
 }
+#: Curves below this part of the largest one beside them are zero.
+ROUND_OFF = 1e-12
+#: Charts of what belongs to steps as a whole.
+STEPPED = {"Cells", "Size of the steps"}
 NO_CURVES = {"time", "step", "dofs", "wall_time"}
 
 
@@ -81,10 +82,26 @@ class Chart:
 
     def data(self):
         """For curves.js: rows of numbers, null for what is none."""
-        rows = numpy.column_stack([self.time, *self.curves.values()])
-        rows = [[float(f"{v:.8g}") if numpy.isfinite(v) else None for v in row] for row in thin(rows)]
-        note = f"zero: {', '.join(self.zero)}" if self.zero else ""
-        return {"title": self.title, "labels": ["time", *self.curves], "rows": rows, "note": note}
+        largest = max(numpy.nanmax(abs(values)) for values in self.curves.values())
+        shown = {
+            label: values
+            for label, values in self.curves.items()
+            if not numpy.nanmax(abs(values)) <= ROUND_OFF * largest
+        }
+        zero = [*self.zero, *(label for label in self.curves if label not in shown)]
+        rows = thin(numpy.column_stack([self.time, *shown.values()]))
+        return {
+            "title": self.title,
+            "labels": ["time", *shown],
+            "rows": [[number(value) for value in row] for row in rows],
+            "note": f"zero: {', '.join(zero)}" if zero else "",
+            "stepped": "Nodes" in self.title or self.title in STEPPED,
+        }
+
+
+def number(value):
+    """With the digits that can be seen, None for what is no number."""
+    return float(f"{value:.8g}") if numpy.isfinite(value) else None
 
 
 def thin(rows):
@@ -163,8 +180,12 @@ def energy_changes(history):
         )
     except KeyError:
         return []
-    scale, name = curves.energy_scale(total, kinetic, elastic, history.get("external_energy", total))
-    chart = Chart(f"Change of the total energy and its causes, % of the {name}", history["time"], {})
+    scale, name = curves.energy_scale(
+        total, kinetic, elastic, history.get("external_energy", total)
+    )
+    chart = Chart(
+        f"Change of the total energy and its causes, % of the {name}", history["time"], {}
+    )
     chart.add("total", 100.0 * (total - total[0]) / scale)
     for column in [*filter(lambda name: name.startswith("work_"), history), "energy_transfer"]:
         if column in history and column != "work_geometry":

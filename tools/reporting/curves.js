@@ -6,7 +6,9 @@
 (function () {
   "use strict";
   const sections = JSON.parse(document.getElementById("curve-data").textContent);
-  const colours = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#222222", "#8A8A8A"];
+  // Okabe and Ito's palette: distinguishable with any kind of colour vision.
+  const colours = ["#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#222222",
+                   "#8A8A8A"];
   const graphs = [];
   const number = value => (value === 0 ? "0" : String(+value.toPrecision(5)));
   let busy = false, shown = null;
@@ -44,8 +46,8 @@
       xlabel: "time",
       strokeWidth: 1.6,
       drawPoints: chart.rows.length < 12,
-      includeZero: false,
-      digitsAfterDecimal: 6,
+      stepPlot: chart.stepped,
+      yRangePad: 8,
       dateWindow: shown,
       axes: {
         x: { drawGrid: true, valueFormatter: number, axisLabelFormatter: number },

@@ -53,7 +53,7 @@ def parse_log(text):
             read_timer(content, log)
         elif steps and line.startswith("  "):
             log.summary.append(line[2:])
-        elif (match := re.match(r"  (\S[\w ]*?) {2,}(\S.*)", line)):
+        elif match := re.match(r"  (\S[\w ]*?) {2,}(\S.*)", line):
             log.facts.append((match[1], match[2]))
     log.broken_laws = [text for text in log.warnings if BROKEN_LAW in text]
     if BROKEN_LAW in log.early_end:

@@ -15,9 +15,7 @@ from .verdict import BROKEN, LOOK
 
 HERE = pathlib.Path(__file__).resolve().parent
 #: No address is opened, whatever a page contains.
-POLICY = (
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
-)
+POLICY = "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src data:"
 
 
 def escape(text):
@@ -39,7 +37,9 @@ def table(rows, head=()):
     """Cells are HTML already; numbers are set to the right."""
     lines = ["".join(f"<th>{escape(cell)}</th>" for cell in head)] if head else []
     for row in rows:
-        lines.append("".join(cell if cell.startswith("<td") else f"<td>{cell}</td>" for cell in row))
+        lines.append(
+            "".join(cell if cell.startswith("<td") else f"<td>{cell}</td>" for cell in row)
+        )
     return "<table>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
 
 
@@ -65,10 +65,18 @@ def headline(verdicts):
     return "All laws that the tables can judge are kept, and mesh and steps carry the contact."
 
 
+def and_advice(warnings):
+    """What the headline adds."""
+    if not warnings:
+        return ""
+    return f" The run has {len(warnings)} warning{'s' if len(warnings) > 1 else ''}: see Advice."
+
+
 def summary_part(run):
     """Verdicts, advice, and the program's own summary."""
     laws, resolution = judge_laws(run), judge_resolution(run)
-    text = f'<p id="headline"><strong>{escape(headline(laws + resolution))}</strong></p>'
+    first = headline(laws + resolution) + and_advice(run.log.warnings)
+    text = f'<p id="headline"><strong>{escape(first)}</strong></p>'
     text += f'<h3>Laws</h3><div id="laws">{verdict_rows(laws)}</div>'
     text += f'<h3>Resolution</h3><div id="resolution">{verdict_rows(resolution)}</div>'
     text += '<p class="faint">Laws are judged by the tables where the scheme proves them. What '
@@ -84,12 +92,12 @@ def summary_part(run):
 def view_part(view, problem):
     """The bodies, or why there are none."""
     if view is None:
-        return (
-            f"<p>{escape(problem)}. Fields are written with <code>Output/VTU = true</code>.</p>"
-        )
+        return f"<p>{escape(problem)}. Fields are written with <code>Output/VTU = true</code>.</p>"
     notes = [*view.notes, *view.problems]
-    return file("view.html") + (bullets(notes) if notes else "") + json_script(
-        "view-data", view.data()
+    return (
+        file("view.html")
+        + (bullets(notes) if notes else "")
+        + json_script("view-data", view.data())
     )
 
 

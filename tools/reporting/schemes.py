@@ -36,7 +36,9 @@ SCHEMES = {
         "conserves", penetrates=True, one_force=True, sources=("laursen_chawla_1997",)
     ),
     "laursen-love": Scheme("conserves", one_force=True, sources=("laursen_love_2002",)),
-    "khenous-laborde-renard": Scheme(moving_contact=False, sources=("khenous_laborde_renard_2008",)),
+    "khenous-laborde-renard": Scheme(
+        moving_contact=False, sources=("khenous_laborde_renard_2008",)
+    ),
     "hager-hueeber-wohlmuth": Scheme(
         "conserves", penetrates=True, one_force=True, sources=("hager_hueeber_wohlmuth_2008",)
     ),
@@ -47,7 +49,9 @@ SCHEMES = {
         moving_contact=False, penetrates=True, sources=("chen_acary_virlez_bruels_2013",)
     ),
     "backward-euler": Scheme("dissipates", one_force=True),
-    "moreau-jean": Scheme(moving_contact=False, penetrates=True, one_force=True, sources=("jean_1999",)),
+    "moreau-jean": Scheme(
+        moving_contact=False, penetrates=True, one_force=True, sources=("jean_1999",)
+    ),
     "reference": Scheme(moving_contact=False, sources=("khenous_laborde_renard_2008",)),
     "static": Scheme(inertia=False),
 }

@@ -10,7 +10,7 @@
   const data = JSON.parse(source.textContent);
   const element = id => document.getElementById("view-" + id);
   const canvas = element("canvas");
-  const gl = canvas.getContext("webgl2", { preserveDrawingBuffer: true });
+  const gl = canvas.getContext("webgl2", { alpha: false, preserveDrawingBuffer: true });
   if (!gl) {
     element("message").textContent =
       "This browser offers no WebGL 2, which the view needs. The pictures below do without.";
@@ -31,12 +31,13 @@
     obstacle.cells = decode(obstacle.cells, Uint32Array);
   }
 
-  const displacement = (moment, node) => Math.hypot(...moment.displacement.subarray(3 * node, 3 * node + 3));
+  const length = (array, i) => Math.hypot(array[3 * i], array[3 * i + 1], array[3 * i + 2]);
   const fields = {
-    stress: { title: "von Mises stress", colours: "cold", at: (moment, face) => moment.stress[face] },
-    pressure: { title: "contact pressure", colours: "warm", at: (m, face, node) => m.pressure[node] },
-    displacement: { title: "displacement", colours: "cold", at: (m, face, node) => displacement(m, node) },
-    velocity: { title: "velocity", colours: "cold", at: (m, face, node) => m.velocity[node] },
+    stress: { title: "von Mises stress", colours: "cold", at: (m, face) => m.stress[face] },
+    pressure: { title: "contact pressure", colours: "warm", at: (m, face, n) => m.pressure[n] },
+    displacement: {
+      title: "displacement", colours: "cold", at: (m, face, n) => length(m.displacement, n) },
+    velocity: { title: "velocity", colours: "cold", at: (m, face, n) => m.velocity[n] },
   };
   for (const field of Object.values(fields)) {
     field.top = 0;
@@ -86,13 +87,13 @@
       vec2 width = fwidth(across) + 1e-6;
       vec2 edge = min(across, 1.0 - across) / width;
       float faint = clamp(1.0 - 5.0 * max(width.x, width.y), 0.0, 1.0);
-      colour.rgb *= 1.0 - 0.45 * lines * faint * (1.0 - smoothstep(0.3, 1.3, min(edge.x, edge.y)));
+      colour.rgb *= 1.0 - 0.35 * lines * faint * (1.0 - smoothstep(0.3, 1.3, min(edge.x, edge.y)));
     }`));
   gl.linkProgram(program);
   gl.useProgram(program);
-  const uniform = name => gl.getUniformLocation(program, name);
-  const place = Object.fromEntries(["turn", "middle", "shift", "scale", "plain", "top", "light", "lines"]
-    .map(name => [name, uniform(name)]));
+  const place = {};
+  for (const name of ["turn", "middle", "shift", "scale", "plain", "top", "light", "lines"])
+    place[name] = gl.getUniformLocation(program, name);
   gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
   [["point", 3, 0], ["value", 1, 12], ["corner", 2, 16]].forEach(([name, size, offset]) => {
     const index = gl.getAttribLocation(program, name);
