@@ -41,6 +41,8 @@ def main():
     if not directory.is_dir():
         sys.exit(f"plot.py: {directory} is not a directory. Give the 'Output directory' of a run.")
     try:
+        if arguments.animation:
+            animation.require(arguments.animation)
         written, problems, history = pictures.draw_pictures(directory)
         if arguments.animation:
             written.append(animation.animate(directory, arguments.animation))

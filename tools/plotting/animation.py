@@ -36,16 +36,20 @@ def moments_of(directory):
     ]
 
 
-def animate(directory, kind):
-    """Write directory/pictures/bodies.<kind>, kind being mp4 or gif. Returns the path.
-
-    Raises Problem without fields, or if the program that makes films is not there.
-    """
+def require(kind):
+    """Raises Problem if the program that makes such films is not there."""
     if kind == "mp4" and not shutil.which("ffmpeg"):
         raise Problem(
             "mp4 needs ffmpeg, which is not installed. On Debian: apt-get install ffmpeg; or take "
             "--animation gif"
         )
+
+
+def animate(directory, kind):
+    """Write directory/pictures/bodies.<kind>, kind being mp4 or gif. Returns the path.
+
+    Raises Problem without fields.
+    """
     style.use()
     moments = moments_of(directory)
     figure, frames = draw_frames(directory, moments)
