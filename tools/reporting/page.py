@@ -175,7 +175,8 @@ def make_page(run, view, view_problem, pictures):
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         f'<meta http-equiv="Content-Security-Policy" content="{POLICY}">'
         '<meta name="viewport" content="width=device-width">'
-        f"<title>{escape(title)}</title>\n<style>\n{style}\n{file('page.css')}</style></head><body>\n"
+        f"<title>{escape(title)}</title>\n"
+        f"<style>\n{style}\n{file('page.css')}</style></head><body>\n"
         f"<h1>{escape(title)}</h1>\n<nav>{links}</nav>\n{body}"
         f"<script>{program}</script>\n<script>{file('curves.js')}</script>\n"
         f"<script>{file('viewer.js')}</script>\n</body></html>\n"
