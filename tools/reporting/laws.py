@@ -232,7 +232,7 @@ def penetration(run):
     lacking = needs(run, name, "max_penetration")
     if lacking:
         return lacking
-    size = run.size()
+    size = run.size
     if not size:
         return Verdict(name, NOT_JUDGED, "Without fields the size of the bodies is not known.")
     depth = run.history["max_penetration"].max() / size
@@ -263,7 +263,7 @@ def complementarity(run):
     verdict = by_limit(
         name, pull, limit(run, FORCE), "Observed nodes pull with at most {} of the largest force"
     )
-    size = run.size()
+    size = run.size
     # A scheme that penetrates has no such condition, and a node that a predictor stops may have
     # left at the end of the step.
     if run.scheme.penetrates or run.scheme.predictor or not size:

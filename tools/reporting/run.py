@@ -3,6 +3,7 @@
 
 """The folder of a run, read once."""
 
+import functools
 import pathlib
 import re
 
@@ -99,6 +100,7 @@ class Run:
             found.append((slave, master, master in self.obstacles))
         return found
 
+    @functools.cached_property
     def size(self):
         """The largest extent of the smallest body, None if there is nothing to measure."""
         try:
@@ -119,8 +121,8 @@ class Run:
             return 2.0 * self.number(f"{section}/Radius", 1.0)
         if self.setting(f"{section}/Shape") == "box":
             corners = [
-                [float(entry) for entry in self.setting(f"{section}/{corner} corner").split(",")]
-                for corner in ("Lower", "Upper")
+                [float(entry) for entry in self.setting(f"{section}/{key}", default).split(",")]
+                for key, default in (("Lower corner", "0, 0, 0"), ("Upper corner", "1, 1, 1"))
             ]
             return max(high - low for low, high in zip(*corners))
         return None

@@ -44,7 +44,7 @@
     for (const moment of data.moments) {
       const faces = data.meshes[moment.mesh].faces;
       for (let i = 0; i < faces.length; ++i)
-        field.top = Math.max(field.top, field.at(moment, i >> 2, faces[i]));
+        field.top = Math.max(field.top, field.at(moment, i >> 2, faces[i]) || 0);
     }
     field.top = field.top || 1;
   }
@@ -54,6 +54,7 @@
   for (const moment of data.moments)
     moment.displacement.forEach((value, i) => {
       const place = value + data.meshes[moment.mesh].reference[i];
+      if (!Number.isFinite(place)) return;
       low[i % 3] = Math.min(low[i % 3], place);
       high[i % 3] = Math.max(high[i % 3], place);
     });
