@@ -176,6 +176,14 @@ class Page(unittest.TestCase):
     def element(self, selector):
         return self.browser.find_element("css selector", selector)
 
+    def wait_for(self, text, value):
+        """Until a script returns the value, for ten seconds."""
+        for _ in range(200):
+            if self.run_script(text) == value:
+                return
+            time.sleep(0.05)
+        self.fail(f"{text} does not become {value}")
+
     def test_view_in_2d(self):
         picture = self.look_at("disc")
         self.drag(self.element("#view-canvas"), 90, 40)
@@ -205,7 +213,7 @@ class Page(unittest.TestCase):
             "for (const details of all) details.open = true; return all.length"
         )
         self.assertGreaterEqual(sections, 4)
-        time.sleep(0.5)
+        self.wait_for("return document.querySelectorAll('details[data-drawn]').length", sections)
         curves = self.browser.find_elements("css selector", ".curve")
         self.assertGreater(len(curves), 20)
 
