@@ -173,6 +173,11 @@ class Page(unittest.TestCase):
             x, y
         ).release().perform()
 
+    def double_click(self, element):
+        from selenium.webdriver import ActionChains
+
+        ActionChains(self.browser).double_click(element).perform()
+
     def element(self, selector):
         return self.browser.find_element("css selector", selector)
 
@@ -217,15 +222,23 @@ class Page(unittest.TestCase):
         curves = self.browser.find_elements("css selector", ".curve")
         self.assertGreater(len(curves), 20)
 
-        def ticks(curve):
-            labels = curve.find_elements("css selector", ".dygraph-axis-label-x")
+        def ticks(curve, axis="x"):
+            labels = curve.find_elements("css selector", f".dygraph-axis-label-{axis}")
             return [float(label.get_attribute("textContent")) for label in labels]
 
+        heights, others = ticks(curves[0], "y"), ticks(curves[5], "y")
+        self.drag(curves[0], 0, 60)
+        self.assertNotEqual(ticks(curves[0], "y"), heights)
+        self.assertEqual(ticks(curves[5], "y"), others)
         self.assertGreater(max(ticks(curves[5])), 0.2)
         self.drag(curves[0], -100, 0)
         for curve in (curves[0], curves[5], curves[-1]):
             self.assertLess(max(ticks(curve)), 0.2)
             self.assertGreater(min(ticks(curve)), 0.0)
+        self.double_click(curves[0])
+        for curve in (curves[0], curves[5], curves[-1]):
+            self.assertGreater(max(ticks(curve)), 0.2)
+        self.assertEqual(ticks(curves[0], "y"), heights)
         drawn = self.run_script(
             "return [...document.querySelectorAll('.curve canvas:first-of-type')].map(canvas =>"
             "  canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height)"

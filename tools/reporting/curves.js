@@ -54,9 +54,9 @@
         y: { axisLabelWidth: 70, valueFormatter: number, axisLabelFormatter: number },
       },
       zoomCallback: (low, high) => {
-        const [first, last] = graph.xAxisExtremes();
-        if (low <= first && high >= last) resetAll();
-        else if (!shown || low !== shown[0] || high !== shown[1]) zoomAll(low, high);
+        if (!graph.isZoomed()) resetAll();
+        else if (graph.isZoomed("x") && (!shown || low !== shown[0] || high !== shown[1]))
+          zoomAll(low, high);
       },
     });
     graphs.push(graph);

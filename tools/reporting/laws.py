@@ -92,7 +92,7 @@ def energy_balance(run):
     scale = max(energy_scale(run), *(abs(work).max() for work in works))
     text = "The works of a step leave at most {} of the energy unexplained"
     verdict = by_limit(name, part(worst, scale), limit(run, ENERGY), text)
-    if run.setting("Time/Scheme") == "reference" and verdict.state == BROKEN:
+    if run.scheme.own_tolerance and verdict.state == BROKEN:
         verdict.state = LOOK
         verdict.text += " It is the error of an integration with a tolerance of its own."
     return verdict

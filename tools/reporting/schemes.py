@@ -17,6 +17,7 @@ class Scheme:
     penetrates: bool = False
     predictor: bool = False  # a predictor with a contact condition of its own
     inertia: bool = True
+    own_tolerance: bool = False  # integrates by error control, not to the accuracy of the solver
     moving_contact: bool = True  # contact may follow the motion
     one_force: bool = False  # P_1 - P_0 = tau Q_1: the first row of the table in doc/output.md
     sources: tuple = ()
@@ -52,7 +53,9 @@ SCHEMES = {
     "moreau-jean": Scheme(
         moving_contact=False, penetrates=True, one_force=True, sources=("jean_1999",)
     ),
-    "reference": Scheme(moving_contact=False, sources=("khenous_laborde_renard_2008",)),
+    "reference": Scheme(
+        moving_contact=False, own_tolerance=True, sources=("khenous_laborde_renard_2008",)
+    ),
     "static": Scheme(inertia=False),
 }
 #: The comparison that the program is built around.
