@@ -70,7 +70,7 @@ def finite(run):
 def needs(run, name, *columns):
     """A verdict for a run that does not have what a law needs, None for others."""
     if run.scheme is None:
-        return Verdict(name, NOT_JUDGED, "The folder does not tell the scheme.")
+        return Verdict(name, NOT_JUDGED, "The scheme of the run is not known here.")
     missing = [column for column in columns if column not in run.history]
     if missing or len(run.history.get("time", ())) < 2:
         return Verdict(name, NOT_JUDGED, f"history.csv lacks {', '.join(missing) or 'steps'}.")
