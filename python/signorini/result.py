@@ -23,7 +23,7 @@ class Result:
         return f"Result({str(self.folder)!r})"
 
     def table(self, name):
-        """A table, such as "bodies" or "pairs", as a pandas frame: doc/output.md tells the columns."""
+        """A table, such as "bodies" or "pairs", as a pandas frame (doc/output.md)."""
         return read_frame(self.folder / f"{name}.csv")
 
     @property
