@@ -70,17 +70,15 @@ class Runs(unittest.TestCase):
 
     def test_resume_after_a_kill(self):
         """What was computed after the checkpoint is computed again, and told once."""
-        with signorini.start(running.disc().changed(LONG), running.folder / "killed") as run:
+        run = signorini.start(running.disc().changed(LONG), running.folder / "killed")
+        self.addCleanup(run.kill)
+        with self.assertRaisesRegex(signorini.RunError, "ended by the signal 9"):
             for row in run.rows():
                 if row["step"] == 13:
                     run.kill()
-                    break
-            with self.assertRaisesRegex(signorini.RunError, "ended by the signal 9"):
-                run.wait()
-            done = int(signorini.Result(run.folder).history.step.iloc[-1])
-            resumed = signorini.resume(run.folder, {"Time/End time": (done + 20) * 5e-3})
-            self.assertEqual([row["step"] for row in resumed.rows()], list(range(done + 21)))
-            run.wait = lambda: None  # it was asked above
+        done = int(signorini.Result(run.folder).history.step.iloc[-1])
+        resumed = signorini.resume(run.folder, {"Time/End time": (done + 20) * 5e-3})
+        self.assertEqual([row["step"] for row in resumed.rows()], list(range(done + 21)))
 
     def test_an_event_ends_a_run_of_a_thread(self):
         stop = threading.Event()
