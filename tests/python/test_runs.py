@@ -60,6 +60,8 @@ class Runs(unittest.TestCase):
                 for row in run.rows():
                     if row["step"] == 10:
                         self.assertIsNone(run.process.poll())
+                        # Ctrl-C in a terminal does not reach it a second time.
+                        self.assertNotEqual(os.getpgid(run.process.pid), os.getpgid(0))
                         run.interrupt()
         self.assertEqual(raised.exception.status, 130)
         done = signorini.Result(run.folder).history.step.iloc[-1]
@@ -70,11 +72,12 @@ class Runs(unittest.TestCase):
 
     def test_resume_after_a_kill(self):
         """What was computed after the checkpoint is computed again, and told once."""
-        run = signorini.start(running.disc().changed(LONG), running.folder / "killed")
+        scene = running.disc().changed({**LONG, "Checkpoint/Every steps": 50})
+        run = signorini.start(scene, running.folder / "killed")
         self.addCleanup(run.kill)
         with self.assertRaisesRegex(signorini.RunError, "ended by the signal 9"):
             for row in run.rows():
-                if row["step"] == 13:
+                if row["step"] == 80:
                     run.kill()
         done = int(signorini.Result(run.folder).history.step.iloc[-1])
         resumed = signorini.resume(run.folder, {"Time/End time": (done + 20) * 5e-3})
@@ -99,10 +102,10 @@ class Runs(unittest.TestCase):
             folder=str(running.folder / "by_hand"),
         )
         with subprocess.Popen(
-            [sys.executable, "-c", text], stdout=subprocess.PIPE, text=True
+            [sys.executable, "-c", text], stdout=subprocess.PIPE, text=True, start_new_session=True
         ) as process:
             self.assertEqual(process.stdout.readline(), "0.0\n")
-            process.send_signal(signal.SIGINT)
+            os.killpg(process.pid, signal.SIGINT)  # as a terminal does
             said = process.communicate(timeout=100)[0]
         self.assertTrue(said.endswith("ended by hand\n"), said)
         self.assertIn("interrupted by SIGINT", signorini.Result(running.folder / "by_hand").log)
