@@ -12,7 +12,7 @@ import tempfile
 
 from . import origin
 from .errors import Interrupted, ProgramNotFound, error_of
-from .executable import command, environment, find_executable
+from .executable import command, ended_with_us, environment, find_executable
 from .result import Result
 from .scene import Scene
 from .tables import GrowingTable
@@ -39,7 +39,7 @@ class Run:
         arguments = [scene, "--quiet", *options]
         for key, value in {**changes.flat(), "Output directory": self.folder}.items():
             arguments += ["--set", f"{key}={value}"]
-        words = command(program, arguments, processes)
+        words = [*ended_with_us(), *command(program, arguments, processes)]
         try:
             # A pipe that nobody reads would stop the program when it is full.
             with open(self._messages, "wb") as messages:
@@ -166,7 +166,8 @@ class Run:
 
 
 def start(scene, folder, settings=None, *, processes=1, executable=None):
-    """Start a run and return it, a Run, at once.
+    """Start a run and return it, a Run, at once. It is ended after its step if the thread that
+    started it ends before.
 
     scene: a Scene, a (nested) dictionary, or a file. folder: for the results.
     settings: values that change the scene, {"Time/Step size": 1e-3}.

@@ -93,18 +93,34 @@ class Runs(unittest.TestCase):
                 on_row=lambda row: stop.set(),
             )
 
-    def test_ctrl_c_is_handed_on(self):
-        scene = running.disc().changed(LONG)
-        scene.write(running.folder / "long.prm")
+    def script(self, name):
+        """SCRIPT in a process of its own, when its run has begun."""
+        running.disc().changed(LONG).write(running.folder / "long.prm")
         text = SCRIPT.format(
             path=[str(running.SOURCE / "python")],
             scene=str(running.folder / "long.prm"),
-            folder=str(running.folder / "by_hand"),
+            folder=str(running.folder / name),
         )
-        with subprocess.Popen(
+        process = subprocess.Popen(
             [sys.executable, "-c", text], stdout=subprocess.PIPE, text=True, start_new_session=True
-        ) as process:
-            self.assertEqual(process.stdout.readline(), "0.0\n")
+        )
+        self.assertEqual(process.stdout.readline(), "0.0\n")
+        return process
+
+    @unittest.skipUnless(executable.ended_with_us(), "setpriv is not there")
+    def test_no_run_is_left_alone(self):
+        """Python is killed, and cannot do anything about it any more."""
+        with self.script("alone") as process:
+            process.kill()
+        result = signorini.Result(running.folder / "alone")
+        for _ in range(600):
+            if "interrupted by SIGTERM" in result.log:
+                return
+            time.sleep(0.1)
+        self.fail("the program goes on")
+
+    def test_ctrl_c_is_handed_on(self):
+        with self.script("by_hand") as process:
             os.killpg(process.pid, signal.SIGINT)  # as a terminal does
             said = process.communicate(timeout=100)[0]
         self.assertTrue(said.endswith("ended by hand\n"), said)
