@@ -12,16 +12,17 @@ from .executable import ask
 
 
 @functools.lru_cache(maxsize=None)
-def declared(executable):
+def declared(program):
     """All sections and keys with example values, for one body, one obstacle, one pair and one
-    probe."""
-    return prm.parse(ask("--print-parameters", executable=executable))
+    probe. program: the executable, and options that add to its keys."""
+    executable, *options = program
+    return prm.parse(ask("--print-parameters", *options, executable=executable))
 
 
-def section(executable, path):
+def section(program, path):
     """What is declared in a section, {} if there is none. The sections of all bodies are alike,
     whatever their names, and so are those of obstacles, pairs and probes."""
-    found = declared(executable)
+    found = declared(program)
     for name in path:
         inner = [value for value in found.values() if isinstance(value, dict)]
         alike = inner[0] if len(inner) == 1 else {}
@@ -34,9 +35,9 @@ def word(key):
     return re.sub(r"[^a-z0-9]+", "_", key.lower().replace("'", "")).strip("_")
 
 
-def key_of(executable, path, name):
+def key_of(program, path, name):
     """The key or section in a section that a name of Python means. Raises AttributeError."""
-    known = {word(key): key for key in section(executable, path)}
+    known = {word(key): key for key in section(program, path)}
     if name not in known:
         close = difflib.get_close_matches(name, known, 1)
         where = f"section `{'/'.join(path)}`" if path else "scene"
@@ -48,7 +49,7 @@ def key_of(executable, path, name):
     return known[name]
 
 
-def separator(executable, path, key):
+def separator(program, path, key):
     """Between the numbers of a value: semicolons for components of expressions, commas for other
     lists; the example of the key tells which."""
-    return "; " if ";" in section(executable, path).get(key, "") else ", "
+    return "; " if ";" in section(program, path).get(key, "") else ", "

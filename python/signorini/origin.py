@@ -8,13 +8,13 @@ import json
 import pathlib
 
 from .executable import ask
-from .scene import Scene
+from .scene import PLUGINS, Scene
 
 FILE = "origin.json"
 
 
 def of(scene, settings, executable):
-    """Scene, contents of mesh files, and version of the program."""
+    """Scene, contents of the files it names, and version of the program."""
     if isinstance(scene, dict):
         scene = Scene(scene, executable=executable)
     elif not isinstance(scene, Scene):
@@ -28,12 +28,14 @@ def of(scene, settings, executable):
 
 
 def _files(sections):
-    """The mesh files that a scene names."""
+    """Mesh files and plug-ins."""
     for key, value in sections.items():
         if isinstance(value, dict):
             yield from _files(value)
         elif key == "File":
             yield value
+        elif key == PLUGINS:
+            yield from value.split(", ")
 
 
 def _checksum(path):

@@ -10,6 +10,9 @@ import tempfile
 from . import keys, prm
 from .executable import ask, find_executable
 
+#: The key of shared libraries that add to the program.
+PLUGINS = "Additional shared libraries"
+
 
 class Section:
     """A section of a scene. Keys are written as in a file, section["Step size"], or as names of
@@ -30,12 +33,12 @@ class Section:
     def __getattr__(self, name):
         if name.startswith("_"):
             raise AttributeError(name)
-        known = keys.section(self._scene.executable, self._path)
+        known = keys.section(self._scene.program, self._path)
         inner = self._scene.section(self._path)
         if name in inner:  # a body, an obstacle or a probe, whose name is the user's
             key = name
         else:
-            key = keys.key_of(self._scene.executable, self._path, name)
+            key = keys.key_of(self._scene.program, self._path, name)
         if isinstance(inner.get(key, known.get(key)), dict):
             return Section(self._scene, (*self._path, key))
         if key not in inner:
@@ -43,7 +46,7 @@ class Section:
         return inner[key]
 
     def __setattr__(self, name, value):
-        self[keys.key_of(self._scene.executable, self._path, name)] = value
+        self[keys.key_of(self._scene.program, self._path, name)] = value
 
     def update(self, **values):
         """Set several keys, by their names of Python."""
@@ -54,7 +57,7 @@ class Section:
     def add(self, *names, **values):
         """A further body, obstacle or probe, or for the section Contact a pair of two. It is
         entered in `Names` or `Pairs`, and its section is returned."""
-        known = keys.section(self._scene.executable, self._path)
+        known = keys.section(self._scene.program, self._path)
         listing = next((key for key in ("Names", "Pairs") if key in known), None)
         if listing is None:
             raise AttributeError(f"nothing can be added to the section `{'/'.join(self._path)}`.")
@@ -77,7 +80,7 @@ class Scene(Section):
 
     sections: a nested dictionary, Scene({"Time": {"Step size": 1e-3}}), or one with paths,
     Scene({"Time/Step size": 1e-3}). Values are texts, numbers, bools, or sequences of numbers.
-    folder: from which the names of mesh files are relative (default: the current one).
+    folder: from which the names of files are relative (default: the current one).
     values: keys of the top, by their names of Python: Scene(dimension=2).
     """
 
@@ -100,6 +103,16 @@ class Scene(Section):
     def executable(self):
         """The program that is asked which keys there are."""
         return find_executable(self._executable)
+
+    @property
+    def program(self):
+        """The executable with the plug-ins of the scene, which have keys of their own."""
+        plugins = self._plugins()
+        return (self.executable, *(["--set", f"{PLUGINS}={plugins}"] if plugins else []))
+
+    def _plugins(self):
+        names = [name.strip() for name in str(self.sections.get(PLUGINS, "")).split(",")]
+        return ", ".join(str(self.folder / name) for name in names if name)
 
     def section(self, path):
         """The keys of a section as a dictionary, empty if the scene does not have it."""
@@ -132,7 +145,7 @@ class Scene(Section):
         return copy
 
     def dictionary(self):
-        """The scene as a nested dictionary of texts, in which names of mesh files are absolute."""
+        """The scene as a nested dictionary of texts, in which names of files are absolute."""
         return self._texts(self.sections, ())
 
     def _texts(self, sections, path):
@@ -145,9 +158,11 @@ class Scene(Section):
             elif isinstance(value, str) or not hasattr(value, "__iter__"):
                 found[key] = str(value)
             else:
-                found[key] = keys.separator(self.executable, path, key).join(map(str, value))
+                found[key] = keys.separator(self.program, path, key).join(map(str, value))
             if key == "File" and found[key]:
                 found[key] = str(self.folder / found[key])
+            if key == PLUGINS:
+                found[key] = self._plugins()
         return found
 
     def flat(self):

@@ -44,6 +44,14 @@ class Texts(unittest.TestCase):
             self.assertEqual(written, original, name)
             self.assertGreater(written["cells"], 0)
 
+    def test_names_of_plugins_are_absolute(self):
+        """They add keys to the program, so it is asked with them."""
+        name = "Additional shared libraries"
+        scene = signorini.Scene({name: "./a.so, b.so"}, folder="/nowhere")
+        self.assertEqual(scene.dictionary(), {name: "/nowhere/a.so, /nowhere/b.so"})
+        with self.assertRaises(signorini.SceneError):  # as they are not there
+            scene.time.update(step_size=1)
+
     def test_the_whole_syntax(self):
         (running.folder / "inner.prm").write_text("set Inner = 1\n", encoding="utf-8")
         text = (
