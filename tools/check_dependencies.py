@@ -56,7 +56,7 @@ HOLDS = {
     "linear_algebra": "block matrices, masks, conjugate gradients, GMRES, the incomplete factor",
     "friction": "the law of friction of one node",
     "model": "what is simulated, as plain data: bodies, materials, pairs, parameters",
-    "mesh_files": "readers of meshes (Gmsh, Abaqus, UCD, VTK) and of surfaces (STL, OBJ, VTK)",
+    "mesh_files": "meshes from files: readers, groups, cells split into cubes; surfaces from files",
     "prm": "the text of a `.prm`: statements, sections, expressions, messages with lines",
     "materials": "what gives the constants of a material, and its table",
     "obstacles": "rigid obstacles: distance and normal, one shape per file, and their table",

@@ -50,6 +50,18 @@ namespace signorini
     return consists_of(text, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-");
   }
 
+  bool same_letters(const std::string &first, const std::string &second)
+  {
+    const auto plain = [](const std::string &text) {
+      std::string letters;
+      for (const unsigned char c : text)
+        if (c != ' ')
+          letters += static_cast<char>(std::tolower(c));
+      return letters;
+    };
+    return plain(first) == plain(second);
+  }
+
   unsigned int edit_distance(const std::string &first, const std::string &second)
   {
     const auto same = [](const char a, const char b) {

@@ -83,7 +83,7 @@ namespace signorini
       make_box(body, mesh);
     else if (body.shape == BodyShape::file)
       {
-        read_mesh_file(body.mesh_file.path, mesh);
+        read_mesh_file(body.mesh_file.path, mesh, body.mesh_file.part, body.mesh_file.scale);
         place(body.placement, mesh);
       }
     else if constexpr (dim == 3)

@@ -4,6 +4,7 @@
 #include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
 #include <signorini/mesh_files/facet_mesh.h>
+#include <signorini/mesh_files/mesh_content.h>
 #include <signorini/mesh_files/mesh_file.h>
 #include <signorini/mesh_files/mesh_text.h>
 
@@ -22,7 +23,7 @@ namespace signorini
 
     /** The faces of the cells at the boundary of a mesh. */
     template <int dim>
-    FacetMesh<dim> boundary_of(const std::string &path)
+    FacetMesh<dim> boundary_of_cells(const std::string &path)
     {
       dealii::Triangulation<dim> cells;
       read_mesh_file(path, cells);
@@ -50,14 +51,13 @@ namespace signorini
     }
 
 
-    /** A format of files. */
+    /** A format of surfaces. */
     template <int dim>
-    struct Format
+    struct SurfaceFormat
     {
       const char *extension;
-      const char *remark;                                      ///< for messages
-      FacetMesh<dim> (*read_surface)(const std::string &path); ///< null: there are only cells
-      bool may_be_cells;
+      const char *remark; ///< for messages
+      FacetMesh<dim> (*read)(const std::string &path);
     };
 
 
@@ -67,7 +67,7 @@ namespace signorini
       if constexpr (dim == 3)
         return facets_of_stl(read_mesh_content(path));
       throw MeshFileError("STL files are surfaces in space, and the scene has `Dimension = "
-                          "2`. Give a line, as .obj or .vtk, or a mesh of quadrilaterals.");
+                          "2`. Give a line, as .obj or .vtk, or a mesh of cells.");
     }
 
 
@@ -79,38 +79,28 @@ namespace signorini
 
 
     template <int dim>
-    constexpr Format<dim> formats[] = {{".stl", "STL, 3d", read_stl<dim>, false},
-                                       {".obj", "OBJ", read_text<dim, facets_of_obj<dim>>, false},
-                                       {".msh", "Gmsh", nullptr, true},
-                                       {".inp", "Abaqus or UCD", nullptr, true},
-                                       {".ucd", "UCD", nullptr, true},
-                                       {".vtk", "VTK", read_text<dim, facets_of_vtk<dim>>, true}};
-
-
-    template <int dim, typename Counts>
-    std::string list_of_formats(const Counts &counts)
-    {
-      std::vector<std::string> names;
-      for (const Format<dim> &format : formats<dim>)
-        if (counts(format))
-          names.push_back(format.extension + std::string(" (") + format.remark + ")");
-      return join(names, ", ");
-    }
+    constexpr SurfaceFormat<dim> surface_formats[] = {
+      {".stl", "STL, 3d", read_stl<dim>},
+      {".obj", "OBJ", read_text<dim, facets_of_obj<dim>>},
+      {".vtk", "VTK", read_text<dim, facets_of_vtk<dim>>}};
 
 
     template <int dim>
-    const Format<dim> &format_of(const std::string &path)
+    const SurfaceFormat<dim> *surface_format_of(const std::string &path)
     {
-      const std::string extension = extension_of(path);
-      for (const Format<dim> &format : formats<dim>)
-        if (extension == format.extension)
-          return format;
-      throw MeshFileError(
-        "the extension `" + extension + "` is not known. Valid: "
-        + list_of_formats<dim>([](const auto &format) { return format.read_surface != nullptr; })
-        + " of " + name_of_facets<dim>() + ", and "
-        + list_of_formats<dim>([](const auto &format) { return format.may_be_cells; })
-        + " of cells, whose boundary counts.");
+      const std::string        extension = extension_of(path);
+      std::vector<std::string> names;
+      for (const SurfaceFormat<dim> &format : surface_formats<dim>)
+        {
+          if (extension == format.extension)
+            return &format;
+          names.push_back(format.extension + std::string(" (") + format.remark + ")");
+        }
+      if (!is_mesh_extension(extension))
+        throw MeshFileError("the extension `" + extension + "` is not known. Valid: " + join(names)
+                            + " of " + name_of_facets<dim>() + ", and " + list_of_mesh_formats()
+                            + " of cells, whose boundary counts.");
+      return nullptr;
     }
   } // namespace
 
@@ -153,15 +143,14 @@ namespace signorini
   {
     try
       {
-        const Format<dim> &format = format_of<dim>(path);
-        FacetMesh<dim>     result;
-        if (format.read_surface != nullptr)
-          result = format.read_surface(path);
+        FacetMesh<dim> result;
+        if (const auto *format = surface_format_of<dim>(path); format != nullptr)
+          result = format->read(path);
         if (!result.facets.empty())
           return result;
-        if (!format.may_be_cells)
+        if (!is_mesh_extension(extension_of(path)))
           throw MeshFileError("it has no " + name_of_facets<dim>() + ". " + MeshFileError::remedy);
-        return boundary_of<dim>(path); // begins its messages with the path
+        return boundary_of_cells<dim>(path); // begins its messages with the path
       }
     catch (const MeshFileError &error)
       {

@@ -13,15 +13,6 @@
 
 namespace signorini
 {
-  namespace
-  {
-    /** Abaqus has keywords: lines that begin with a star. UCD has numbers only. */
-    bool is_abaqus(const std::string &text)
-    {
-      return text[0] == '*' || text.find("\n*") != std::string::npos;
-    }
-  } // namespace
-
   std::string extension_of(const std::string &path)
   {
     std::string extension = std::filesystem::path(path).extension().string();
@@ -57,29 +48,5 @@ namespace signorini
         "it is a binary file. Write the mesh as text (ASCII); in Gmsh: `Mesh.Binary = 0`.");
     content.erase(std::remove(content.begin(), content.end(), '\r'), content.end());
     return content;
-  }
-
-  MeshText read_mesh_text(const std::string &path)
-  {
-    using Format                = dealii::GridIn<3>;
-    const std::string extension = extension_of(path);
-    if (extension != ".msh" && extension != ".inp" && extension != ".ucd" && extension != ".vtk")
-      throw MeshFileError(
-        "the extension `" + extension
-        + "` is not known. Valid: .msh (Gmsh), .inp (Abaqus or UCD), .ucd (UCD), .vtk (VTK).");
-    const std::string text = read_mesh_lines(path);
-    if (extension == ".msh")
-      {
-        check_gmsh(text);
-        return {Format::msh, text};
-      }
-    if (extension == ".vtk")
-      {
-        check_vtk(text);
-        return {Format::vtk, vtk_for_dealii(text)};
-      }
-    const std::string ucd = is_abaqus(text) ? abaqus_to_ucd(text) : text;
-    check_ucd(ucd);
-    return {Format::ucd, ucd};
   }
 } // namespace signorini

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/spelling.h>
 #include <signorini/model/body_shape.h>
 #include <signorini/model/cap.h>
 
+#include <algorithm>
 #include <numeric>
+#include <set>
 
 namespace signorini
 {
@@ -37,6 +40,39 @@ namespace signorini
     ids.resize(body.shape == BodyShape::box ? 2 * dim : body.shape == BodyShape::cylinder ? 3 : 1);
     std::iota(ids.begin(), ids.end(), 0);
     return ids;
+  }
+
+  template <int dim>
+  std::vector<dealii::types::boundary_id> boundary_ids_named(const BodyDescription<dim> &body,
+                                                             const std::string          &word)
+  {
+    const auto &groups = body.mesh_file.boundaries;
+    if (const auto exact = groups.find(word); exact != groups.end())
+      return exact->second;
+    std::set<dealii::types::boundary_id> ids;
+    for (const auto &[name, ids_of_group] : groups)
+      if (same_letters(name, word))
+        ids.insert(ids_of_group.begin(), ids_of_group.end());
+    for (const dealii::types::boundary_id id : boundary_ids(body))
+      if (std::to_string(id) == word)
+        ids.insert(id);
+    return {ids.begin(), ids.end()};
+  }
+
+  template <int dim>
+  std::string list_of_boundaries(const BodyDescription<dim> &body)
+  {
+    std::vector<std::string> list;
+    for (const dealii::types::boundary_id id : boundary_ids(body))
+      {
+        std::vector<std::string> names;
+        for (const auto &[name, ids] : body.mesh_file.boundaries)
+          if (std::find(ids.begin(), ids.end(), id) != ids.end()
+              && !consists_of(name, "0123456789"))
+            names.push_back(name);
+        list.push_back(std::to_string(id) + (names.empty() ? "" : " (" + join(names) + ")"));
+      }
+    return join(list);
   }
 
   namespace
@@ -128,9 +164,12 @@ namespace signorini
   template dealii::Point<dim>                      centre_of_shape(const BodyDescription<dim> &);  \
   template dealii::Point<dim>                      centre_of(const BodyDescription<dim> &);        \
   template std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &);     \
-  template std::vector<dealii::Point<dim>>         boundary_points(const BodyDescription<dim> &,   \
-                                                                   dealii::types::boundary_id);    \
-  template std::vector<dealii::Point<dim>>         sample_points(const BodyDescription<dim> &)
+  template std::vector<dealii::types::boundary_id> boundary_ids_named(                             \
+    const BodyDescription<dim> &, const std::string &);                                            \
+  template std::string                     list_of_boundaries(const BodyDescription<dim> &);       \
+  template std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &,           \
+                                                           dealii::types::boundary_id);            \
+  template std::vector<dealii::Point<dim>> sample_points(const BodyDescription<dim> &)
   INSTANTIATE(2);
   INSTANTIATE(3);
 #undef INSTANTIATE

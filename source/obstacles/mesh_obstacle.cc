@@ -93,10 +93,10 @@ namespace signorini
       "",
       Patterns::Anything(),
       dim == 2 ? "Mesh: a line (.obj, or .vtk, legacy up to 4.2, text), or a mesh of "
-                 "quadrilaterals as for bodies, whose boundary counts; absolute or relative to "
+                 "cells as for bodies, whose boundary counts; absolute or relative to "
                  "the folder of the scene. A closed line has the obstacle inside."
                : "Mesh: a surface of triangles or polygons (.stl, .obj, or .vtk, legacy up to 4.2, "
-                 "text), or a mesh of hexahedra as for bodies, whose boundary counts; absolute or "
+                 "text), or a mesh of cells as for bodies, whose boundary counts; absolute or "
                  "relative to the folder of the scene. A closed surface has the obstacle inside.");
     prm.declare_entry(
       "Open",

@@ -32,11 +32,12 @@ namespace signorini
       if (dealii::Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       const std::filesystem::path folder(directory);
-      remove_matching(folder,
-                      std::regex("(history|supports|pairs|bodies|forces|probe_.*)\\.csv|"
-                                 "(volume|surface|obstacles)\\.pvd|obstacles\\.vtu"));
+      remove_matching(
+        folder,
+        std::regex("(history|supports|pairs|bodies|forces|probe_.*)\\.csv|"
+                   "(volume|surface|obstacles|setup)\\.pvd|(setup_)?obstacles\\.vtu"));
       remove_matching(folder / "fields",
-                      std::regex("(volume|surface|obstacles)_.*\\.p?vtu(\\.part)?"));
+                      std::regex("(volume|surface|obstacles|setup)_.*\\.p?vtu(\\.part)?"));
       remove_matching(folder / "pictures",
                       std::regex("(bodies|contact_force|energy|momentum|probe_.*)\\.png"));
     });

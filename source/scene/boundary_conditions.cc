@@ -36,42 +36,46 @@ namespace signorini
     }
 
     template <int dim>
-    dealii::types::boundary_id read_boundary_id(const SectionReader        &in,
-                                                const std::string          &key,
-                                                const std::string          &id,
-                                                const BodyDescription<dim> &body)
+    std::vector<dealii::types::boundary_id> read_boundary_ids(const SectionReader        &in,
+                                                              const std::string          &key,
+                                                              const std::string          &word,
+                                                              const BodyDescription<dim> &body)
     {
-      std::vector<std::string> valid;
-      for (const dealii::types::boundary_id boundary_id : boundary_ids(body))
-        valid.push_back(std::to_string(boundary_id));
-      const auto position = std::find(valid.begin(), valid.end(), id);
-      if (position == valid.end())
+      const auto ids = boundary_ids_named(body, word);
+      if (ids.empty())
         in.fail(key,
                 (body.shape == BodyShape::file ? "the mesh " + body.mesh_file.path
                                                : "a " + name_of(body.shape))
-                  + " has no boundary id `" + id + "`. Valid: " + join(valid) + ".");
-      return boundary_ids(body)[position - valid.begin()];
+                  + " has no boundary id `" + word + "`. Valid: " + list_of_boundaries(body) + ".");
+      return ids;
     }
 
+    /** One condition for each boundary id. */
     template <int dim>
-    BoundaryCondition<dim> parse_condition(const SectionReader        &in,
-                                           const std::string          &key,
-                                           const std::string          &entry,
-                                           const BodyDescription<dim> &body)
+    std::vector<BoundaryCondition<dim>> parse_conditions_of(const SectionReader        &in,
+                                                            const std::string          &key,
+                                                            const std::string          &entry,
+                                                            const BodyDescription<dim> &body)
     {
       const std::size_t colon = entry.find(':');
       if (colon == std::string::npos)
         in.fail(key, "`" + trim(entry) + "` does not name a boundary id. " + grammar);
       BoundaryCondition<dim> condition;
-      condition.boundary_id = read_boundary_id(in, key, trim(entry.substr(0, colon)), body);
-      condition.expressions = split_components<dim>(in, key, trim(entry.substr(colon + 1)));
+      const auto             ids = read_boundary_ids(in, key, trim(entry.substr(0, colon)), body);
+      condition.expressions      = split_components<dim>(in, key, trim(entry.substr(colon + 1)));
       for (std::string &expression : condition.expressions)
         if (expression == "-")
           expression.clear();
         else
-          check_expression<dim>(
-            in, key, expression, boundary_points(body, condition.boundary_id), "t");
-      return condition;
+          for (const dealii::types::boundary_id id : ids)
+            check_expression<dim>(in, key, expression, boundary_points(body, id), "t");
+      std::vector<BoundaryCondition<dim>> conditions;
+      for (const dealii::types::boundary_id id : ids)
+        {
+          condition.boundary_id = id;
+          conditions.push_back(condition);
+        }
+      return conditions;
     }
 
     template <int dim>
@@ -82,14 +86,15 @@ namespace signorini
       if (in.text(key).empty())
         return conditions;
       for (const std::string &entry : split_conditions(in.text(key)))
-        {
-          conditions.push_back(parse_condition(in, key, entry, body));
-          for (std::size_t i = 0; i + 1 < conditions.size(); ++i)
-            if (conditions[i].boundary_id == conditions.back().boundary_id)
-              in.fail(key,
-                      "boundary id " + std::to_string(conditions[i].boundary_id)
-                        + " is given twice. Join the two entries.");
-        }
+        for (const auto &condition : parse_conditions_of(in, key, entry, body))
+          {
+            for (const auto &earlier : conditions)
+              if (earlier.boundary_id == condition.boundary_id)
+                in.fail(key,
+                        "boundary id " + std::to_string(condition.boundary_id)
+                          + " is given twice. Join the two entries.");
+            conditions.push_back(condition);
+          }
       return conditions;
     }
 
@@ -113,8 +118,10 @@ namespace signorini
   void declare_conditions(dealii::ParameterHandler &prm)
   {
     using dealii::Patterns::Anything;
-    const std::string form = "`id: expressions` per boundary, separated by |, expressions in x, y, "
-                             "z, t separated by semicolons; a - leaves a component free. Example: ";
+    const std::string form =
+      "`id: expressions` per boundary, separated by |, expressions in x, y, z, t separated by "
+      "semicolons; a - leaves a component free; instead of an id the name of a group of faces in a "
+      "mesh file. Example: ";
     prm.declare_entry(
       "Dirichlet",
       "",

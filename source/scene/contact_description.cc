@@ -27,22 +27,54 @@ namespace signorini
       return std::find(names.begin(), names.end(), name) - names.begin();
     }
 
+    /** The boundary ids of numbers and names. */
     template <int dim>
-    void check_boundary_ids(const SectionReader             &in,
-                            const PairName                  &pair,
-                            const std::vector<unsigned int> &ids,
-                            const BodyDescription<dim>      &body)
+    std::vector<dealii::types::boundary_id>
+    parse_boundary_ids(const SectionReader            &in,
+                       const PairName                 &pair,
+                       const std::vector<std::string> &words,
+                       const BodyDescription<dim>     &body)
     {
-      const std::vector<dealii::types::boundary_id> existing = boundary_ids(body);
-      std::vector<std::string>                      valid;
-      for (const dealii::types::boundary_id id : existing)
-        valid.push_back(std::to_string(id));
-      for (const unsigned int id : ids)
-        if (std::find(existing.begin(), existing.end(), id) == existing.end())
-          in.fail("Pairs",
-                  "the pair `" + pair.text() + "`: the body `" + body.name + "` (shape "
-                    + name_of(body.shape) + ") has no boundary id " + std::to_string(id)
-                    + ". Valid: " + join(valid) + ".");
+      std::vector<dealii::types::boundary_id> result;
+      for (const std::string &word : words)
+        {
+          const auto ids = boundary_ids_named(body, word);
+          if (ids.empty())
+            in.fail("Pairs",
+                    "the pair `" + pair.text() + "`: the body `" + body.name + "` (shape "
+                      + name_of(body.shape) + ") has no boundary id " + word
+                      + ". Valid: " + list_of_boundaries(body) + ".");
+          for (const dealii::types::boundary_id id : ids)
+            if (std::find(result.begin(), result.end(), id) == result.end())
+              result.push_back(id);
+        }
+      return result;
+    }
+
+    std::vector<std::string> in_words(const std::vector<dealii::types::boundary_id> &ids)
+    {
+      std::vector<std::string> words;
+      for (const dealii::types::boundary_id id : ids)
+        words.push_back(std::to_string(id));
+      return words;
+    }
+
+    /** What names hide until the meshes are read: two pairs of the same faces. */
+    void check_that_none_is_twice(const SectionReader                &in,
+                                  const std::vector<PairName>        &names,
+                                  const std::vector<PairDescription> &pairs)
+    {
+      std::vector<PairName> numbered = names;
+      for (std::size_t p = 0; p < names.size(); ++p)
+        {
+          numbered[p].ids         = in_words(pairs[p].slave_boundary_ids);
+          numbered[p].partner_ids = in_words(pairs[p].master_boundary_ids);
+          for (std::size_t other = 0; other < p; ++other)
+            if (overlap(numbered[p], numbered[other]))
+              in.fail("Pairs",
+                      "`" + names[other].text() + "` and `" + names[p].text()
+                        + "` are the same contact twice. Remove one of them.");
+        }
     }
 
     /** Points of the surface of the slave, for trying expressions. */
@@ -74,10 +106,9 @@ namespace signorini
     for (const PairName &name : names)
       {
         PairDescription pair;
-        pair.name  = name.text();
-        pair.slave = index_of(bodies, name.slave);
-        check_boundary_ids(in, name, name.ids, scene.bodies[pair.slave]);
-        pair.slave_boundary_ids.assign(name.ids.begin(), name.ids.end());
+        pair.name               = name.text();
+        pair.slave              = index_of(bodies, name.slave);
+        pair.slave_boundary_ids = parse_boundary_ids(in, name, name.ids, scene.bodies[pair.slave]);
         if (const unsigned int master = index_of(bodies, name.partner); master < bodies.size())
           {
             pair.master = master;
@@ -86,8 +117,8 @@ namespace signorini
                       "the pair `" + name.text()
                         + "`: the lumped predictor is available for rigid obstacles only. Set "
                         + "`Time/Predictor mass = consistent`.");
-            check_boundary_ids(in, name, name.partner_ids, scene.bodies[master]);
-            pair.master_boundary_ids.assign(name.partner_ids.begin(), name.partner_ids.end());
+            pair.master_boundary_ids =
+              parse_boundary_ids(in, name, name.partner_ids, scene.bodies[master]);
           }
         else
           pair.obstacle = index_of(obstacles, name.partner);
@@ -95,6 +126,7 @@ namespace signorini
           in.section(pair.name), scene.time.scheme, slave_points(pair, scene.bodies[pair.slave]));
         pairs.push_back(pair);
       }
+    check_that_none_is_twice(in, names, pairs);
     return pairs;
   }
 

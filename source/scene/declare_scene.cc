@@ -74,7 +74,8 @@ namespace signorini
         "",
         dealii::Patterns::Anything(),
         "What may touch: `body : obstacle`, or `slave : master` for two bodies; with boundary ids, "
-        "`body[0,2] : other[3]`, only those parts of the boundary count. Separated by commas. The "
+        "`body[0,2] : other[3]`, only those parts of the boundary count; names of groups in a mesh "
+        "file can stand for ids, `hammer[face] : anvil[top]`. Separated by commas. The "
         "nodes of the slave may not enter the master: take the finer or the curved surface as "
         "slave. Each pair may have a subsection of its name.");
       declare_contact_motion(prm);

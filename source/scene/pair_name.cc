@@ -40,23 +40,28 @@ namespace signorini
       return pairs;
     }
 
-    /** The numbers in `[0,2]`; none if there are no brackets. */
-    std::vector<unsigned int>
+    bool is_number(const std::string &word)
+    {
+      return word.size() <= 6 && consists_of(word, "0123456789");
+    }
+
+    /** The numbers and names in `[0,top]`; none if there are no brackets. */
+    std::vector<std::string>
     parse_ids(const SectionReader &in, const std::string &pair, const std::string &brackets)
     {
-      std::vector<unsigned int> ids;
+      std::vector<std::string> ids;
       if (brackets.empty())
         return ids;
       for (const std::string &id : split(brackets.substr(1, brackets.size() - 2), ','))
         {
-          ids.push_back(std::stoul(id));
+          ids.push_back(is_number(id) ? std::to_string(std::stoul(id)) : id);
           if (std::count(ids.begin(), ids.end(), ids.back()) > 1)
             in.fail("Pairs", "`" + pair + "` names boundary id " + id + " twice. Name it once.");
         }
       return ids;
     }
 
-    /** `[0,2]`, or nothing at all. */
+    /** `[0,top]`, or nothing at all; names have no signs that a list of pairs or a table needs. */
     bool are_ids(const std::string &brackets)
     {
       if (brackets.empty())
@@ -65,7 +70,8 @@ namespace signorini
         return false;
       const auto ids = split(brackets.substr(1, brackets.size() - 2), ',');
       return std::all_of(ids.begin(), ids.end(), [](const std::string &id) {
-        return id.size() <= 6 && consists_of(id, "0123456789");
+        const bool is_digits = consists_of(id, "0123456789");
+        return is_digits ? is_number(id) : is_name(id);
       });
     }
 
@@ -123,37 +129,32 @@ namespace signorini
         }
     }
 
-    bool have_common(const std::vector<unsigned int> &ids, const std::vector<unsigned int> &others)
+    bool have_common(const std::vector<std::string> &ids, const std::vector<std::string> &others)
     {
       return ids.empty() || others.empty()
-             || std::any_of(ids.begin(), ids.end(), [&](const unsigned int id) {
-                  return std::find(others.begin(), others.end(), id) != others.end();
-                });
+             || std::any_of(
+               ids.begin(), ids.end(), [&](const std::string &id) { return contains(others, id); });
     }
 
-    /** Whether two pairs describe contact of the same surfaces, perhaps the other way round. */
-    bool overlap(const PairName &first, const PairName &second)
+    std::string in_brackets(const std::vector<std::string> &ids)
     {
-      return (first.slave == second.slave && first.partner == second.partner
-              && have_common(first.ids, second.ids)
-              && have_common(first.partner_ids, second.partner_ids))
-             || (first.slave == second.partner && first.partner == second.slave
-                 && have_common(first.ids, second.partner_ids)
-                 && have_common(first.partner_ids, second.ids));
-    }
-
-    std::string in_brackets(const std::vector<unsigned int> &ids)
-    {
-      std::vector<std::string> numbers;
-      for (const unsigned int id : ids)
-        numbers.push_back(std::to_string(id));
-      return ids.empty() ? "" : "[" + join(numbers, ",") + "]";
+      return ids.empty() ? "" : "[" + join(ids, ",") + "]";
     }
   } // namespace
 
   std::string PairName::text() const
   {
     return slave + in_brackets(ids) + " : " + partner + in_brackets(partner_ids);
+  }
+
+  bool overlap(const PairName &first, const PairName &second)
+  {
+    return (first.slave == second.slave && first.partner == second.partner
+            && have_common(first.ids, second.ids)
+            && have_common(first.partner_ids, second.partner_ids))
+           || (first.slave == second.partner && first.partner == second.slave
+               && have_common(first.ids, second.partner_ids)
+               && have_common(first.partner_ids, second.ids));
   }
 
   std::string with_normal_blanks(const std::string &name)

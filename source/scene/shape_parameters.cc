@@ -93,9 +93,14 @@ namespace signorini
     {
       if (in.text("File").empty())
         in.fail("File", "a body with `Shape = file` needs a mesh. Give the name of a mesh file.");
+      const double scale = in.positive_number("Scale", "it changes the unit of length");
       try
         {
-          body.mesh_file = describe_mesh_file<dim>(in.path("File"));
+          body.mesh_file = describe_mesh_file<dim>(in.path("File"), in.text("Part"), scale);
+        }
+      catch (const UnknownMeshPart &error)
+        {
+          in.fail("Part", error.what());
         }
       catch (const UserError &error)
         {
@@ -114,7 +119,9 @@ namespace signorini
         {"Axis", {BodyShape::cylinder}},
         {"Lower corner", {BodyShape::box}},
         {"Upper corner", {BodyShape::box}},
-        {"Repetitions", {BodyShape::box}}};
+        {"Repetitions", {BodyShape::box}},
+        {"Part", {BodyShape::file}},
+        {"Scale", {BodyShape::file}}};
       dealii::ParameterHandler declared;
       declare_shape<dim>(declared);
       for (const auto &[key, shapes] : owners)
@@ -122,9 +129,10 @@ namespace signorini
           refuse_without_effect(in,
                                 key,
                                 declared,
-                                shapes.size() == 2            ? "balls and cylinders"
-                                : shapes[0] == BodyShape::box ? "boxes"
-                                                              : "cylinders",
+                                shapes.size() == 2             ? "balls and cylinders"
+                                : shapes[0] == BodyShape::box  ? "boxes"
+                                : shapes[0] == BodyShape::file ? "bodies from mesh files"
+                                                               : "cylinders",
                                 "Shape");
     }
   } // namespace
@@ -161,12 +169,29 @@ namespace signorini
       "File",
       "",
       Anything(),
-      "File: mesh of quadrilaterals (2d) or hexahedra (3d), absolute or relative to the folder of "
-      "the scene. Gmsh (.msh, text of version 2.2 or 4.1; boundary ids: numbers of the physical "
-      "groups), Abaqus (.inp; boundary ids: numbers in the names of the surfaces, such as SS3 or "
-      "Surf-3), UCD (.inp, .ucd), VTK (.vtk, legacy up to 4.2, text). Faces in no group or surface "
-      "have boundary "
-      "id 0. At most a million cells, which every process keeps.");
+      "File: a mesh, absolute or relative to the folder of the scene. Gmsh (.msh, version 2.2 or "
+      "4.1; boundary ids: numbers of the physical groups), Abaqus (.inp; boundary ids: numbers in "
+      "the names of the surfaces, such as SS3 or Surf-3, or else numbers that are free), UCD "
+      "(.inp, "
+      ".ucd), VTK (.vtk, legacy up to 4.2), and what meshio converts: VTU (.vtu), Exodus (.e, "
+      ".exo), "
+      "MED (.med), Nastran (.bdf), Medit (.mesh), XDMF. Faces in no group or surface have boundary "
+      "id 0. Names of groups and surfaces can stand wherever boundary ids can. Each triangle is "
+      "split into 3 quadrilaterals, each tetrahedron into 4 hexahedra. Second-order cells lose the "
+      "nodes in the middle of edges, unless they are split; then these nodes are vertices. At most "
+      "a million cells after that, which every process keeps.");
+    prm.declare_entry(
+      "Part",
+      "",
+      Anything(),
+      "File: name or number of the cells that are this body, or several with commas between: "
+      "physical groups of Gmsh, element sets of Abaqus. Empty: all cells of the file.");
+    prm.declare_entry(
+      "Scale",
+      "1",
+      Double(),
+      "File: all coordinates of the file are multiplied by this number > 0, first of "
+      "all: 0.001 for a mesh in millimetres and a scene in metres.");
     declare_cap<dim>(prm);
     declare_placement<dim>(prm);
     declare_refinement(prm);

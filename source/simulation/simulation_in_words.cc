@@ -4,6 +4,7 @@
 // What a simulation says about itself before its first step.
 
 #include <signorini/base/spelling.h>
+#include <signorini/output/setup_output.h>
 #include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/preflight.h>
 #include <signorini/simulation/simulation.h>
@@ -28,7 +29,14 @@ namespace signorini
       forecast.warnings.push_back(mistake);
     if (for_programs)
       return as_json(forecast);
-    return scene.file_name + ": the scene is in order.\n" + description() + in_words(forecast);
+    std::string text =
+      scene.file_name + ": the scene is in order.\n" + description() + in_words(forecast);
+    if (scene.output.vtu)
+      {
+        write_setup(scene.output_directory, meshed->discretization, scene.pairs, scene.obstacles);
+        text += "  set-up            " + scene.output_directory + "/setup.pvd\n";
+      }
+    return text;
   }
 
 
@@ -90,6 +98,9 @@ namespace signorini
            end,
            ", the multiple of `Step size` next to `End time` = ",
            scene.time.end_time);
+    for (const BodyDescription<dim> &body : scene.bodies)
+      for (const std::string &clause : body.mesh_file.notes)
+        note("the mesh of '", body.name, "': ", clause);
     if (!scene.why_linearised.empty())
       note("contact is linearised about the initial configuration: ", scene.why_linearised);
     if (perturbation_of_velocities() != 0.)

@@ -187,9 +187,12 @@ TEST(MeshFiles, HaveTheirOwnBoundaryIds)
   std::vector<Override> wrong = anvil;
   wrong.emplace_back("Bodies/box/Dirichlet", "0: 0; 0; 0");
   expect_words(refusal(file.name, wrong),
-               {"Bodies/box/Dirichlet", "anvil.msh has no boundary id `0`", "Valid: 1, 2, 3."});
+               {"Bodies/box/Dirichlet",
+                "anvil.msh has no boundary id `0`",
+                "Valid: 1 (bottom), 2 (top), 3 (sides)."});
   wrong.back() = {"Bodies/box/Traction", "4: 0; 0; 1"};
   expect_words(refusal(file.name, wrong), {"Bodies/box/Traction", "no boundary id `4`"});
   wrong.back() = {"Contact/Pairs", "ball : floor, box[0] : pillar"};
-  expect_words(refusal(file.name, wrong), {"Contact/Pairs", "no boundary id 0", "Valid: 1, 2, 3."});
+  expect_words(refusal(file.name, wrong),
+               {"Contact/Pairs", "no boundary id 0", "Valid: 1 (bottom), 2 (top), 3 (sides)."});
 }

@@ -221,12 +221,26 @@ class CommandLine(unittest.TestCase):
                 )
                 self.assertEqual(os.listdir(folder), ["history.csv"])
 
-    def test_validate_leaves_nothing_behind(self):
+    def test_validate_leaves_the_setup_behind_or_nothing(self):
         for processes in (1, 2):
-            result = self.call(QUICK_START, "--validate", processes=processes)
-            self.assertEqual(result.returncode, 0, result.stderr)
-            self.assertNotEqual(result.stdout, "")
-            self.assertEqual(os.listdir(self.folder), [])
+            for words in (["--validate=json"], ["--validate", "--set", "Output/VTU=false"]):
+                result = self.call(QUICK_START, *words, processes=processes)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertNotEqual(result.stdout, "")
+                self.assertEqual(os.listdir(self.folder), [])
+        result = self.call(QUICK_START, "--validate", processes=2)
+        self.assertIn("setup.pvd", result.stdout)
+        output = next(pathlib.Path(self.folder).rglob("setup.pvd")).parent
+        self.assertEqual(
+            sorted(path.relative_to(output).as_posix() for path in output.rglob("*.*")),
+            [
+                "fields/setup_000000.0.vtu",
+                "fields/setup_000000.1.vtu",
+                "fields/setup_000000.pvtu",
+                "setup.pvd",
+                "setup_obstacles.vtu",
+            ],
+        )
 
 
 if __name__ == "__main__":

@@ -81,6 +81,16 @@ def with_meshes():
             floor = ["Shape = plane", f"Normal = {'0, 1' if dim == 2 else '0, 0, 1'}"]
             pair = "body[1] : floor"
             yield {"scene.prm": small(dim, shape, floor, pair), name: make(dim)}
+    for name, make, dimensions in meshes.NAMED:
+        for dim in dimensions:
+            up = "0, 0.001" if dim == 2 else "0, 0, 0.001"
+            shape = ["Shape = file", f"File = {name}", f"Translation = {up}"]
+            shape += ["Part = block", "Scale = 0.1", "Traction = below: " + "; ".join("0" * dim)]
+            floor = ["Shape = plane", f"Normal = {'0, 1' if dim == 2 else '0, 0, 1'}"]
+            yield {
+                "scene.prm": small(dim, shape, floor, "body[below] : floor"),
+                name: make(dim),
+            }
     for name, make, dimensions in meshes.SURFACES:
         for dim in dimensions:
             corners = [("0, 0.01", "1, 1.01"), ("0, 0, 0.01", "1, 1, 1.01")][dim - 2]

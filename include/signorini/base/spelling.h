@@ -24,6 +24,9 @@ namespace signorini
   /** Whether @p text may be a name: letters, digits, - and _ only. */
   bool is_name(const std::string &text);
 
+  /** Whether two words differ at most in blanks, and between small and capital letters. */
+  bool same_letters(const std::string &first, const std::string &second);
+
   /**
    * Least number of inserted, deleted or replaced characters between two words, upper and lower
    * case being the same.

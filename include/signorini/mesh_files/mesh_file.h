@@ -4,6 +4,7 @@
 #ifndef signorini_mesh_files_mesh_file_h
 #define signorini_mesh_files_mesh_file_h
 
+#include <signorini/base/user_error.h>
 #include <signorini/model/body_description.h>
 
 #include <deal.II/grid/tria.h>
@@ -12,21 +13,36 @@
 
 namespace signorini
 {
+  /** About the part of a mesh file that was asked for. */
+  class UnknownMeshPart : public UserError
+  {
+  public:
+    using UserError::UserError;
+  };
+
   /**
    * Read a mesh of quadrilaterals (2d) or hexahedra (3d) with its boundary ids: Gmsh (.msh), Abaqus
-   * (.inp), UCD (.inp, .ucd) or VTK (.vtk). Vertices that no cell uses are left out.
+   * (.inp), UCD (.inp, .ucd), VTK (.vtk), or what meshio reads. Meshes with other cells are split:
+   * a triangle into 3 quadrilaterals, a tetrahedron into 4 hexahedra. Vertices that no cell uses
+   * are left out.
+   * @param part names or numbers of groups of cells, separated by commas; empty: all cells
+   * @param scale multiplies all coordinates
    * @throws UserError that begins with the path, if there is no mesh in the file on which
-   * elasticity can be computed.
+   * elasticity can be computed; UnknownMeshPart.
    */
   template <int dim>
-  void read_mesh_file(const std::string &path, dealii::Triangulation<dim> &mesh);
+  void read_mesh_file(const std::string          &path,
+                      dealii::Triangulation<dim> &mesh,
+                      const std::string          &part  = "",
+                      double                      scale = 1.);
 
   /**
    * What the description of a body keeps of the mesh in a file. @throws UserError like
-   * read_mesh_file().
+   * read_mesh_file(), and if cells overlap.
    */
   template <int dim>
-  MeshFile<dim> describe_mesh_file(const std::string &path);
+  MeshFile<dim>
+  describe_mesh_file(const std::string &path, const std::string &part = "", double scale = 1.);
 } // namespace signorini
 
 #endif

@@ -50,15 +50,20 @@ namespace signorini
   };
 
   /**
-   * What the scene needs to know of a mesh from a file: the name of the file, and the vertices on
-   * each of its boundaries, as they stand in the file.
+   * What the scene needs to know of a mesh from a file: where it comes from, and the vertices on
+   * each of its boundaries, as they stand in the file, times the scale.
    */
   template <int dim>
   struct MeshFile
   {
-    std::string        path;   ///< absolute, or relative to the current folder
-    dealii::Point<dim> centre; ///< of the smallest box that holds all vertices
+    std::string        path;       ///< absolute, or relative to the current folder
+    std::string        part;       ///< names or numbers of groups of cells; empty: all cells
+    double             scale = 1.; ///< of all coordinates
+    dealii::Point<dim> centre;     ///< of the smallest box that holds all vertices
     std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>> boundary_vertices;
+    /** Boundary ids of the groups of faces, by their names and numbers. */
+    std::map<std::string, std::vector<dealii::types::boundary_id>> boundaries;
+    std::vector<std::string>                                       notes; ///< clauses
   };
 
   /** What a body is before it is placed. */

@@ -17,6 +17,18 @@ namespace signorini
   template <int dim>
   std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &body);
 
+  /**
+   * The boundary ids that a scene means by a number, or by the name of a group of faces in a mesh
+   * file, whatever its capital letters and blanks; empty if there are none.
+   */
+  template <int dim>
+  std::vector<dealii::types::boundary_id> boundary_ids_named(const BodyDescription<dim> &body,
+                                                             const std::string          &word);
+
+  /** All boundary ids, with names behind them, for messages: `1 (face), 2`. */
+  template <int dim>
+  std::string list_of_boundaries(const BodyDescription<dim> &body);
+
   /** A few points on one boundary of the body in its place, for trying expressions. */
   template <int dim>
   std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body,

@@ -11,17 +11,23 @@ namespace signorini
 {
   class SectionReader;
 
-  /** `slave : partner`, taken apart; both may have boundary ids, `slave[ids] : partner[ids]`. */
+  /**
+   * `slave : partner`, taken apart; both may have boundary ids, or names of groups in their mesh
+   * files: `slave[2,face] : partner[top]`.
+   */
   struct PairName
   {
-    std::string               slave;
-    std::vector<unsigned int> ids; ///< empty: the whole boundary
-    std::string               partner;
-    std::vector<unsigned int> partner_ids; ///< of a body; empty: the whole boundary
+    std::string              slave;
+    std::vector<std::string> ids; ///< empty: the whole boundary
+    std::string              partner;
+    std::vector<std::string> partner_ids; ///< of a body; empty: the whole boundary
 
     /** The normal form, `ball[2,3] : box[0]`. */
     std::string text() const;
   };
+
+  /** Whether two pairs describe contact of the same surfaces, perhaps the other way round. */
+  bool overlap(const PairName &first, const PairName &second);
 
   /** A name with the white space of the normal form; it need not be a correct name. */
   std::string with_normal_blanks(const std::string &name);
