@@ -51,6 +51,15 @@ myst_heading_anchors = 4
 
 # Debian's MathJax, as for the reference of the classes: no network is needed.
 mathjax_path = "file:///usr/share/javascript/mathjax/MathJax.js?config=TeX-AMS_SVG"
+myst_update_mathjax = False  # it speaks to version 3; Debian has version 2
+mathjax2_config = {
+    "tex2jax": {
+        "inlineMath": [["\\(", "\\)"]],
+        "displayMath": [["\\[", "\\]"]],
+        "processClass": "math",
+    },
+    "messageStyle": "none",
+}
 
 html_theme = "furo"
 html_title = f"signorini {release}"

@@ -48,6 +48,7 @@ def plain(literal):
 def texts(source):
     """All texts of a source file, those that follow each other joined."""
     source = re.sub(r"^\s*(#|//|/?\*).*$", "", source, flags=re.MULTILINE)
+    source = re.sub(r"ExcMessage\([^;]*;", "", source)  # for developers
     result, end = [], None
     for match in LITERAL.finditer(source):
         between = source[end : match.start()] if end is not None else None
