@@ -70,5 +70,12 @@ html_additional_pages = {"index": "first_page.html"}
 templates_path = ["_templates"]
 
 
+def want_formulas_on_the_single_page(app):
+    """Sphinx asks the first page whether there are formulas, and it has none of its own."""
+    if app.builder.name == "singlehtml":
+        app.set_html_assets_policy("always")
+
+
 def setup(app):
     app.add_lexer("prm", PrmLexer)
+    app.connect("builder-inited", want_formulas_on_the_single_page)

@@ -3,8 +3,8 @@
 
 """The manual is built without a warning; every link inside of it leads to a page and a place that
 exist, every key of the program has its place in the reference, and every shipped scene its page in
-the gallery. In a browser, where there is one, a page shows its text and its
-formulas, and the search finds a key.
+the gallery. In a browser, where there is one, a page shows its text and its formulas, and the
+search finds a key.
 
 test_pages.py EXECUTABLE FOLDER
 """

@@ -38,7 +38,7 @@ def alike(line, other):
     if NUMBER.sub("#", line).split() != NUMBER.sub("#", other).split():
         return False
     pairs = zip(map(float, NUMBER.findall(line)), map(float, NUMBER.findall(other)))
-    return all(abs(a - b) <= 2e-3 * max(abs(a), abs(b)) or max(abs(a), abs(b)) < 1e-8 for a, b in pairs)
+    return all(abs(a - b) <= max(2e-3 * abs(a), 1e-8) for a, b in pairs)
 
 
 def shown_summary(text):

@@ -75,7 +75,7 @@ def print_pdf(page, target):
     if browser is None:
         sys.exit("build.py: no Chromium to print with. On Debian: apt-get install chromium")
     command = [browser, "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer"]
-    command += ["--allow-file-access-from-files", "--virtual-time-budget=60000"]
+    command += ["--allow-file-access-from-files", "--virtual-time-budget=600000"]
     command += [f"--print-to-pdf={target}", page.as_uri()]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     if result.returncode != 0 or not target.is_file():

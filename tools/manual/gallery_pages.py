@@ -18,6 +18,7 @@ Times are seconds of processor time of one process, with the output of fields. T
 a virtual machine with two shared cores; read them as orders of magnitude.
 
 """
+LONGEST_TITLE = 120
 NO_RUN = "There is no run of this scene in the gallery yet: `./dev doc --gallery` makes one.\n"
 
 
@@ -26,9 +27,10 @@ def file_name(scene):
 
 
 def title(scene):
-    """The first sentence of the comment, without its end."""
+    """The first sentence of the comment, without its end; of a long one what is before a comma."""
     text = " ".join(" ".join(scene.comment).split())
-    return re.split(r"(?<=[^A-Z])[.:](?=\\s|$)|[.:](?= )", text)[0] if text else scene.name
+    sentence = re.split(r"(?<![A-Z])[.:](?=\s|$)", text)[0] if text else scene.name
+    return sentence if len(sentence) <= LONGEST_TITLE else sentence.partition(",")[0]
 
 
 def link(scene):

@@ -43,7 +43,7 @@ class Key:
 
     @property
     def unit(self):
-        """"" where the description tells none, or several."""
+        """ "" where the description tells none, or several."""
         for pattern in UNITS:
             match = re.search(pattern, self.description)
             if match:

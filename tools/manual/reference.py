@@ -73,11 +73,22 @@ def anchor(title):
 
 def first_sentence(key):
     """The beginning of a description, for the table at the top."""
-    text = re.sub(r"^(Of|Without) [^:.]*: ", "", key.description)
-    short = re.match(r".*?[.:;](?=\s|$)|.*", text)[0]
-    if len(short.split()) < 4:  # the name of a value, of which a list begins
-        short = re.match(r".*?[.;](?=\s|$)|.*", text)[0]
-    return escape(short.rstrip(":;."))
+    text = re.sub(r"^(Of|Without|With friction,) [^:.]*: ", "", key.description)
+    marks = r"[.:;](?=\s|$)"
+    if len(re.split(marks, text)[0].split()) < 4:  # the name of a value, of which a list begins
+        marks = r"[.;](?=\s|$)"
+    end = next(
+        (mark.start() for mark in re.finditer(marks, text) if not is_inside(text, mark.start())),
+        len(text),
+    )
+    begin = text[:1] if text == key.description else text[:1].upper()
+    return escape(begin + text[1:end])
+
+
+def is_inside(text, position):
+    """Whether a position is in parentheses or in code."""
+    before = text[:position]
+    return before.count("(") > before.count(")") or before.count("`") % 2 == 1
 
 
 def scheme_page(schemes):
