@@ -3,7 +3,6 @@
 
 """What the program says of itself: its keys and its schemes."""
 
-import concurrent.futures
 import dataclasses
 import json
 import re
@@ -108,7 +107,6 @@ def values_of(executable, key):
 def keys(executable):
     """All keys of a scene, in the order of --print-parameters."""
     result = read_keys(call(executable, "--print-parameters"))
-    with concurrent.futures.ThreadPoolExecutor(max_workers=2) as pool:
-        for key, values in zip(result, pool.map(lambda key: values_of(executable, key), result)):
-            key.values = values
+    for key in result:
+        key.values = values_of(executable, key)
     return result
