@@ -3,8 +3,9 @@
 
 """What the manual says is what the program does: scenes in the text are accepted by --validate, and
 so are shipped scenes with the options of the commands that are shown; messages that are explained
-stand in the sources; results in the gallery belong to the scenes as they are; the summary of the
-quick start in README.md, in the manual and in the gallery is that of a run.
+stand in the sources; options in the changelog exist; results in the gallery belong to the scenes as
+they are; the summary of the quick start in README.md, in the manual and in the gallery is that of a
+run.
 
 test_texts.py EXECUTABLE FOLDER
 """
@@ -21,6 +22,7 @@ import common
 
 import gallery
 import messages
+import program
 import scenes
 
 PAGES = sorted(common.MANUAL.rglob("*.md"))
@@ -119,6 +121,21 @@ class Texts(unittest.TestCase):
         for line in lines:
             for part in filter(None, map(str.strip, line.split("…"))):
                 self.assertTrue(part in everything, f"no source has the message {line!r} any more")
+
+    def test_changelog_and_citation_know_the_program(self):
+        version = re.search(
+            r"project\(signorini VERSION (\S+)",
+            (common.SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"),
+        )[1]
+        citation = (common.SOURCE / "CITATION.cff").read_text(encoding="utf-8")
+        self.assertIn(f"\nversion: {version}\n", citation)
+        changelog = (common.SOURCE / "CHANGELOG.md").read_text(encoding="utf-8")
+        known = program.call(common.settings["executable"], "--help")
+        known += (common.SOURCE / "dev").read_text(encoding="utf-8")
+        options = set(re.findall(r"`[^`]*?(--[a-z-]+)", changelog)) - {"--install"}  # of cmake
+        self.assertGreater(len(options), 5)
+        for option in options:
+            self.assertTrue(option in known, f"CHANGELOG.md: there is no {option}")
 
     def test_results_of_the_gallery_belong_to_the_scenes(self):
         results = gallery.read_results()

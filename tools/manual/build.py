@@ -6,16 +6,19 @@
 
 build.py EXECUTABLE TARGET [--pdf]
 
-The pages are put together in TARGET/source: README.md, CONTRIBUTING.md, CHANGELOG.md, doc and
-parameters as they are, at the same places, so that their links hold; and in doc/manual what is
-generated: the scene reference and the list of messages from the program and its sources, the
-gallery from doc/manual/gallery.json. The manual is TARGET/html/index.html; with --pdf also
-TARGET/signorini.pdf, printed by Chromium from a single page. Warnings are errors.
+The pages are put together in TARGET/source: README.md, CONTRIBUTING.md, CHANGELOG.md, doc,
+parameters and all files that they link to as they are, at the same places, so that their links
+hold; and in doc/manual what is generated: the scene reference and the list of messages from the
+program and its sources, the gallery from doc/manual/gallery.json. The manual is
+TARGET/html/index.html; with --pdf also TARGET/signorini.pdf, printed by Chromium from a single
+page. Warnings are errors.
 """
 
 import argparse
 import json
+import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -24,6 +27,7 @@ import gallery_pages
 import messages
 import program
 import reference
+from markdown import toctree
 from scenes import ROOT, shipped
 
 MANUAL = pathlib.PurePath("doc") / "manual"
@@ -39,6 +43,35 @@ def copy_sources(source):
         shutil.copy(ROOT / name, source / name)
     for name in ("doc", "parameters"):
         shutil.copytree(ROOT / name, source / name, ignore=shutil.ignore_patterns("__pycache__"))
+    copy_linked(source, list(source.rglob("*.md")))
+
+
+def copy_linked(source, pages):
+    """Files elsewhere in the repository that pages link to, and what these link to in turn."""
+    for page in pages:
+        for link in re.findall(r"\]\(([^)#\s]+)", page.read_text(encoding="utf-8")):
+            target = pathlib.Path(os.path.normpath(page.parent / link))
+            if "://" in link or target.exists() or not target.is_relative_to(source):
+                continue
+            original = ROOT / target.relative_to(source)
+            if original.is_file():
+                target.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(original, target)
+                copy_linked(source, [target] if target.suffix == ".md" else [])
+
+
+def list_other_pages(source):
+    """Pages that no table of contents names yet are found below a title of their own."""
+    index = source / MANUAL / "index.md"
+    text = index.read_text(encoding="utf-8")
+    other = []
+    for page in sorted(source.rglob("*.md")):
+        name = os.path.relpath(page.with_suffix(""), index.parent)
+        listed = re.search(rf"(^|<){re.escape(name)}>?$", text, re.MULTILINE)
+        if not listed and not page.is_relative_to(index.parent):
+            other.append(name)
+    if other:
+        index.write_text(f"{text}\n{toctree(other, 'More')}", encoding="utf-8")
 
 
 def write_pages(folder, pages):
@@ -93,6 +126,7 @@ def main():
     target = options.target.resolve()
     source = target / "source"
     copy_sources(source)
+    list_other_pages(source)
     generate(options.executable.resolve(), source)
     sphinx("html", source, target / "html")
     print(f"The manual, for a browser: {target / 'html' / 'index.html'}")
