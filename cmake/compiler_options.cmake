@@ -48,7 +48,9 @@ if(SIGNORINI_SANITIZE)
   # The check of virtual tables wants type information that Debian's libraries keep to themselves.
   set(SIGNORINI_SANITIZERS -fsanitize=address,undefined -fno-sanitize=vptr
                            -fno-sanitize-recover=all)
-  list(APPEND SIGNORINI_FLAGS ${SIGNORINI_SANITIZERS} -O1 -g1 -fno-omit-frame-pointer)
+  list(APPEND SIGNORINI_FLAGS ${SIGNORINI_SANITIZERS})
+  # Reports name lines of sources: this takes back the -g0 above.
+  list(APPEND candidates -O1 -g1 -fno-omit-frame-pointer)
   add_library(signorini_keep_libraries OBJECT tools/sanitizers/keep_libraries.cc)
 endif()
 if(SIGNORINI_UNITY)

@@ -16,16 +16,18 @@ Last, the products of a step in undeformed flight. Times are those of this machi
 ratios and counts travel.
 """
 
-import csv
-import os
 import pathlib
 import re
 import statistics
-import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "python"))
+
+import signorini  # noqa: E402  pylint: disable=wrong-import-position
+from signorini.tables import GrowingTable  # noqa: E402  pylint: disable=wrong-import-position
+
 #: Scene: its bodies and its 100 steps.
 SCENES = {
     "geometry_a": (["ball"], []),
@@ -52,24 +54,14 @@ MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("pro
 
 def run(executable, scene, processes, *settings, sections=SET_UP):
     """The rows of history.csv of one run as numbers, and the seconds of sections of the timer."""
-    environment = dict(
-        os.environ,
-        OMP_NUM_THREADS="1",
-        OMPI_ALLOW_RUN_AS_ROOT="1",
-        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-    )
+    changes = {"Output/VTU": False, **dict(text.split("=", 1) for text in settings)}
+    file = ROOT / "parameters" / f"{scene}.prm"
     with tempfile.TemporaryDirectory() as folder:
-        command = [] if processes == 1 else ["mpirun", "--oversubscribe", "-np", str(processes)]
-        command += [executable, str(ROOT / "parameters" / f"{scene}.prm"), "--quiet"]
-        for setting in (f"Output directory={folder}", "Output/VTU=false", *settings):
-            command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
-        with open(pathlib.Path(folder) / "history.csv", encoding="utf-8") as file:
-            rows = [
-                {key: float(value) for key, value in row.items()} for row in csv.DictReader(file)
-            ]
-        log = (pathlib.Path(folder) / "log.txt").read_text(encoding="utf-8")
-        return rows, sum(
+        going_on = signorini.start(
+            file, folder, changes, processes=processes, executable=executable
+        )
+        log = going_on.wait().log
+        return GrowingTable(going_on.history).new_rows(), sum(
             float(
                 re.search(
                     re.escape(name) + r"\s*\|\s*\d+\s*\|.*?([\d.e-]+)s\s+\d+\s*\|\s*$",

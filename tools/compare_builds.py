@@ -15,16 +15,18 @@ and shown: it should not grow. Exit status 1 if anything differs.
 """
 
 import argparse
-import csv
 import math
-import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "python"))
+
+import signorini  # noqa: E402  pylint: disable=wrong-import-position
+from signorini.tables import read_columns  # noqa: E402  pylint: disable=wrong-import-position
+
 TOLERANCE = 1e-10
 #: What counts effort, not motion.
 COUNTS = (
@@ -43,35 +45,13 @@ IGNORED = ("wall_time", "energy_residual", "energy_transfer")
 def run(executable, scene, folder, overrides):
     """Run a scene; @return seconds."""
     shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
-    command = [
-        executable,
-        scene,
-        "--quiet",
-        "--set",
-        f"Output directory={folder}",
-        "--set",
-        "Output/VTU=false",
-    ]
-    for override in overrides:
-        command += ["--set", override]
-    environment = dict(
-        os.environ,
-        OMPI_ALLOW_RUN_AS_ROOT="1",
-        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMP_NUM_THREADS="1",
-    )
+    settings = {"Output/VTU": False, **dict(text.split("=", 1) for text in overrides)}
     start = time.time()
-    result = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        sys.exit(f"{scene}: exit status {result.returncode}\n{result.stderr}")
+    try:
+        signorini.start(scene, folder, settings, executable=executable).wait()
+    except signorini.SignoriniError as error:
+        sys.exit(f"{scene}: {error}")
     return time.time() - start
-
-
-def read(folder):
-    with open(folder / "history.csv", newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    return {name: [float(row[name]) for row in rows] for name in rows[0]}
 
 
 def group(column):
@@ -171,10 +151,10 @@ def main():
         output = folder.resolve() / "again" / scene.stem
         if not arguments.no_run:
             run(executable, scene, output, arguments.overrides)
-        same = (
-            compare(scene.stem, read(folder / scene.stem), read(output), arguments.tolerance)
-            and same
+        before, after = (
+            read_columns(where / "history.csv") for where in (folder / scene.stem, output)
         )
+        same = compare(scene.stem, before, after, arguments.tolerance) and same
     return 0 if same else 1
 
 

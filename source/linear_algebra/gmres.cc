@@ -131,14 +131,27 @@ namespace signorini
     if (j == 0)
       return 0;
 
-    const Eigen::VectorXd y = H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j));
-    const Eigen::VectorXd change = original.topLeftCorner(j + 1, j) * y; // J x in the basis
-    const Eigen::MatrixXd passed = original.topLeftCorner(j + 1, j).cwiseAbs() * y.cwiseAbs();
+    take(j,
+         original.topLeftCorner(j + 1, j),
+         H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j)),
+         correction,
+         residual);
+    return j;
+  }
+
+
+  void Gmres::take(const unsigned int     j,
+                   const Eigen::MatrixXd &hessenberg,
+                   const Eigen::VectorXd &y,
+                   Vector                &correction,
+                   Vector                &residual)
+  {
+    const Eigen::VectorXd change = hessenberg * y; // J x in the basis
+    const Eigen::VectorXd passed = hessenberg.cwiseAbs() * y.cwiseAbs();
     lost = std::max(lost, std::numeric_limits<double>::epsilon() * passed.norm());
     for (unsigned int i = 0; i < j; ++i)
       correction.add(y[i], preconditioned[i]);
     for (unsigned int i = 0; i <= j; ++i)
       residual.add(-change[i], basis[i]);
-    return j;
   }
 } // namespace signorini

@@ -29,7 +29,8 @@ namespace signorini
       return solve();
 
     State undeformed;
-    undeformed.displacement = undeformed.velocity = meshed.discretization.make_vector();
+    undeformed.displacement = undeformed.velocity = undeformed.contact_force =
+      meshed.discretization.make_vector();
     contact->begin_step(undeformed, 0., StepNormals::at_end);
     StartReport all;
     for (unsigned int n_solutions = 0; n_solutions < most_solutions; ++n_solutions)

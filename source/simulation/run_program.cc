@@ -4,6 +4,7 @@
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
 #include <signorini/prm/new_scene.h>
+#include <signorini/prm/plugins.h>
 #include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/simulation/run_program.h>
@@ -25,6 +26,8 @@ namespace signorini
     unsigned int dimension = 0;
     const int    status    = reporter.separately([&] {
       options = parse_command_line(arguments);
+      if (options.scene_file.empty())
+        load_plugins(plugins_without_a_scene(options.overrides));
       if (options.new_scene) // written without MPI, unless that is not possible
         write_new_scene(*options.new_scene);
       if (!options.explain.empty()) // it is printed without MPI, unless there is no such key

@@ -134,6 +134,10 @@ class Extension(check_history.SceneTest):
             'extern "C" void signorini_plugin_begin() {}\n',
             encoding="utf-8",
         )
+        message = self.run_program(
+            self.program, "--print-schemes", "--set", f"{KEY}=/nowhere/a.so", status=2
+        )
+        self.assertIn("/nowhere/a.so", message)
         old = self.folder / "libother.so"
         subprocess.run(["c++", "-shared", "-fPIC", "-o", old, other], check=True)
         twice = shutil.copy(self.plugin, self.folder / "libtwice.so")

@@ -90,7 +90,8 @@ class LightCorners(check_history.SceneTest):
         return check_history.Run(SCENE.format(**(usual | values)), name)
 
     def test_smooth_sliding_needs_no_smaller_steps(self):
-        """What the discrete gradient of an expression leaves of a gap is within what is accepted."""
+        """What the discrete gradient of an expression leaves of a gap is within what is
+        accepted."""
         calm = {"half": 0.0050735569859873385, "turn": -9.768309829725377, "modulus": 626.2682}
         calm |= {"place": "-0.17216044726485613, 0.014832109801317654", "velocity": 0}
         run = self.parabola(

@@ -176,3 +176,20 @@ TEST(OrderOfSteps, BodiesWithoutInertiaBesideTheirStiffnessAreRefused)
     EXPECT_NE(message.find(word), std::string::npos) << message;
   EXPECT_EQ(refusal("5e16"), "");
 }
+
+// A box that stands in equilibrium stays there. Contact that follows the motion asks for the forces
+// of the state from which the equilibrium is found: there are none yet, and no vector without end.
+TEST(OrderOfSteps, AnEquilibriumIsFoundWithoutForcesOfBefore)
+{
+  SmallRun run({{"Time/Start", "equilibrium"},
+                {"Time/Scheme", "contact-stabilized-projected"},
+                {"Contact/Motion", "follow"},
+                {"Bodies/box/Initial velocity", "0; 0"},
+                {"Bodies/box/Body force", "0; -1"},
+                {"Obstacles/floor/Point", "0, 0"}});
+  run.run();
+  for (const double energy : run.column("kinetic_energy"))
+    EXPECT_LT(energy, 1e-15);
+  for (const double force : run.column("contact_force"))
+    EXPECT_NEAR(force, 2., 1e-9); // its weight
+}

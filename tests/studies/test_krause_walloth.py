@@ -11,7 +11,6 @@ import csv
 import math
 import pathlib
 import shutil
-import subprocess
 import sys
 import types
 import unittest
@@ -19,7 +18,7 @@ import unittest
 import check_history
 
 sys.path.insert(0, str(check_history.SOURCE / "tools"))
-from studies import bar_table, judge, observe, runs, statements, tables  # noqa: E402
+from studies import bar_table, judge, observe, statements, tables  # noqa: E402
 from studies.definition import Mistake, Study  # noqa: E402
 
 try:
@@ -184,15 +183,6 @@ class Files(unittest.TestCase):
             self.assertRaises(
                 Mistake, bar_table.check, "bar_table.csv", [{**rows[0], column: text}], study
             )
-
-    def test_a_failure_is_what_the_program_says(self):
-        """Not what a library says before."""
-        for stderr, expected in (
-            ("[hwloc] no topology\nsignorini: a.prm: wrong\nmore", "signorini: a.prm: wrong"),
-            ("killed", "killed"),
-            ("", "exit status 9"),
-        ):
-            self.assertEqual(runs.reason(subprocess.CompletedProcess([], 9, "", stderr)), expected)
 
     def test_variants_need_different_folders(self):
         file = pathlib.Path(check_history.settings["folder"]) / "twins.ini"

@@ -93,10 +93,10 @@ def join(meshes, path):
     if not meshes:
         raise Problem(f"{path} has no cells")
     kinds = {block.type for mesh in meshes for block in mesh.cells}
-    if not kinds <= {"line", "quad", "hexahedron"} or len(kinds) != 1:
+    if not kinds <= {"line", "triangle", "quad", "hexahedron"} or len(kinds) != 1:
         raise Problem(
             f"{path} has cells of the kinds {', '.join(sorted(kinds))}; "
-            "only meshes of lines, quadrilaterals or hexahedra are drawn"
+            "only meshes of lines, triangles, quadrilaterals or hexahedra are drawn"
         )
     offsets = numpy.cumsum([0] + [len(mesh.points) for mesh in meshes])
     return Fields(

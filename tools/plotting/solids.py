@@ -26,26 +26,33 @@ class Faces:
 
 def boundary_faces(fields, positions, keep=None):
     """Faces that belong to one of the kept cells only; different bodies never share a face."""
-    kept = numpy.arange(len(fields.cells)) if keep is None else numpy.flatnonzero(keep)
-    cells = fields.cells[kept]
-    # Points are repeated per cell: give equal points of a body the same number.
+    faces, owner = outer_faces(fields, point_numbers(fields), keep)
+    corners = positions[faces]
+    centres = positions[fields.cells[owner]].mean(axis=1)
+    return Faces(corners, outward(corners, centres), owner)
+
+
+def point_numbers(fields):
+    """Points are repeated per cell: equal points of a body get the same number."""
     extent = numpy.ptp(fields.points, axis=0).max() or 1.0
     body = fields.at_cells("body")
     key = numpy.zeros((len(fields.points), 4), dtype=numpy.int64)
     key[:, :3] = numpy.floor((fields.points - fields.points.min(axis=0)) / extent * 1e5 + 0.382)
     if body is not None:
         key[fields.cells, 3] = numpy.round(body)[:, None]
-    number = numpy.unique(key, axis=0, return_inverse=True)[1].ravel()
+    return numpy.unique(key, axis=0, return_inverse=True)[1].ravel()
 
-    faces = cells[:, HEXAHEDRON_FACES].reshape(-1, 4)
+
+def outer_faces(fields, number, keep=None):
+    """(points of each face, its cell) of the faces that belong to one of the kept cells only."""
+    kept = numpy.arange(len(fields.cells)) if keep is None else numpy.flatnonzero(keep)
+    faces = fields.cells[kept][:, HEXAHEDRON_FACES].reshape(-1, 4)
     owner = numpy.repeat(kept, len(HEXAHEDRON_FACES))
     _, first, count = numpy.unique(
         numpy.sort(number[faces], axis=1), axis=0, return_index=True, return_counts=True
     )
     outer = first[count == 1]
-    corners = positions[faces[outer]]
-    centres = positions[fields.cells[owner[outer]]].mean(axis=1)
-    return Faces(corners, outward(corners, centres), owner[outer])
+    return faces[outer], owner[outer]
 
 
 def together(*parts):

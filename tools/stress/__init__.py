@@ -2,3 +2,9 @@
 # Copyright (C) 2026 by the signorini authors
 
 """Scenes made to break the program: run, judged by the laws of mechanics, and put into a table."""
+
+import pathlib
+import sys
+
+# The package of the checkout drives the program, whether it is installed or not.
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "python"))

@@ -5,9 +5,9 @@
 
 import dataclasses
 import json
-import os
-import subprocess
 import time
+
+import signorini
 
 
 @dataclasses.dataclass
@@ -32,10 +32,7 @@ class Ending:
 
 def schemes(executable):
     """The table of schemes; the first one is the default."""
-    table = subprocess.run(
-        [executable, "--print-schemes=json"], capture_output=True, text=True, check=True
-    )
-    return json.loads(table.stdout)
+    return json.loads(signorini.ask("--print-schemes=json", executable=executable))
 
 
 def run(executable, text, folder, time_limit, processes=1):
@@ -43,30 +40,11 @@ def run(executable, text, folder, time_limit, processes=1):
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / "scene.prm"
     file.write_text(text, encoding="utf-8")
-    command = [executable, str(file), "--quiet", "--set", f"Output directory={folder / 'output'}"]
-    if processes > 1:
-        command = ["mpirun", "--oversubscribe", "-np", str(processes)] + command
-    session = folder / "mpi"
-    session.mkdir(exist_ok=True)
-    environment = dict(
-        os.environ,
-        OMPI_ALLOW_RUN_AS_ROOT="1",
-        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-        OMP_NUM_THREADS="1",
-        OMPI_MCA_orte_tmpdir_base=str(session),
-    )
     start = time.monotonic()
-    try:
-        result = subprocess.run(
-            command,
-            env=environment,
-            capture_output=True,
-            text=True,
-            errors="replace",
-            timeout=time_limit,
-            check=False,
-        )
-        status, messages = result.returncode, result.stdout + result.stderr
-    except subprocess.TimeoutExpired:
+    going_on = signorini.start(file, folder / "output", processes=processes, executable=executable)
+    if going_on.ends_within(time_limit):
+        status, messages = going_on.process.returncode, going_on.messages()
+    else:
+        going_on.kill()
         status, messages = None, f"no end after {time_limit:g} s"
     return Ending(status, messages.strip(), time.monotonic() - start)

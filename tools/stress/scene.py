@@ -5,6 +5,8 @@
 
 import dataclasses
 
+import signorini
+
 
 def vector(*components, separator="; "):
     """Components of an expression, or with commas those of a point."""
@@ -25,15 +27,7 @@ class Scene:
 
     def text(self):
         """The file of the scene."""
-        lines, sections = [], {}
-        for key, value in self.settings.items():
-            *path, name = key.split("/")
-            here = sections
-            for section in path:
-                here = here.setdefault(section, {})
-            here[name] = value
-        write_section(sections, lines, "")
-        return "\n".join(lines) + "\n"
+        return signorini.Scene(self.settings).text()
 
     def number(self, key, default=0.0):
         """A number, or its default."""
@@ -55,15 +49,3 @@ class Scene:
     def bodies(self):
         """Names."""
         return [name.strip() for name in self.settings["Bodies/Names"].split(",")]
-
-
-def write_section(section, lines, indent):
-    """The keys of a section, then the sections in it."""
-    for name, value in section.items():
-        if not isinstance(value, dict):
-            lines.append(f"{indent}set {name} = {value}")
-    for name, value in section.items():
-        if isinstance(value, dict):
-            lines.append(f"{indent}subsection {name}")
-            write_section(value, lines, indent + "  ")
-            lines.append(f"{indent}end")

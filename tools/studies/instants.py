@@ -12,8 +12,8 @@ and opening limit it), elsewhere order 1. What holds for which scheme is in the 
 """
 
 import json
-import os
-import subprocess
+
+import signorini
 
 from .expressions import Expression
 from .mistake import Mistake
@@ -23,21 +23,12 @@ MIDDLE, END = 0.5, 0.0
 schemes = {}
 
 
-def ask(executable, *arguments):
-    """What a program says without running a scene."""
-    environment = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1")
-    return subprocess.run(
-        [str(executable), *arguments], capture_output=True, text=True, env=environment, check=False
-    )
-
-
 def use(executable):
     """Read the table of schemes of a program."""
     try:
-        result = ask(executable, "--print-schemes=json")
-        result.check_returncode()
-        schemes.update((scheme["name"], scheme) for scheme in json.loads(result.stdout))
-    except (OSError, ValueError, subprocess.CalledProcessError) as error:
+        table = json.loads(signorini.ask("--print-schemes=json", executable=executable))
+        schemes.update((scheme["name"], scheme) for scheme in table)
+    except (ValueError, signorini.SignoriniError) as error:
         raise Mistake(
             f"{executable}: its table of schemes cannot be read: {error}. Build the program with"
             " ./dev build."

@@ -3,13 +3,14 @@
 
 """What can be observed of a run: one number from its history, or from its first probe."""
 
-import csv
 import dataclasses
 import functools
 import math
 import pathlib
-import re
 import typing
+
+import signorini
+from signorini.tables import read_columns
 
 from . import distances
 
@@ -19,13 +20,6 @@ ROUND_OFF = 1e-8
 FURTHER_TABLES = ("supports.csv", "pairs.csv", "bodies.csv")
 #: Forces below this part of the largest one are round-off.
 NO_FORCE = 1e-9
-
-
-def read_columns(path):
-    """The columns of a table by name; rows that a killed run left incomplete are skipped."""
-    with open(path, newline="", encoding="utf-8") as file:
-        rows = [row for row in csv.DictReader(file) if None not in row.values()]
-    return {name: [float(row[name]) for row in rows] for name in rows[0]} if rows else {}
 
 
 class Result:
@@ -68,9 +62,7 @@ class Result:
     @functools.cached_property
     def keys_of_time(self):
         """The keys of the section Time, with defaults."""
-        text = (self.folder / "parameters.prm").read_text(encoding="utf-8")
-        section = re.search(r"^subsection Time$(.*?)^end$", text, re.MULTILINE | re.DOTALL).group(1)
-        return dict(re.findall(r"^\s*set (.*?)\s*= (.*?)\s*(?:#.*)?$", section, re.MULTILINE))
+        return signorini.Result(self.folder).parameters["Time"]
 
     def __getitem__(self, column):
         return self.history[column]

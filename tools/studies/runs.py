@@ -5,11 +5,10 @@
 
 import concurrent.futures
 import dataclasses
-import os
 import pathlib
-import subprocess
-import tempfile
 import time
+
+import signorini
 
 from .definition import Study
 from .observe import FURTHER_TABLES, Result
@@ -59,43 +58,22 @@ def remove(folder, *patterns):
 
 def run(executable, task):
     """Do one run."""
-    command = (
-        []
-        if task.study.processes == 1
-        else ["mpirun", "--oversubscribe", "-np", str(task.study.processes)]
-    )
-    command += [executable, str(task.study.scene), "--quiet"]
-    for key, value in {**task.settings, "Output directory": task.folder}.items():
-        command += ["--set", f"{key}={value}"]
-    environment = dict(
-        os.environ,
-        OMP_NUM_THREADS="1",
-        OMPI_ALLOW_RUN_AS_ROOT="1",
-        OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
-    )
     task.folder.mkdir(parents=True, exist_ok=True)
     clear(task.folder)
     try:
-        # Programs that start at the same time need folders of their own for their sessions.
-        with tempfile.TemporaryDirectory() as session:
-            environment["OMPI_MCA_orte_tmpdir_base"] = session
-            result = subprocess.run(
-                command, capture_output=True, text=True, env=environment, check=False
-            )
-    except OSError as error:
-        return fail(task, f"{executable}: {error.strerror}")
-    if result.returncode != 0:
-        return fail(task, reason(result))
+        signorini.start(
+            task.study.scene,
+            task.folder,
+            task.settings,
+            processes=task.study.processes,
+            executable=executable,
+        ).wait()
+    except signorini.SignoriniError as error:
+        return fail(task, str(error))
     remove(
         task.folder, "volume.pvd", "fields/volume_*"
     )  # large, and only the contact surface is drawn
     return read(task)
-
-
-def reason(result):
-    """What the program says about its failure; libraries may have printed something before."""
-    lines = result.stderr.strip().splitlines() or [f"exit status {result.returncode}"]
-    return next((line for line in lines if line.startswith("signorini: ")), lines[0])
 
 
 def fail(task, message):

@@ -6,6 +6,8 @@
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
 
+#include <Eigen/Core>
+
 #include <functional>
 #include <vector>
 
@@ -65,6 +67,13 @@ namespace signorini
                        double          goal,
                        unsigned int    maximum_iterations,
                        double         &norm);
+
+    /** The end of a cycle: what j directions y_i P^-1 v_i change, with J P^-1 v in the basis. */
+    void take(unsigned int           j,
+              const Eigen::MatrixXd &hessenberg,
+              const Eigen::VectorXd &y,
+              Vector                &correction,
+              Vector                &residual);
   };
 } // namespace signorini
 

@@ -4,6 +4,8 @@
 """A problem of the study work-precision: a study file, the schemes that can run its scene, and what
 its runs cost and how wrong they are."""
 
+import signorini
+
 from .. import instants
 from ..case import Case, seconds
 from ..definition import Variant
@@ -43,11 +45,11 @@ class Problem(Case):
                 continue
             keys = {**self.study.common, **self.study.path_of_schemes[0], SCHEME: name}
             sets = [part for item in keys.items() for part in ("--set", "=".join(item))]
-            done = instants.ask(executable, str(self.study.scene), "--validate", *sets)
-            if done.returncode == 0:
+            try:
+                signorini.ask(self.study.scene, "--validate", *sets, executable=executable)
                 yield name
-            else:
-                self.refused[name] = done.stderr.strip().splitlines()[-1]
+            except signorini.SceneError as error:
+                self.refused[name] = str(error)
 
     def read(self, done, reference):
         """Measure what was run."""

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Short runs of shipped scenes for the tests of reports, and folders that are changed by hand."""
+
+import csv
+import pathlib
+import shutil
+import subprocess
+import sys
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(SOURCE / "tools")]
+
+#: The scene of each run, and what is changed in it.
+RUNS = {
+    "disc": ("disc_2d", ["Bodies/disc/Refinements=3", "Time/End time=0.3"]),
+    "ball": (
+        "quick_start",
+        [
+            "Bodies/ball/Refinements=1",
+            "Time/End time=0.4",
+            "Time/Step size=0.01",
+            "Output/VTU every=1",
+        ],
+    ),
+    "implicit": (
+        "disc_2d",
+        ["Bodies/disc/Refinements=2", "Time/End time=0.1", "Time/Scheme=contact-implicit"],
+    ),
+    "newmark": (
+        "disc_2d",
+        ["Bodies/disc/Refinements=2", "Time/End time=0.3", "Time/Scheme=newmark"],
+    ),
+    "static": ("verification/static_hertz", ["Time/End time=2"]),
+    "adaptive": (
+        "adaptive_ball",
+        [
+            "Bodies/ball/Refinements=1",
+            "Adaptivity/Maximum level=3",
+            "Adaptivity/Maximum cells=400",
+            "Output/VTU every=2",
+            "Time/End time=0.04",
+        ],
+    ),
+    "roller": ("moving_contact/rolling_mill", ["Time/End time=0.6"]),
+    "two_bodies": ("two_bars", ["Time/End time=0.3"]),
+}
+
+
+class Runs:
+    """Runs of one executable below one folder."""
+
+    def __init__(self, executable, folder):
+        self.executable, self.folder = executable, pathlib.Path(folder)
+
+    def run(self, name, *further, processes=1, fields=True):
+        """The folder of a new run."""
+        scene, overrides = RUNS[name]
+        folder = self.folder / (name if processes == 1 else f"{name}_{processes}")
+        shutil.rmtree(folder, ignore_errors=True)
+        command = [self.executable, SOURCE / "parameters" / f"{scene}.prm", "--quiet"]
+        if processes > 1:
+            command = ["mpirun", "--oversubscribe", "-np", processes, *command]
+        for override in (
+            *overrides,
+            *further,
+            f"Output/VTU={'true' if fields else 'false'}",
+            f"Output directory={folder}",
+        ):
+            command += ["--set", override]
+        subprocess.run(
+            [str(word) for word in command], check=True, capture_output=True, timeout=300
+        )
+        return folder
+
+    def copy(self, folder, name):
+        """A copy of a folder, to be spoilt."""
+        target = self.folder / name
+        shutil.rmtree(target, ignore_errors=True)
+        shutil.copytree(folder, target)
+        return target
+
+
+def change_column(path, column, change):
+    """Give the column of a table new values: change(row number, value)."""
+    with open(path, newline="", encoding="utf-8") as file:
+        rows = list(csv.reader(file))
+    place = rows[0].index(column)
+    for number, row in enumerate(rows[1:]):
+        row[place] = repr(change(number, float(row[place])))
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file).writerows(rows)
