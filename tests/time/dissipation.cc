@@ -6,6 +6,8 @@
 // shrink by the spectral radius, rigid motions are not damped. A predictor that was stopped in vain
 // leaves no force across a gap.
 
+#include <signorini/schemes/trapezoidal_rule.h>
+
 #include <gtest/gtest.h>
 
 #include "driven_scenes.h"
