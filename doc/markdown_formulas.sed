@@ -4,3 +4,5 @@
 # Formulas of the pages, $...$, as Doxygen writes them; blocks of code (four spaces) are left alone.
 /^    /b
 s/\$\([^$]*\)\$/@f$\1@f$/g
+# Doxygen takes every README.md for its main page, and has one only.
+s/\[\(python\/README.md\)\](python\/README.md)/\1/g

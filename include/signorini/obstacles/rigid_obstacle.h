@@ -105,8 +105,8 @@ namespace signorini
     /**
      * Where several sides hold a point in a motion: that of the closest point at the start, and up
      * to dim - 1 others that meet it in inner corners, nearest first. Otherwise none, also where a
-     * motion leads past them.
-     * @param reach sides that are farther away do not count (length)
+     * motion leads past them. Sides that are farther away than the last argument, a length, do not
+     * count.
      */
     virtual std::vector<unsigned int> sides_near(const dealii::Point<dim> & /*start*/,
                                                  const dealii::Point<dim> & /*end*/,
