@@ -44,7 +44,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)
 # To compile plug-ins, and to draw pictures.
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "libdeal.ii-dev, libeigen3-dev, libssl-dev, cmake, python3-matplotlib, python3-meshio")
+  "libdeal.ii-dev, libeigen3-dev, libssl-dev, cmake, python3-matplotlib, python3-meshio, \
+python3-h5py, python3-netcdf4")
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
 include(CPack)
