@@ -76,7 +76,7 @@ class CommandLine(unittest.TestCase):
 
     def test_information(self):
         for arguments, word in (
-            ([], "parameters/quick_start.prm"),
+            ([], "signorini --new ball"),
             (["--help"], "--validate"),
             (["--version"], "deal.II"),
             (["--print-parameters"], "set Step size"),
@@ -179,7 +179,7 @@ class CommandLine(unittest.TestCase):
                 (
                     "reference.msh",
                     anvil.replace("$Nodes\n252\n1 ", "$Nodes\n252\n999 "),
-                    "index 1 ",
+                    "index 1",
                 ),
                 ("inverted.msh", anvil.replace("\n101 -0.3", "\n101 5.3"), "inverted"),
             ):
