@@ -39,6 +39,22 @@ namespace signorini
     }
 
 
+    /** Of what moves so far in a step, positions have no digits left that tell a gap. */
+    template <int dim>
+    void check_speed(const Mesh<dim> &mesh, const Vector &velocity, const double step_size)
+    {
+      constexpr double most = 1e8;
+      const double     way  = velocity.linfty_norm() * step_size / mesh.body_size();
+      if (way <= most)
+        return;
+      std::ostringstream message;
+      message << "Bodies: an initial velocity leads in a step of `Time/Step size` = " << step_size
+              << " over " << way << " times the size of the bodies, and with more than " << most
+              << " round-off hides what they touch. Correct the velocity, or use smaller steps.";
+      throw UserError(message.str());
+    }
+
+
     /** Each of them has to find its point, see PointProbe and Probe. Collective. */
     template <int dim>
     void check_probes(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
@@ -60,6 +76,8 @@ namespace signorini
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);
     check_capabilities(*scheme, meshed->system);
     set_initial_state();
+    if (scheme_info(scene.time.scheme).inertia)
+      check_speed(mesh, state.velocity, scene.time.step_size);
     if (mesh_control.any())
       adapt_initial_mesh();
     check_probes(scene, *meshed);

@@ -102,8 +102,10 @@ namespace signorini
                           const double              to,
                           std::vector<std::size_t> &found) const
   {
-    const auto in_box = boost::geometry::index::intersects(box(from, to));
-    if (obliquity * (to - from) <= diameter)
+    // Of a face that is a point, as round-off makes it far away, no part would be slender.
+    const double slender = std::max(diameter, 1e-6 * (behind + ahead));
+    const auto   in_box  = boost::geometry::index::intersects(box(from, to));
+    if (!(obliquity * (to - from) > slender))
       tree.query(in_box, std::back_inserter(found));
     else if (tree.qbegin(in_box) != tree.qend())
       {

@@ -155,21 +155,30 @@ TEST(OrderOfSteps, ASceneThatCannotRunTouchesNoResults)
   EXPECT_EQ(run.text("log.txt"), log);
 }
 
-// The wave speed of the box is 18 with Poisson's ratio 0.3, its cells are 0.5: a step of 0.01 has
-// the Courant number 0.37. Beyond 1e7 mass is lost in round-off of the stiffness.
-TEST(OrderOfSteps, BodiesWithoutInertiaBesideTheirStiffnessAreRefused)
+namespace
 {
-  const auto refusal = [](const char *modulus) {
-    SmallRun run(std::vector<Override>{{"Bodies/box/Young's modulus", modulus}});
+  /** What is said against a value of a key; nothing if it is accepted. */
+  std::string refusal_of(const std::string &key, const std::string &value)
+  {
+    SmallRun run(std::vector<Override>{{key, value}});
     try
       {
         run.validate();
       }
     catch (const UserError &error)
       {
-        return std::string(error.what());
+        return error.what();
       }
-    return std::string();
+    return "";
+  }
+} // namespace
+
+// The wave speed of the box is 18 with Poisson's ratio 0.3, its cells are 0.5: a step of 0.01 has
+// the Courant number 0.37. Beyond 1e7 mass is lost in round-off of the stiffness.
+TEST(OrderOfSteps, BodiesWithoutInertiaBesideTheirStiffnessAreRefused)
+{
+  const auto refusal = [](const char *modulus) {
+    return refusal_of("Bodies/box/Young's modulus", modulus);
   };
   const std::string message = refusal("5e18");
   for (const char *word : {"Time/Step size = 0.01 gives the Courant number", "Use smaller steps"})
@@ -192,4 +201,14 @@ TEST(OrderOfSteps, AnEquilibriumIsFoundWithoutForcesOfBefore)
     EXPECT_LT(energy, 1e-15);
   for (const double force : run.column("contact_force"))
     EXPECT_NEAR(force, 2., 1e-9); // its weight
+}
+
+// 1 is the size of the box: with steps of 0.01 it may be as fast as 1e10.
+TEST(OrderOfSteps, BodiesWhosePositionsLoseAllDigitsAreRefused)
+{
+  const auto refusal = [](const char *velocity) {
+    return refusal_of("Bodies/box/Initial velocity", velocity);
+  };
+  EXPECT_NE(refusal("1.8e19; -2").find("times the size of the bodies"), std::string::npos);
+  EXPECT_EQ(refusal("1e6; -2"), "");
 }
