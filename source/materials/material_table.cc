@@ -10,11 +10,11 @@ namespace signorini
   {
     std::vector<MaterialModel> &table()
     {
-      static std::vector<MaterialModel> models{{"isotropic",
-                                                "isotropic (modulus and ratio)",
-                                                declare_isotropic,
+      static std::vector<MaterialModel> models{{"hooke",
+                                                "hooke (linear elastic, isotropic)",
+                                                declare_hooke,
                                                 {"Young's modulus", "Poisson's ratio", "Density"},
-                                                parse_isotropic}};
+                                                parse_hooke}};
       return models;
     }
   } // namespace

@@ -96,7 +96,7 @@ class Extension(check_history.SceneTest):
             status=2,
         )
         self.assertIn("Young's modulus", message)
-        self.assertIn("isotropic", message)
+        self.assertIn("hooke", message)
 
     def test_scenes_to_start_from(self):
         """Each is written once, says its own name, and is in order."""

@@ -39,9 +39,9 @@ namespace signorini
   /** One more, from a plug-in. @throws UserError if its name is taken */
   void add_material_model(const MaterialModel &model);
 
-  // `Material = isotropic`: Young's modulus, Poisson's ratio, density.
-  void     declare_isotropic(dealii::ParameterHandler &prm);
-  Material parse_isotropic(const SectionReader &in);
+  // `Material = hooke`: Young's modulus, Poisson's ratio, density.
+  void     declare_hooke(dealii::ParameterHandler &prm);
+  Material parse_hooke(const SectionReader &in);
 } // namespace signorini
 
 #endif

@@ -7,7 +7,7 @@
 
 namespace signorini
 {
-  void declare_isotropic(dealii::ParameterHandler &prm)
+  void declare_hooke(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
     prm.declare_entry("Young's modulus", "1", Double(), "E > 0 (force per area).");
@@ -35,7 +35,7 @@ namespace signorini
   } // namespace
 
 
-  Material parse_isotropic(const SectionReader &in)
+  Material parse_hooke(const SectionReader &in)
   {
     Material material;
     material.youngs_modulus =
