@@ -55,7 +55,7 @@ subsection Bodies
     set Young's modulus  = 3e4
     set Poisson's ratio  = 0.3
     set Density          = 20
-    set Dirichlet        = 4: 0.01*sin(100*t); 0; 0, 2: _; 0; _
+    set Dirichlet        = 4: 0.01*sin(100*t); 0; 0 | 2: -; 0; -
   end
 end
 subsection Contact
@@ -69,34 +69,47 @@ end
 
 
 class Problem:
-    """A file of FCLIB, with dense matrices."""
+    """A file of FCLIB."""
 
     def __init__(self, path):
         with h5py.File(path) as file:
             self.attributes = dict(file.attrs)
             problem = file["fclib_global"]
-            self.dim = problem["spacedim"][0]
-            self.M, self.H = matrix(problem["M"]), matrix(problem["H"])
+            self.dim = int(problem["spacedim"][0])
+            self.M, self.H = Matrix(problem["M"]), Matrix(problem["H"])
             self.f, self.w, self.mu = (problem["vectors"][name][:] for name in ("f", "w", "mu"))
             self.v, self.u, self.r = (file["solution"][name][:] for name in ("v", "u", "r"))
             self.has_local_form = "fclib_local" in file
             if self.has_local_form:
                 local = file["fclib_local"]
-                self.W, self.q = matrix(local["W"]), local["vectors"]["q"][:]
+                self.W, self.q = Matrix(local["W"]).dense(), local["vectors"]["q"][:]
 
     def by_contact(self, vector):
         """A row for each contact: the normal component, then the tangential ones."""
         return vector.reshape(len(self.mu), self.dim)
 
 
-def matrix(group):
+class Matrix:
     """Of compressed columns."""
-    m, n, nz, nzmax = (int(group[name][0]) for name in ("m", "n", "nz", "nzmax"))
-    starts, rows, values = group["p"][:], group["i"][:], group["x"][:]
-    assert nz == -1 and len(starts) == n + 1 and len(rows) == len(values) == nzmax == starts[-1]
-    result = numpy.zeros((m, n))
-    result[rows, numpy.repeat(numpy.arange(n), numpy.diff(starts))] = values
-    return result
+
+    def __init__(self, group):
+        m, n, nz, nzmax = (int(group[name][0]) for name in ("m", "n", "nz", "nzmax"))
+        starts, self.rows, self.values = group["p"][:], group["i"][:], group["x"][:]
+        assert nz == -1 and len(starts) == n + 1
+        assert len(self.rows) == len(self.values) == nzmax == starts[-1]
+        self.shape = (m, n)
+        self.columns = numpy.repeat(numpy.arange(n), numpy.diff(starts))
+
+    def times(self, vector):
+        return numpy.bincount(self.rows, self.values * vector[self.columns], self.shape[0])
+
+    def transposed_times(self, vector):
+        return numpy.bincount(self.columns, self.values * vector[self.rows], self.shape[1])
+
+    def dense(self):
+        result = numpy.zeros(self.shape)
+        result[self.rows, self.columns] = self.values
+        return result
 
 
 def run(scene, name, *overrides):

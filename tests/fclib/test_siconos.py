@@ -30,8 +30,10 @@ def solve(problem):
     else:
         driver, method = numerics.fc3d_driver, numerics.SICONOS_FRICTION_3D_NSGS
     options = numerics.SolverOptions(method)
-    options.dparam[numerics.SICONOS_DPARAM_TOL] = 1e-14
+    options.dparam[numerics.SICONOS_DPARAM_TOL] = 1e-13
     options.iparam[numerics.SICONOS_IPARAM_MAX_ITER] = 200000
+    # In 2d Siconos 4.4 leaves it at zero, and divides by it.
+    options.iparam[numerics.SICONOS_FRICTION_3D_IPARAM_ERROR_EVALUATION_FREQUENCY] = 1
     return driver(local, r, u, options), r
 
 
