@@ -23,9 +23,6 @@ except ImportError as error:
 #: Errors of forces are errors of the solver.
 ACCURATE = "Solver/Tolerance=1e-15"
 
-#: A spinning box that comes down on a table obliquely, whose node lie elsewhere: mortar coupling in
-#: 3d, with friction in two directions. Half of the table is there, up to a plane of symmetry, whose
-#: prescribed directions are in the contact surface, and the table is shaken.
 BOX_ON_TABLE = """
 set Dimension = 3
 subsection Time
@@ -55,17 +52,69 @@ subsection Bodies
     set Young's modulus  = 3e4
     set Poisson's ratio  = 0.3
     set Density          = 20
-    set Dirichlet        = 4: 0.01*sin(100*t); 0; 0 | 2: -; 0; -
+    set Dirichlet        = 4: 0.01*sin(100*t); 0.005*sin(70*t); 0 | 2: -; 0.005*sin(70*t); -
   end
 end
 subsection Contact
   set Motion = linearised
-  set Pairs  = table[5] : box[4]
-  subsection table[5] : box[4]
+  set Pairs  = {pair}
+  subsection {pair}
     set Friction coefficient = 0.3 + 0.1*x
   end
 end
 """
+
+
+#: A block that slides over a floor into a wall: its lower corner has two contacts.
+BLOCK_IN_CORNER = """
+set Dimension = 2
+subsection Time
+  set Scheme    = contact-stabilized
+  set Step size = 0.005
+  set End time  = 0.2
+end
+subsection Bodies
+  set Names = block
+  subsection block
+    set Shape            = box
+    set Lower corner     = -0.4, 0
+    set Upper corner     = -0.02, 0.3
+    set Repetitions      = 5, 4
+    set Young's modulus  = 2e4
+    set Poisson's ratio  = 0.3
+    set Density          = 10
+    set Initial velocity = 0.8; -0.1
+    set Body force       = 20; -100
+  end
+end
+subsection Obstacles
+  set Names = floor, wall
+  subsection floor
+    set Normal = 0, 1
+  end
+  subsection wall
+    set Normal = -1, 0
+  end
+end
+subsection Contact
+  set Motion = follow
+  set Pairs  = block : floor, block : wall
+  subsection block : floor
+    set Friction coefficient = 0.3
+  end
+  subsection block : wall
+    set Friction coefficient = 0.2
+  end
+end
+"""
+
+
+def box_on_table(pair):
+    """A spinning box that comes down obliquely on a table whose nodes lie elsewhere: mortar
+    coupling in 3d, with friction in two directions. The table is shaken by its lower side and by
+    the one in front, where directions are prescribed in nodes of the contact surface.
+    """
+    return BOX_ON_TABLE.replace("{pair}", pair)
 
 
 class Problem:

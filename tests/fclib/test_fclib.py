@@ -127,12 +127,34 @@ class StoredProblems(check_history.SceneTest):
         self.assertGreater(sticking, 10)
 
     def test_in_space(self):
-        _, stored, slipping, sticking = self.expect_all_solved(
-            problems.BOX_ON_TABLE, "space", "Output/FCLIB every=1"
+        for name, pair in ("table", "table[5] : box[4]"), ("box", "box[4] : table[5]"):
+            _, stored, slipping, sticking = self.expect_all_solved(
+                problems.box_on_table(pair), name, "Output/FCLIB every=1"
+            )
+            self.assertGreater(len(stored), 5, name)
+            self.assertGreater(slipping, 20, name)
+            self.assertGreater(sticking, 3, name)
+
+    def test_hanging_nodes(self):
+        """Local refinement of the table: hanging nodes are no unknowns."""
+        _, stored, slipping, _ = self.expect_all_solved(
+            problems.box_on_table("box[4] : table[5]"),
+            "hanging",
+            "Output/FCLIB every=3",
+            "Bodies/table/Local refinements=1",
+            "Bodies/table/Refine where=-x",
         )
-        self.assertGreater(len(stored), 5)
-        self.assertGreater(slipping, 20)
-        self.assertGreater(sticking, 3)
+        self.assertEqual(len(stored), 5)
+        self.assertGreater(slipping, 10)
+
+    def test_corner(self):
+        """Two contacts of one node; without a wall in reach it has one."""
+        _, stored, slipping, _ = self.expect_all_solved(
+            problems.BLOCK_IN_CORNER, "corner", "Output/FCLIB every=1"
+        )
+        numbers = {len(problem.mu) for problem in stored.values()}
+        self.assertGreater(len(numbers), 1)
+        self.assertGreater(slipping, 10)
 
     def test_obstacles_that_move(self):
         """Normals of the motion of the step, and slip relative to rollers."""
