@@ -208,7 +208,7 @@ namespace signorini
                                     const IncrementSolution       &solution,
                                     const Vector                  *obstacle_motion)
   {
-    AssertDimension(dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()), 1);
+    AssertDimension(dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()), 1U);
     Assert(problem.further_reaction == nullptr,
            dealii::ExcMessage("FCLIB's friction belongs to the normal forces of its problem."));
     const ElasticMatrices<dim> &matrices = discretization.matrices();

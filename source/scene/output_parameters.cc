@@ -8,6 +8,44 @@
 
 namespace signorini
 {
+  namespace
+  {
+    void declare_tables(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry(
+        "Supports",
+        "true",
+        Bool(),
+        "Write supports.csv: the force on the body, support_<body>_<id>_x, ..., of "
+        "each boundary with a Dirichlet condition. Momentum changes in a step by its "
+        "size times the sum of loads, contact and supports, as the scheme applies "
+        "them (doc/output.md). A component of a node that two boundaries prescribe "
+        "counts for the one that `Dirichlet` names first.");
+      prm.declare_entry(
+        "Pairs",
+        "true",
+        Bool(),
+        "Write pairs.csv: force on the slave, its moment about the origin, normal "
+        "force, friction force, active nodes, smallest gap and penetration of each "
+        "contact pair, pair_<k>_..., k = 0, 1, ... in the order of `Contact/Pairs`.");
+      prm.declare_entry(
+        "Forces",
+        "true",
+        Bool(),
+        "Write forces.csv, if there are pairs: the contact force on each body by the "
+        "multipliers, by the stress at its boundary and by the change of its "
+        "momentum, force_<body>_..., and their relative spread.");
+      prm.declare_entry("Bodies",
+                        "true",
+                        Bool(),
+                        "Write bodies.csv: kinetic and elastic energy, momentum, angular momentum "
+                        "about the centroid, centroid and mean velocity of each body, "
+                        "body_<name>_....");
+    }
+  } // namespace
+
+
   void declare_output(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -47,32 +85,7 @@ namespace signorini
                       "energy, adhesion, Coulomb's bound, penetration, momentum) beyond the "
                       "accuracy of the solvers: stop, with a diagnosis and the state written, or "
                       "warn and go on. See doc/output.md.");
-    prm.declare_entry("Supports",
-                      "true",
-                      Bool(),
-                      "Write supports.csv: the force on the body, support_<body>_<id>_x, ..., of "
-                      "each boundary with a Dirichlet condition. Momentum changes in a step by its "
-                      "size times the sum of loads, contact and supports, as the scheme applies "
-                      "them (doc/output.md). A component of a node that two boundaries prescribe "
-                      "counts for the one that `Dirichlet` names first.");
-    prm.declare_entry("Pairs",
-                      "true",
-                      Bool(),
-                      "Write pairs.csv: force on the slave, its moment about the origin, normal "
-                      "force, friction force, active nodes, smallest gap and penetration of each "
-                      "contact pair, pair_<k>_..., k = 0, 1, ... in the order of `Contact/Pairs`.");
-    prm.declare_entry("Forces",
-                      "true",
-                      Bool(),
-                      "Write forces.csv, if there are pairs: the contact force on each body by the "
-                      "multipliers, by the stress at its boundary and by the change of its "
-                      "momentum, force_<body>_..., and their relative spread.");
-    prm.declare_entry("Bodies",
-                      "true",
-                      Bool(),
-                      "Write bodies.csv: kinetic and elastic energy, momentum, angular momentum "
-                      "about the centroid, centroid and mean velocity of each body, "
-                      "body_<name>_....");
+    declare_tables(prm);
   }
 
   OutputParameters parse_output(const SectionReader &in)
