@@ -103,9 +103,9 @@ namespace signorini
     {
       std::ostringstream title, description;
       title << "signorini: step " << problem.step;
-      description << "Step " << problem.step << " of signorini from time " << problem.start_time
-                  << " by " << problem.step_size << ": mean velocities of the step; r times "
-                  << problem.force_per_reaction << " are the contact forces of nodes.";
+      description << "signorini, step " << problem.step << " from time " << problem.start_time
+                  << " by " << problem.step_size << "; velocities are means of the step; r times "
+                  << problem.force_per_reaction << " are contact forces of nodes";
       const Handle info = group(parent, "info");
       write(info, "title", title.str());
       write(info, "description", description.str());

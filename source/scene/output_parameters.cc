@@ -72,12 +72,13 @@ namespace signorini
                       "Write a row of history.csv and of the other tables every so many steps, and "
                       "one for the last step. Works, iterations and products of the steps between "
                       "are summed into the next row.");
-    prm.declare_entry("FCLIB every",
-                      "0",
-                      Integer(),
-                      "Write the contact problem of every so many steps, and its solution, as a "
-                      "file of the Frictional Contact Library (FCLIB, HDF5), fclib/step_*.hdf5, if "
-                      "there is contact in the step; 0: none. On one process. See doc/fclib.md.");
+    prm.declare_entry(
+      "FCLIB every",
+      "0",
+      Integer(),
+      "Write the contact problem of every so many steps, and its solution, as a "
+      "file of the Frictional Contact Library (FCLIB, HDF5), fclib/step_*.hdf5, if "
+      "there is contact in the step; 0: none. On one process. See doc/manual/fclib.md.");
     prm.declare_entry("Guard",
                       "stop",
                       Selection("stop|warn"),
