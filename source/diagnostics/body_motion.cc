@@ -110,6 +110,48 @@ namespace signorini
 
 
   template <int dim>
+  double BodyMotion<dim>::elastic_energy(const State &state) const
+  {
+    // Per body: u'Au; resultant and moment of Au, which are round-off; of m u the same, which are
+    // the motion.
+    constexpr unsigned int n_sums = 1 + 2 * (dim + n_axes);
+    std::vector<double>    sums(masses.size() * n_sums, 0.);
+    for (const MassPoint &point : points)
+      {
+        double        *sum = &sums[point.body * n_sums];
+        Tensor<1, dim> u, force;
+        for (unsigned int c = 0; c < dim; ++c)
+          {
+            u[c]     = state.displacement.local_element(dim * point.node + c);
+            force[c] = state.internal_force.local_element(dim * point.node + c);
+            sum[1 + c] += force[c];
+            sum[1 + dim + n_axes + c] += point.mass * u[c];
+          }
+        sum[0] += u * force;
+        const Moment of_force = moment(point.arm, force), of_motion = moment(point.arm, u);
+        for (unsigned int axis = 0; axis < n_axes; ++axis)
+          {
+            sum[1 + dim + axis] += of_force[axis];
+            sum[1 + 2 * dim + n_axes + axis] += point.mass * of_motion[axis];
+          }
+      }
+    Utilities::MPI::sum(sums, communicator, sums);
+    double twice_the_energy = 0.;
+    for (std::size_t body = 0; body < masses.size(); ++body)
+      {
+        const double *force = &sums[body * n_sums + 1], *motion = force + dim + n_axes;
+        twice_the_energy += sums[body * n_sums];
+        for (unsigned int c = 0; c < dim; ++c)
+          twice_the_energy -= force[c] * motion[c] / masses[body];
+        for (unsigned int i = 0; i < n_axes; ++i)
+          for (unsigned int j = 0; j < n_axes; ++j)
+            twice_the_energy -= force[dim + i] * inverse_inertia[body][i][j] * motion[dim + j];
+      }
+    return 0.5 * twice_the_energy;
+  }
+
+
+  template <int dim>
   std::vector<BodyReading> BodyMotion<dim>::read(const State &state) const
   {
     // Per body: both energies, momentum, angular momentum, mean displacement.

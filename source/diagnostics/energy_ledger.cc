@@ -22,6 +22,13 @@ namespace signorini
   }
 
 
+  EnergyLedger::EnergyLedger()
+    : EnergyLedger(
+      [](const State &state) { return 0.5 * (state.displacement * state.internal_force); })
+  {
+  }
+
+
   void EnergyLedger::open(const State &state, const Vector *load)
   {
     first = last = evaluate(state, load);
@@ -70,7 +77,7 @@ namespace signorini
   {
     Energy energy;
     energy.kinetic = 0.5 * (state.velocity * state.momentum);
-    energy.elastic = 0.5 * (state.displacement * state.internal_force);
+    energy.elastic = elastic(state);
     if (load != nullptr)
       energy.external = -(*load * state.displacement);
     return energy;

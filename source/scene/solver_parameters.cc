@@ -45,7 +45,8 @@ namespace signorini
                       Double(),
                       "Accuracy of each step: error in the energy norm divided by the root of the "
                       "largest energy of the run (no unit), between 0 and 0.01. The energy ledger "
-                      "closes to this accuracy.");
+                      "closes to this accuracy. Where bodies hardly deform, errors are kept "
+                      "smaller, so that their small forces are right as well.");
     prm.declare_entry("Maximum active set iterations",
                       std::to_string(defaults.limits.maximum_iterations),
                       Integer(),

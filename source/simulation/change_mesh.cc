@@ -13,8 +13,8 @@ namespace signorini
                              std::unique_ptr<MeshedScene<dim>> &meshed,
                              dealii::TimerOutput               &timer)
   {
-    const double       energy   = meshed->system.energy();
-    const ProductCount products = meshed->discretization.matrices().products();
+    const MotionEnergies energies = meshed->system.energies();
+    const ProductCount   products = meshed->discretization.matrices().products();
     {
       dealii::TimerOutput::Scope scope(timer, "mesh: cells");
       // It lives until the cells have changed; if they cannot, nothing is left to be taken for a
@@ -23,7 +23,7 @@ namespace signorini
       mesh.carry_out_flags();
     }
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_life_time, timer);
-    meshed->system.set_energy(energy);
+    meshed->system.see(energies);
     meshed->discretization.matrices().add_products(products);
   }
 
@@ -34,10 +34,10 @@ namespace signorini
                   std::unique_ptr<MeshedScene<dim>> &meshed,
                   dealii::TimerOutput               &timer)
   {
-    const double       energy   = meshed->system.energy();
-    const ProductCount products = meshed->discretization.matrices().products();
+    const MotionEnergies energies = meshed->system.energies();
+    const ProductCount   products = meshed->discretization.matrices().products();
     meshed = std::make_unique<MeshedScene<dim>>(std::move(meshed), scene, mesh_life_time, timer);
-    meshed->system.set_energy(energy);
+    meshed->system.see(energies);
     meshed->discretization.matrices().set_products(products);
   }
 

@@ -170,12 +170,12 @@ namespace signorini
   void
   Simulation<dim>::archive(Archive &archive, TimeStepping &stepping, Observation<dim> &observation)
   {
-    double       energy   = meshed->system.energy();
-    ProductCount products = meshed->discretization.matrices().products();
-    archive(energy, products, latest_interval);
+    MotionEnergies energies = meshed->system.energies();
+    ProductCount   products = meshed->discretization.matrices().products();
+    archive(energies.motion, energies.elastic, products, latest_interval);
     if (archive.reads())
       {
-        meshed->system.set_energy(energy);
+        meshed->system.see(energies);
         meshed->discretization.matrices().set_products(products);
       }
     stepping.archive(archive);

@@ -35,6 +35,7 @@ namespace signorini
               has_friction(scene.pairs),
               probes,
               meshed.discretization.communicator())
+    , ledger([this](const State &state) { return body_motion.elastic_energy(state); })
     , errors(scene.exact_solution)
     , run_summary({has_friction(scene.pairs),
                    scene.time.mass.has_massless_contact_nodes(),

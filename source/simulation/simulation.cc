@@ -108,7 +108,7 @@ namespace signorini
     begin_fields();
     Observation<dim> observation(scene, *meshed);
     observation.start(state);
-    meshed->system.set_energy(observation.energy_of_motion());
+    meshed->system.see(observation.energies());
     const auto stepping = make_stepping();
     if (writes_fields(0.))
       write_fields(observation);
@@ -165,7 +165,7 @@ namespace signorini
             news.push_back(sentence);
           for (const std::string &warning : news)
             log.warning(warning);
-          meshed->system.set_energy(observation.energy_of_motion());
+          meshed->system.see(observation.energies());
           tell_progress(stepping.fraction_done(state), observation, log);
         }
         heed(observation.broken_laws(), scene.output.guard, log);

@@ -124,7 +124,7 @@ namespace signorini
   {
     // An error e of the increment is an error 2/tau e of the velocity, of kinetic energy at most
     // 2/tau^2 e'K e.
-    const double of_motion = step_size * std::sqrt(energy_scale / 2.);
+    const double of_motion = step_size * std::sqrt(largest_energies.scale() / 2.);
     const auto  &entries   = coordinates.dirichlet_entries();
     // At rest, or where all motion so far is round-off: what this step is going to bring.
     if (of_motion
@@ -282,7 +282,7 @@ namespace signorini
     if (!massless_equilibrium)
       massless_equilibrium = std::make_unique<MasslessEquilibrium<dim>>(
         discretization, surface, coordinates, parameters.solver);
-    return massless_equilibrium->solve(displacement, load, energy_scale, contact_force);
+    return massless_equilibrium->solve(displacement, load, largest_energies.motion, contact_force);
   }
 
 

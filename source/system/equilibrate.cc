@@ -58,7 +58,7 @@ namespace signorini
         force -= resistance;
       }
     StaticProblem problem{force, step.bounds, prescribed, laws};
-    problem.energy             = energy_scale;
+    problem.energy             = largest_energies.motion;
     const StaticSolution found = equilibrium.find_held(problem, active);
     if (!found.is_held)
       throw RunError("There is no static equilibrium at time "

@@ -166,7 +166,7 @@ TEST(Effectivity, OneTimeStep)
     start.contact_force  = discretization.make_vector();
     start.momentum       = mass_times(discretization, start.velocity);
     start.internal_force = discretization.make_vector();
-    system.set_energy(0.5 * (start.velocity * start.momentum));
+    system.see({0.5 * (start.velocity * start.momentum), 0.});
     State end = start;
     make_time_scheme(scene.time.scheme)->advance(system, end, tau);
     // Squared norm of velocity and displacement: 4/tau^2 times that of the problem of the step.

@@ -53,7 +53,8 @@ namespace signorini::tests
       meshed->system.apply_mass(state.momentum, state.velocity);
       meshed->system.apply_stiffness(state.internal_force, state.displacement);
       ledger.open(state, meshed->load(0.));
-      meshed->system.set_energy(ledger.current().kinetic + ledger.current().elastic);
+      meshed->system.see(
+        {ledger.current().kinetic + ledger.current().elastic, ledger.current().elastic});
     }
 
     /** Refine and coarsen a few cells anywhere. */

@@ -102,7 +102,7 @@ namespace
     State          state = initial_state(meshed.discretization);
     meshed.system.apply_mass(state.momentum, state.velocity);
     meshed.system.apply_stiffness(state.internal_force, state.displacement);
-    meshed.system.set_energy(8.);
+    meshed.system.see({8., 8.});
     EnergyLedger ledger;
     ledger.open(state, nullptr);
     LawWatch<2> watch(scene);

@@ -85,7 +85,7 @@ namespace
       return 0.5 * (state.velocity * state.momentum + state.displacement * state.internal_force);
     };
     const double initial_energy = energy();
-    system.set_energy(initial_energy);
+    system.see({initial_energy, initial_energy});
 
     Outcome    outcome;
     const auto scheme = make_time_scheme(scheme_name);

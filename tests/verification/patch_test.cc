@@ -115,7 +115,7 @@ namespace
     const double elastic = 0.5 * (initial * state.internal_force),
                  mass    = total_mass(discretization);
     const double energy  = elastic + 0.5 * (velocity * state.momentum);
-    system.set_energy(energy);
+    system.see({energy, energy});
     const Vector force = state.contact_force;
 
     const double tau    = 0.01;

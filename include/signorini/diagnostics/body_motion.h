@@ -43,6 +43,12 @@ namespace signorini
      */
     std::vector<double> rotation(const Vector &displacement) const;
 
+    /**
+     * u'Au/2 of all bodies, u without what carries and turns each of them as a whole: however far
+     * they have gone, the round-off of forces there works nothing. Collective.
+     */
+    double elastic_energy(const State &state) const;
+
     /** Each body at one instant, the same on all processes. Collective. */
     std::vector<BodyReading> read(const State &state) const;
 

@@ -7,6 +7,8 @@
 #include <signorini/base/archive.h>
 #include <signorini/time/time_scheme.h>
 
+#include <functional>
+
 namespace signorini
 {
   /** Energy of a state, E = 1/2 v'Mv + 1/2 u'Au - f'u. */
@@ -46,6 +48,17 @@ namespace signorini
   class EnergyLedger
   {
   public:
+    using ElasticEnergy = std::function<double(const State &)>;
+
+    /** With u'Au/2 as the state has it. */
+    EnergyLedger();
+
+    /** @param elastic the elastic energy of a state, for who knows it better */
+    explicit EnergyLedger(ElasticEnergy elastic)
+      : elastic(std::move(elastic))
+    {
+    }
+
     /** Open the ledger with the initial state. `load`: f at its time, null without loads. */
     void open(const State &state, const Vector *load);
 
@@ -68,9 +81,10 @@ namespace signorini
     const Energy &current() const { return last; }
 
   private:
-    Energy first, last;
-    double transferred = 0.;             ///< by new meshes since the last step
-    Vector last_load, last_displacement; ///< kept only with loads
+    ElasticEnergy elastic;
+    Energy        first, last;
+    double        transferred = 0.;             ///< by new meshes since the last step
+    Vector        last_load, last_displacement; ///< kept only with loads
 
     Energy evaluate(const State &state, const Vector *load) const;
     void   remember(const State &state, const Vector *load);

@@ -55,7 +55,10 @@ namespace signorini
     const ContactSummary &contact() const { return contact_now; }
 
     /** Kinetic and elastic energy. */
-    double energy_of_motion() const { return ledger.current().kinetic + ledger.current().elastic; }
+    MotionEnergies energies() const
+    {
+      return {ledger.current().kinetic + ledger.current().elastic, ledger.current().elastic};
+    }
 
     /** See RunSummary. */
     double relative_energy_change() const { return run_summary.relative_energy_change(); }

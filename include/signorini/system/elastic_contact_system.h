@@ -8,6 +8,7 @@
 #include <signorini/system/first_guess.h>
 #include <signorini/system/mass_problems.h>
 #include <signorini/system/massless_equilibrium.h>
+#include <signorini/system/motion_energies.h>
 #include <signorini/system/static_equilibrium.h>
 #include <signorini/system/step_contact.h>
 #include <signorini/system/step_friction.h>
@@ -88,14 +89,14 @@ namespace signorini
     using Listener = std::function<void(const IncrementProblem &, const IncrementSolution &)>;
     void show_problems_to(Listener new_listener) { listener = std::move(new_listener); }
 
-    /** Tell the energy of the motion; the largest so far is the scale of accepted errors. */
-    void set_energy(double energy) { energy_scale = std::max(energy_scale, energy); }
+    /** Tell the energies of the motion; the largest so far are the scale of accepted errors. */
+    void see(const MotionEnergies &energies) { largest_energies.add(energies); }
 
     /** Contact is where the state has it; the next problem begins with that. */
     void expect_contact_as_in(const State &state) { first_guess.status(state, active); }
 
-    /** The largest energy of the motion so far. */
-    double energy() const { return energy_scale; }
+    /** The largest energies of the motion so far. */
+    const MotionEnergies &energies() const { return largest_energies; }
 
     /** Matrix-vector products so far in words. */
     std::string cost_summary() const;
@@ -110,7 +111,7 @@ namespace signorini
     dealii::TimerOutput
       &timer; ///< one section per part of a step, so that work that was skipped can be seen
 
-    double                                    energy_scale = 0.;
+    MotionEnergies                            largest_energies;
     const FirstGuess<dim>                     first_guess;
     const StepFriction<dim>                   friction;
     StepMatrices<dim>                         step_matrices;
@@ -133,7 +134,7 @@ namespace signorini
       return mass_problems.project({free_increment,
                                     bounds,
                                     step_size,
-                                    energy_scale,
+                                    largest_energies.motion,
                                     step_contact && step_contact->repeats(),
                                     step_contact && step_contact->steps_are_trials()},
                                    correction,
@@ -145,7 +146,7 @@ namespace signorini
                                      Vector          &mass_correction) override
     {
       return mass_problems.stop_relative_motion(
-        velocity, held, energy_scale, correction, mass_correction);
+        velocity, held, largest_energies.motion, correction, mass_correction);
     }
 
     std::vector<unsigned int> massless_entries() const override;
@@ -191,7 +192,7 @@ namespace signorini
 
     /**
      * Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times
-     * the scale of energy.
+     * MotionEnergies::scale().
      */
     double solver_tolerance(const StepMatrix<dim>     &matrix,
                             double                     step_size,
