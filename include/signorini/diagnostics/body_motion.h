@@ -46,7 +46,8 @@ namespace signorini
     /**
      * u'Au/2 of all bodies, u without what carries and turns each of them as a whole: however far
      * they have gone, the round-off of forces there works nothing. Cells with curved edges are
-     * strained by the nodal values of a rotation: there only translations are taken out. Collective.
+     * strained by the nodal values of a rotation: there only translations are taken out.
+     * Collective.
      */
     double elastic_energy(const State &state) const;
 

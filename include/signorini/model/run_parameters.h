@@ -40,7 +40,7 @@ namespace signorini
     /**
      * Solutions are accepted when their error in the energy norm of the velocity is below
      * `tolerance` times the root of the largest energy of the run so far; the energy ledger then
-     * closes to this accuracy.
+     * closes to this accuracy. Less where bodies hardly deform, see MotionEnergies.
      */
     double          tolerance = 2e-11;
     ActiveSetLimits limits    = {};
