@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 #
-# cmake --install: program, library, headers, the package for find_package(signorini), scenes.
+# cmake --install: program, library, headers, the package for find_package(signorini), scenes, and
+# what draws pictures and makes reports of runs.
 # ./dev package makes a Debian package of the same.
 
 include(GNUInstallDirs)
@@ -15,6 +16,17 @@ install(TARGETS signorini_core EXPORT signoriniTargets COMPONENT library
 install(TARGETS signorini EXPORT signoriniTargets)
 install(DIRECTORY include/signorini DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(DIRECTORY parameters examples DESTINATION ${data_folder})
+install(DIRECTORY tools/plotting tools/reporting DESTINATION ${data_folder}/tools
+  PATTERN __pycache__ EXCLUDE)
+install(PROGRAMS tools/plot.py tools/report.py DESTINATION ${data_folder}/tools)
+install(FILES LICENSES/MIT-dygraphs.txt DESTINATION ${data_folder}/LICENSES)
+install(FILES doc/references.bib DESTINATION ${data_folder}/doc)
+foreach(tool plot report) # as commands
+  file(CREATE_LINK ../share/signorini/tools/${tool}.py
+    ${CMAKE_BINARY_DIR}/generated/signorini-${tool} SYMBOLIC)
+  install(FILES ${CMAKE_BINARY_DIR}/generated/signorini-${tool}
+    DESTINATION ${CMAKE_INSTALL_BINDIR})
+endforeach()
 install(FILES tools/completion/signorini
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
 install(EXPORT signoriniTargets NAMESPACE signorini:: DESTINATION ${package_folder})
@@ -42,10 +54,10 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR})
 set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)
-# To compile plug-ins, and to draw pictures.
+# To draw pictures and make reports; to convert meshes; to compile plug-ins.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib, python3-meshio, libjs-dygraphs")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "libdeal.ii-dev, libeigen3-dev, libssl-dev, cmake, python3-matplotlib, python3-meshio, \
-python3-h5py, python3-netcdf4")
+  "libdeal.ii-dev, libeigen3-dev, libssl-dev, cmake, python3-h5py, python3-netcdf4")
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
 include(CPack)
