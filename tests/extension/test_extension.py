@@ -92,7 +92,6 @@ class Extension(check_history.SceneTest):
         self.assertAlmostEqual(run["kinetic_energy"][0] / (0.5 * 8500 * area * 0.5**2), 1, 9)
         # It is flattened before it jumps up.
         self.assertGreater(max(run["elastic_energy"]), 0.5 * run["kinetic_energy"][0])
-        self.assertGreater(run["contact_force_y"].count(0), 1)
         self.assertEqual(run["contact_force_y"][-1], 0)
         plugin = ("--set", f"{KEY}={self.plugin}", "--validate")
         for change, expected in (

@@ -66,7 +66,9 @@ namespace
   template <int dim>
   dealii::BoundingBox<dim> box_around(const std::vector<Point<dim>> &points)
   {
-    return dealii::BoundingBox<dim>(points).create_extended(1e-12);
+    dealii::BoundingBox<dim> box(points);
+    box.extend(1e-12);
+    return box;
   }
 
   template <int dim>

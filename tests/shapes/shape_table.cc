@@ -102,6 +102,6 @@ TEST(ShapeTable, KnowsWhatIsAddedEverywhere)
   expect_words(refusal(file.name, {{"Bodies/box/Centre", "1, 2, 3"}}),
                {"is only for balls, cylinders and pellets", "`Shape = box`"});
   expect_words(
-    refusal(file.name, {{"Bodies/ball/Shape", "pellet"}, {"Contact/Pairs", "ball[3] : floor"}}),
-    {"(shape pellet) has no boundary id 3", "Valid: 0."});
+    refusal(file.name, {{"Bodies/ball/Shape", "pellet"}, {"Bodies/ball/Dirichlet", "3: 0; 0; 0"}}),
+    {"a pellet has no boundary id `3`", "Valid: 0."});
 }
