@@ -12,7 +12,7 @@ if(NOT deal.II_FOUND)
 endif()
 deal_ii_initialize_cached_variables()
 
-foreach(feature MPI P4EST TRILINOS SUNDIALS MUPARSER)
+foreach(feature MPI P4EST TRILINOS SUNDIALS MUPARSER HDF5)
   if(NOT DEAL_II_WITH_${feature})
     message(FATAL_ERROR "This deal.II (${DEAL_II_PATH}) was built without ${feature}, which "
                         "signorini needs. On Debian the package libdeal.ii-dev has it; for your "

@@ -24,6 +24,8 @@ usage: ./dev check <kind> [ARGS]
   --sanitize [ARGS]        the tests of single modules and small scenes, with the sanitizers for
                            addresses and undefined behaviour
   --memory [ARGS]          10 000 steps on changing meshes: the memory must not grow (--steps N)
+  --siconos [ARGS]         Siconos (31 MB to download, 226 MB on the disk) solves problems of steps
+                           to the same forces
   --clang                  compiles program and tests with Clang, warnings as errors
   --format                 whether clang-format would change a source (version 14 is the reference)
                            (ARGS go to ctest: ./dev check --perturb -R step_size)
@@ -98,6 +100,15 @@ check_memory() {
   "$python" -B tools/memory.py build/release/signorini build/memory "$@"
 }
 
+check_siconos() {
+  ./dev build
+  "$python" -c "import siconos.numerics, h5py" || {
+    echo "./dev: as root: apt-get install --no-install-recommends python3-siconos python3-h5py" >&2
+    return 1
+  }
+  ctest --preset release -R '^verification_siconos$' "$@"
+}
+
 check_clang() {
   cmake -S . -B build/check-clang -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER=clang++ -DSIGNORINI_WARNINGS_AS_ERRORS=ON
@@ -118,7 +129,7 @@ kind=${1:-}
 [[ $# -eq 0 ]] || shift
 case $kind in
   --debian | --package | --perturb | --no-native | --no-fma | --debug | --sanitize | --memory | \
-    --clang | --format)
+    --siconos | --clang | --format)
     function=check_${kind#--}
     "${function//-/_}" "$@"
     ;;

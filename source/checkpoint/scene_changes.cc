@@ -22,6 +22,7 @@ namespace signorini
                                                  "Output/VTU every",
                                                  "Output/VTU states",
                                                  "Output/History every",
+                                                 "Output/FCLIB every",
                                                  "Checkpoint/Every steps",
                                                  "Checkpoint/Every minutes"};
 

@@ -24,6 +24,7 @@ namespace signorini
   template <int dim>
   BodyMotion<dim>::BodyMotion(const Discretization<dim> &discretization)
     : communicator(discretization.communicator())
+    , turns_without_strain(discretization.mesh().mapping().get_degree() == 1)
   {
     const unsigned int n_bodies = discretization.mesh().bodies().size();
     const auto        &pattern  = discretization.matrices().pattern;
@@ -112,8 +113,8 @@ namespace signorini
   template <int dim>
   double BodyMotion<dim>::elastic_energy(const State &state) const
   {
-    // Per body: u'Au; resultant and moment of Au, which are round-off; of m u the same, which are
-    // the motion.
+    // Per body: u'Au; resultant and moment of Au, which are round-off (the moment only where
+    // rotations are among the displacements); of m u the same, which are the motion.
     constexpr unsigned int n_sums = 1 + 2 * (dim + n_axes);
     std::vector<double>    sums(masses.size() * n_sums, 0.);
     for (const MassPoint &point : points)
@@ -143,7 +144,7 @@ namespace signorini
         twice_the_energy += sums[body * n_sums];
         for (unsigned int c = 0; c < dim; ++c)
           twice_the_energy -= force[c] * motion[c] / masses[body];
-        for (unsigned int i = 0; i < n_axes; ++i)
+        for (unsigned int i = 0; turns_without_strain && i < n_axes; ++i)
           for (unsigned int j = 0; j < n_axes; ++j)
             twice_the_energy -= force[dim + i] * inverse_inertia[body][i][j] * motion[dim + j];
       }

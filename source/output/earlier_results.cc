@@ -38,6 +38,7 @@ namespace signorini
                    "(volume|surface|obstacles|setup)\\.pvd|(setup_)?obstacles\\.vtu"));
       remove_matching(folder / "fields",
                       std::regex("(volume|surface|obstacles|setup)_.*\\.p?vtu(\\.part)?"));
+      remove_matching(folder / "fclib", std::regex("step_\\d+\\.hdf5(\\.part)?"));
       remove_matching(folder / "pictures",
                       std::regex("(bodies|contact_force|energy|momentum|probe_.*)\\.png"));
     });

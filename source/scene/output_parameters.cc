@@ -2,11 +2,50 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/scene/sections.h>
+#include <signorini/schemes/scheme_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 namespace signorini
 {
+  namespace
+  {
+    void declare_tables(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      prm.declare_entry(
+        "Supports",
+        "true",
+        Bool(),
+        "Write supports.csv: the force on the body, support_<body>_<id>_x, ..., of "
+        "each boundary with a Dirichlet condition. Momentum changes in a step by its "
+        "size times the sum of loads, contact and supports, as the scheme applies "
+        "them (doc/output.md). A component of a node that two boundaries prescribe "
+        "counts for the one that `Dirichlet` names first.");
+      prm.declare_entry(
+        "Pairs",
+        "true",
+        Bool(),
+        "Write pairs.csv: force on the slave, its moment about the origin, normal "
+        "force, friction force, active nodes, smallest gap and penetration of each "
+        "contact pair, pair_<k>_..., k = 0, 1, ... in the order of `Contact/Pairs`.");
+      prm.declare_entry(
+        "Forces",
+        "true",
+        Bool(),
+        "Write forces.csv, if there are pairs: the contact force on each body by the "
+        "multipliers, by the stress at its boundary and by the change of its "
+        "momentum, force_<body>_..., and their relative spread.");
+      prm.declare_entry("Bodies",
+                        "true",
+                        Bool(),
+                        "Write bodies.csv: kinetic and elastic energy, momentum, angular momentum "
+                        "about the centroid, centroid and mean velocity of each body, "
+                        "body_<name>_....");
+    }
+  } // namespace
+
+
   void declare_output(dealii::ParameterHandler &prm)
   {
     using namespace dealii::Patterns;
@@ -33,6 +72,13 @@ namespace signorini
                       "Write a row of history.csv and of the other tables every so many steps, and "
                       "one for the last step. Works, iterations and products of the steps between "
                       "are summed into the next row.");
+    prm.declare_entry(
+      "FCLIB every",
+      "0",
+      Integer(),
+      "Write the contact problem of every so many steps, and its solution, as a "
+      "file of the Frictional Contact Library (FCLIB, HDF5), fclib/step_*.hdf5, if "
+      "there is contact in the step; 0: none. On one process. See doc/manual/fclib.md.");
     prm.declare_entry("Guard",
                       "stop",
                       Selection("stop|warn"),
@@ -40,32 +86,7 @@ namespace signorini
                       "energy, adhesion, Coulomb's bound, penetration, momentum) beyond the "
                       "accuracy of the solvers: stop, with a diagnosis and the state written, or "
                       "warn and go on. See doc/output.md.");
-    prm.declare_entry("Supports",
-                      "true",
-                      Bool(),
-                      "Write supports.csv: the force on the body, support_<body>_<id>_x, ..., of "
-                      "each boundary with a Dirichlet condition. Momentum changes in a step by its "
-                      "size times the sum of loads, contact and supports, as the scheme applies "
-                      "them (doc/output.md). A component of a node that two boundaries prescribe "
-                      "counts for the one that `Dirichlet` names first.");
-    prm.declare_entry("Pairs",
-                      "true",
-                      Bool(),
-                      "Write pairs.csv: force on the slave, its moment about the origin, normal "
-                      "force, friction force, active nodes, smallest gap and penetration of each "
-                      "contact pair, pair_<k>_..., k = 0, 1, ... in the order of `Contact/Pairs`.");
-    prm.declare_entry("Forces",
-                      "true",
-                      Bool(),
-                      "Write forces.csv, if there are pairs: the contact force on each body by the "
-                      "multipliers, by the stress at its boundary and by the change of its "
-                      "momentum, force_<body>_..., and their relative spread.");
-    prm.declare_entry("Bodies",
-                      "true",
-                      Bool(),
-                      "Write bodies.csv: kinetic and elastic energy, momentum, angular momentum "
-                      "about the centroid, centroid and mean velocity of each body, "
-                      "body_<name>_....");
+    declare_tables(prm);
   }
 
   OutputParameters parse_output(const SectionReader &in)
@@ -81,8 +102,41 @@ namespace signorini
     output.bodies        = in.flag("Bodies");
     output.guard         = in.choice<GuardAction>("Guard");
     output.forces        = in.flag("Forces");
+    output.fclib_every   = in.integer("FCLIB every", 0, SectionReader::unlimited);
     return output;
   }
+
+
+  template <int dim>
+  void check_fclib(const SectionReader &in, const Scene<dim> &scene)
+  {
+    if (scene.output.fclib_every == 0)
+      return;
+    const std::string remedy = " Set `FCLIB every = 0`, or ";
+    const SchemeInfo &scheme = scheme_info(scene.time.scheme);
+    if (!scheme.variable_step())
+      in.fail("FCLIB every",
+              "writes the problem with inertia that a step solves, and `Time/Scheme = "
+                + scene.time.scheme + "` solves none." + remedy + "take another scheme.");
+    if (scene.step_sizes.is_variable())
+      in.fail("FCLIB every",
+              "does not know which of the steps that `Time/Step size control` tries are taken."
+                + remedy + "take steps of one size.");
+    for (const PairDescription &pair : scene.pairs)
+      if (pair.friction.any && !pair.friction.bound.empty())
+        in.fail("FCLIB every",
+                "writes problems with the law of Coulomb; FCLIB has no bound as that of the pair "
+                "`"
+                  + pair.name + "`." + remedy + "give a `Friction coefficient` alone.");
+    if (has_friction(scene.pairs) && scheme.projects_velocity)
+      in.fail("FCLIB every",
+              "writes problems whose friction belongs to their own normal forces; `Time/Scheme = "
+                + scene.time.scheme + "` adds those of its predictor." + remedy
+                + "take another scheme with friction.");
+  }
+
+  template void check_fclib(const SectionReader &, const Scene<2> &);
+  template void check_fclib(const SectionReader &, const Scene<3> &);
 
 
   void declare_checkpoint(dealii::ParameterHandler &prm)

@@ -242,7 +242,8 @@ namespace signorini
     scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);
     scene.solver         = parse_solver(in.section("Solver"), has_friction(scene.pairs));
     scene.output         = parse_output(in.section("Output"));
-    scene.checkpoint     = parse_checkpoint(in.section("Checkpoint"));
+    check_fclib(in.section("Output"), scene);
+    scene.checkpoint = parse_checkpoint(in.section("Checkpoint"));
 
     const auto meshes = meshes_of(scene);
     for (const NamedMesh &mesh : meshes)

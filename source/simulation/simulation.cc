@@ -84,6 +84,9 @@ namespace signorini
                    scene.time.n_steps())
     , checkpoints(scene.output_directory, communicator)
   {
+    if (scene.output.fclib_every > 0)
+      problems = std::make_unique<ProblemSeries<dim>>(
+        scene.output_directory, scene.output.fclib_every, communicator);
   }
 
 
@@ -168,6 +171,7 @@ namespace signorini
         heed(observation.broken_laws(), scene.output.guard, log);
         if (scene.time.stop_on_warning && !news.empty())
           throw RunError("`Time/Stop on warning`: " + news.front());
+        write_problem(observation);
         if (writes_fields(stepping.fraction_done(state)))
           write_fields(observation);
         else
@@ -209,6 +213,18 @@ namespace signorini
     fields->write(state, meshed->discretization, meshed->surface, mesh_control.indicators());
     if (moving_obstacles)
       moving_obstacles->write(state, meshed->discretization);
+    observation.resume_clock();
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::write_problem(Observation<dim> &observation)
+  {
+    if (!problems)
+      return;
+    TimerOutput::Scope scope(timer, "problems for FCLIB");
+    observation.pause_clock();
+    problems->write();
     observation.resume_clock();
   }
 
@@ -294,6 +310,8 @@ namespace signorini
     TimerOutput::Scope scope(
       timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
     mesh_has_just_changed = false;
+    if (problems)
+      problems->expect(state.step + 1, meshed->discretization, meshed->coordinates, meshed->system);
     return stepping.advance(meshed->system, state);
   }
 

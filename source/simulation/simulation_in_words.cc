@@ -4,7 +4,7 @@
 // What a simulation says about itself before its first step.
 
 #include <signorini/base/spelling.h>
-#include <signorini/output/setup_output.h>
+#include <signorini/setup/setup_output.h>
 #include <signorini/simulation/element_warnings.h>
 #include <signorini/simulation/preflight.h>
 #include <signorini/simulation/simulation.h>
@@ -33,8 +33,10 @@ namespace signorini
       scene.file_name + ": the scene is in order.\n" + description() + in_words(forecast);
     if (scene.output.vtu)
       {
-        write_setup(scene.output_directory, meshed->discretization, scene.pairs, scene.obstacles);
-        text += "  set-up            " + scene.output_directory + "/setup.pvd\n";
+        const bool has_picture =
+          write_setup(scene.output_directory, meshed->discretization, scene.pairs, scene.obstacles);
+        text += "  set-up            " + scene.output_directory + "/setup.pvd"
+                + (has_picture ? " and setup.svg" : "") + "\n";
       }
     return text;
   }

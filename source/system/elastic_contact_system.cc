@@ -224,6 +224,8 @@ namespace signorini
     extract(friction_of_nodes, residual, problem.further_reaction != nullptr, drag, solution);
     coordinates.force_to_cartesian(residual);
     matrix.forecast.remember(problem.right_hand_side, increment, residual);
+    if (listener)
+      listener(problem, solution);
   }
 
 

@@ -8,16 +8,20 @@ processes.
 Usage: test_command_line.py EXECUTABLE
 """
 
+import collections
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 EXECUTABLE = ""
-QUICK_START = str(pathlib.Path(__file__).resolve().parents[2] / "parameters" / "quick_start.prm")
+PARAMETERS = pathlib.Path(__file__).resolve().parents[2] / "parameters"
+QUICK_START = str(PARAMETERS / "quick_start.prm")
 TIMEOUT = 300
 
 
@@ -238,9 +242,39 @@ class CommandLine(unittest.TestCase):
                 "fields/setup_000000.1.vtu",
                 "fields/setup_000000.pvtu",
                 "setup.pvd",
+                "setup.svg",
                 "setup_obstacles.vtu",
             ],
         )
+        pieces = [path.read_bytes() for path in output.rglob("setup_000000.*.vtu")]
+        faces = [int(re.search(rb'NumberOfCells="(\d+)"', piece)[1]) for piece in pieces]
+        self.assertEqual(sum(faces), 24 * 16)
+
+    def picture(self, scene, processes=1):
+        """@return the kinds of lines of its picture, and all lines, in a fixed order"""
+        result = self.call(str(scene), "--validate", processes=processes)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        file = next(pathlib.Path(self.folder).rglob("setup.svg"))
+        text = file.read_text()
+        file.unlink()
+        kinds = collections.Counter(
+            element.tag.rsplit("}")[-1] for element in xml.etree.ElementTree.fromstring(text).iter()
+        )
+        return kinds, sorted(text.splitlines())
+
+    def test_picture_of_the_setup(self):
+        """A ball shows half of its 24 x 16 faces and the floor; a strip its cells and its edges;
+        both the same on one and two processes."""
+        kinds, ball = self.picture(QUICK_START)
+        self.assertEqual(sum("stroke=" in line for line in ball if "<polygon" in line), 192)
+        self.assertEqual(kinds["title"], 1)
+        for word in ("ball", "floor", "contact: slave", "z from 0 to 2"):
+            self.assertTrue(any(f">{word}</text>" in line for line in ball), word)
+        self.assertEqual(self.picture(QUICK_START, 2)[1], ball)
+        base = PARAMETERS / "moving_base.prm"
+        lines = self.picture(base)[1]
+        self.assertTrue(any("prescribed displacement" in line for line in lines))
+        self.assertEqual(self.picture(base, 2)[1], lines)
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ TITLES = {
     "diagnostics": "What a run watches",
     "simulation": "Runs, meshes that change, checkpoints",
     "output": "Files of a run",
+    "fclib": "Problems of steps for FCLIB",
     "checkpoint": "Checkpoints",
 }
 HEAD = """# All messages

@@ -45,7 +45,9 @@ namespace signorini
 
     /**
      * u'Au/2 of all bodies, u without what carries and turns each of them as a whole: however far
-     * they have gone, the round-off of forces there works nothing. Collective.
+     * they have gone, the round-off of forces there works nothing. Cells with curved edges are
+     * strained by the nodal values of a rotation: there only translations are taken out.
+     * Collective.
      */
     double elastic_energy(const State &state) const;
 
@@ -70,6 +72,7 @@ namespace signorini
     };
 
     MPI_Comm                               communicator;
+    bool                                   turns_without_strain; ///< see elastic_energy()
     std::vector<MassPoint>                 points;
     std::vector<double>                    masses;  ///< of each body
     std::vector<dealii::Tensor<1, dim>>    centres; ///< of mass, in the reference configuration

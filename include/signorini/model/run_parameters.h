@@ -40,7 +40,7 @@ namespace signorini
     /**
      * Solutions are accepted when their error in the energy norm of the velocity is below
      * `tolerance` times the root of the largest energy of the run so far; the energy ledger then
-     * closes to this accuracy.
+     * closes to this accuracy. Less where bodies hardly deform, see MotionEnergies.
      */
     double          tolerance = 2e-11;
     ActiveSetLimits limits    = {};
@@ -78,6 +78,7 @@ namespace signorini
     bool         vtu           = true;
     bool         obstacles     = true; ///< with VTU: their surfaces, once
     unsigned int history_every = 1;
+    unsigned int fclib_every   = 0;    ///< problems of steps as files of FCLIB; 0: none
     bool         supports      = true; ///< table of the forces of supports, if there are any
     bool         pairs         = true; ///< table of the contact of each pair, if there are any
     bool         bodies        = true; ///< table of energies and momenta of each body

@@ -97,6 +97,9 @@ namespace signorini
 
   void             declare_output(dealii::ParameterHandler &prm);
   OutputParameters parse_output(const SectionReader &in);
+  /** Whether FCLIB has words for the problems of the steps. @throws UserError */
+  template <int dim>
+  void check_fclib(const SectionReader &in, const Scene<dim> &scene);
 
   void                 declare_checkpoint(dealii::ParameterHandler &prm);
   CheckpointParameters parse_checkpoint(const SectionReader &in);

@@ -7,6 +7,7 @@
 #include <signorini/base/interruption.h>
 #include <signorini/checkpoint/checkpoint_folder.h>
 #include <signorini/checkpoint/packed_state.h>
+#include <signorini/fclib/problem_series.h>
 #include <signorini/output/field_output.h>
 #include <signorini/output/folder_lock.h>
 #include <signorini/output/obstacle_series.h>
@@ -82,6 +83,7 @@ namespace signorini
     int latest_interval = -1;                    ///< of time, in which fields were written
     std::unique_ptr<FieldOutput<dim>>    fields; ///< none if the scene wants none
     std::unique_ptr<ObstacleSeries<dim>> moving_obstacles; ///< none if there are none
+    std::unique_ptr<ProblemSeries<dim>>  problems;         ///< none if the scene wants none
     const CheckpointFolder               checkpoints;
     dealii::Timer                        since_checkpoint;
 
@@ -117,6 +119,8 @@ namespace signorini
     void make_steps(TimeStepping &, Observation<dim> &, RunLog &);
     void tell_progress(double fraction, const Observation<dim> &, RunLog &) const;
     void write_fields(Observation<dim> &);
+    /** The problem of the latest step, if the scene wants it. */
+    void write_problem(Observation<dim> &);
     /** Of those that are being written in the background. @param wait until they are there */
     void complete_fields(Observation<dim> &, bool wait);
     /**

@@ -17,6 +17,8 @@
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
+
 namespace signorini
 {
   /** What a system is told besides mesh, contact and loads. */
@@ -83,6 +85,10 @@ namespace signorini
                             ContactSurface<dim>            &moving_surface,
                             ContactCoordinates<dim>        &moving_coordinates);
 
+    /** To be told each problem that solve() has solved, in the contact coordinates of then. */
+    using Listener = std::function<void(const IncrementProblem &, const IncrementSolution &)>;
+    void show_problems_to(Listener new_listener) { listener = std::move(new_listener); }
+
     /** Tell the energies of the motion; the largest so far are the scale of accepted errors. */
     void see(const MotionEnergies &energies) { largest_energies.add(energies); }
 
@@ -116,6 +122,7 @@ namespace signorini
     std::unique_ptr<ConstrainedSolver>        solver;
     ActiveSet                                 active;
     std::unique_ptr<StepContact<dim>>         step_contact; ///< null: contact is linearised
+    Listener                                  listener;
 
     Vector      normal_forces(const std::vector<double> &forces) const override;
     SolveReport project(const Vector    &free_increment,

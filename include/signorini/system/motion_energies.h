@@ -25,11 +25,11 @@ namespace signorini
      * The energy that errors of a step are to be small against. Where bodies hardly deform, an
      * error that is small against their motion is none in the ledger, and much in stresses and
      * contact forces: they are to have 1/50 of the relative accuracy that the motion has. But no
-     * error needs to be less than 1/200 of what the motion accepts: a body that flies has no
+     * error needs to be less than 1/50 of what the motion accepts: a body that flies has no
      * stresses, but for round-off. Impacts, whose energy is elastic for some time, are not
      * concerned.
      */
-    double scale() const { return std::clamp(2500. * elastic, motion / 40000., motion); }
+    double scale() const { return std::clamp(2500. * elastic, motion / 2500., motion); }
   };
 } // namespace signorini
 

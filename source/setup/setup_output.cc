@@ -3,10 +3,10 @@
 
 #include <signorini/output/field_series.h>
 #include <signorini/output/obstacle_surfaces.h>
-#include <signorini/output/setup_output.h>
 #include <signorini/output/whole_file.h>
-
-#include <algorithm>
+#include <signorini/setup/setup_face.h>
+#include <signorini/setup/setup_output.h>
+#include <signorini/setup/setup_picture.h>
 
 namespace signorini
 {
@@ -23,37 +23,6 @@ namespace signorini
       is_loaded,
       n_setup_values
     };
-
-
-    bool is_among(const std::vector<types::boundary_id> &ids, const types::boundary_id id)
-    {
-      return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
-    }
-
-
-    /** 1 for a slave, 2 for a master, 0 for none of both; a slave comes first. */
-    unsigned int side_in_pairs(const std::vector<PairDescription> &pairs,
-                               const unsigned int                  body,
-                               const types::boundary_id            id)
-    {
-      unsigned int side = 0;
-      for (const PairDescription &pair : pairs)
-        if (pair.slave == body && is_among(pair.slave_boundary_ids, id))
-          return 1;
-        else if (pair.master == body && is_among(pair.master_boundary_ids, id))
-          side = 2;
-      return side;
-    }
-
-
-    template <int dim>
-    bool has_condition(const std::vector<BoundaryCondition<dim>> &conditions,
-                       const types::boundary_id                   id)
-    {
-      return std::any_of(conditions.begin(), conditions.end(), [id](const auto &condition) {
-        return condition.boundary_id == id;
-      });
-    }
   } // namespace
 
 
@@ -63,12 +32,11 @@ namespace signorini
   {
     for (const auto &cell : discretization.cells())
       for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
+        if (cell->is_locally_owned() && face->at_boundary())
           {
-            const unsigned int          index = cell->material_id();
-            const BodyDescription<dim> &body  = discretization.mesh().bodies()[index];
-            const types::boundary_id    id    = face->boundary_id();
-            Patch                       patch;
+            const SetupFace shown = setup_face(
+              discretization.mesh().bodies(), pairs, cell->material_id(), face->boundary_id());
+            Patch patch;
             patch.n_subdivisions = 1;
             patch.reference_cell = ReferenceCells::get_hypercube<dim - 1>();
             patch.patch_index    = patches.size();
@@ -76,11 +44,11 @@ namespace signorini
             for (const unsigned int v : face->vertex_indices())
               {
                 patch.vertices[v]              = face->vertex(v);
-                patch.data(body_index, v)      = index;
-                patch.data(boundary_number, v) = id;
-                patch.data(contact_side, v)    = side_in_pairs(pairs, index, id);
-                patch.data(is_supported, v)    = has_condition(body.dirichlet, id);
-                patch.data(is_loaded, v)       = has_condition(body.traction, id);
+                patch.data(body_index, v)      = shown.body;
+                patch.data(boundary_number, v) = shown.boundary_id;
+                patch.data(contact_side, v)    = shown.contact_side;
+                patch.data(is_supported, v)    = shown.is_supported;
+                patch.data(is_loaded, v)       = shown.is_loaded;
               }
             patches.push_back(patch);
           }
@@ -95,7 +63,7 @@ namespace signorini
 
 
   template <int dim>
-  void write_setup(const std::string                     &directory,
+  bool write_setup(const std::string                     &directory,
                    const Discretization<dim>             &discretization,
                    const std::vector<PairDescription>    &pairs,
                    const std::vector<NamedObstacle<dim>> &obstacles)
@@ -105,23 +73,35 @@ namespace signorini
     FieldSeries       series(directory, "setup", communicator);
     succeed_together(communicator, [&] { series.write_piece(bodies, 0, 0.); });
     series.name_moment(bodies, 0, 0.);
-    const auto boxes = discretization.mesh().bounding_boxes();
+
+    const SetupPicture<dim> picture(discretization, pairs);
+    const auto              boxes = discretization.mesh().bounding_boxes();
     succeed_together(communicator, [&] {
-      if (obstacles.empty() || Utilities::MPI::this_mpi_process(communicator) != 0)
+      if (Utilities::MPI::this_mpi_process(communicator) != 0)
         return;
       auto       all    = shown_obstacles(obstacles, false);
       const auto moving = shown_obstacles(obstacles, true);
       all.insert(all.end(), moving.begin(), moving.end());
-      const ObstacleSurfaces<dim> surfaces(all, surroundings(boxes, all));
-      write_whole_file(directory + "/setup_obstacles.vtu",
-                       [&](std::ostream &out) { surfaces.write_vtu(out); });
+      const BoundingBox<dim>      view = surroundings(boxes, all);
+      const ObstacleSurfaces<dim> surfaces(all, view);
+      if (!obstacles.empty())
+        write_whole_file(directory + "/setup_obstacles.vtu",
+                         [&](std::ostream &out) { surfaces.write_vtu(out); });
+      std::vector<std::string> names;
+      for (const auto &obstacle : obstacles)
+        names.push_back(obstacle.name);
+      if (picture.exists())
+        write_whole_file(directory + "/setup.svg", [&](std::ostream &out) {
+          out << picture.draw(view, obstacles.empty() ? nullptr : &surfaces, names);
+        });
     });
+    return picture.exists();
   }
 
 
 #define INSTANTIATE(dim)                                                                           \
   template class SetupPatches<dim>;                                                                \
-  template void write_setup(const std::string &,                                                   \
+  template bool write_setup(const std::string &,                                                   \
                             const Discretization<dim> &,                                           \
                             const std::vector<PairDescription> &,                                  \
                             const std::vector<NamedObstacle<dim>> &)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_output_setup_output_h
-#define signorini_output_setup_output_h
+#ifndef signorini_setup_setup_output_h
+#define signorini_setup_setup_output_h
 
 #include <signorini/discretization/discretization.h>
 #include <signorini/model/contact_description.h>
@@ -35,11 +35,13 @@ namespace signorini
   };
 
   /**
-   * Write `setup.pvd` with the bodies, and `setup_obstacles.vtu` with all obstacles where they are
-   * at the start. Collective. @throws RunError on all processes if a file cannot be written
+   * Write `setup.pvd` with the bodies, `setup_obstacles.vtu` with all obstacles where they are at
+   * the start, and the picture `setup.svg`, see SetupPicture. Collective.
+   * @return whether there is a picture
+   * @throws RunError on all processes if a file cannot be written
    */
   template <int dim>
-  void write_setup(const std::string                     &directory,
+  bool write_setup(const std::string                     &directory,
                    const Discretization<dim>             &discretization,
                    const std::vector<PairDescription>    &pairs,
                    const std::vector<NamedObstacle<dim>> &obstacles);
