@@ -15,6 +15,7 @@ int main(int argc, char **argv)
   int                                      only_the_name = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(only_the_name, argv, 1);
   add_washboard();
+  add_ring();
   add_damped_scheme();
   add_alloy();
   return signorini::run_program(std::vector<std::string>(argv + 1, argv + argc), MPI_COMM_WORLD);

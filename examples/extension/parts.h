@@ -9,6 +9,9 @@
 /** Obstacles with `Shape = washboard`: a floor with round ridges. */
 void add_washboard();
 
+/** Bodies with `Shape = ring`: a disc, in 3d a ball, with a hole in its middle. */
+void add_ring();
+
 /** `Time/Scheme = contact-implicit-damped`. */
 void add_damped_scheme();
 

@@ -10,6 +10,7 @@
 SIGNORINI_PLUGIN
 {
   add_washboard();
+  add_ring();
   add_damped_scheme();
   add_alloy();
 }

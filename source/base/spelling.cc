@@ -18,6 +18,13 @@ namespace signorini
     return result;
   }
 
+  std::string enumeration(const std::vector<std::string> &words, const std::string &last)
+  {
+    const std::size_t n_first = words.size() - 1;
+    return n_first == 0 ? words[0]
+                        : join({words.begin(), words.begin() + n_first}) + last + words[n_first];
+  }
+
   std::vector<std::string> split(const std::string &text, const char separator)
   {
     std::vector<std::string> pieces(1);

@@ -3,16 +3,13 @@
 
 #include <signorini/base/expressions.h>
 #include <signorini/base/user_error.h>
-#include <signorini/discretization/coarse_mesh.h>
 #include <signorini/discretization/make_triangulation.h>
 
 #include <deal.II/grid/grid_tools.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 namespace signorini
@@ -79,13 +76,7 @@ namespace signorini
     {
       constexpr double most_coarse = 1e6, most_per_process = 1e7;
       if (n_coarse_cells > most_coarse)
-        throw UserError(
-          "Bodies/" + body.name
-          + (body.shape == BodyShape::file
-               ? "/File has more than 1000000 cells, which every process must keep. Make a coarser "
-                 "mesh and use Refinements."
-               : "/Repetitions gives more than 1000000 coarse cells, which every process must "
-                 "keep. Use fewer repetitions and more Refinements."));
+        throw UserError("Bodies/" + body.name + "/" + body.shape->too_many_cells());
       const double cells =
         n_coarse_cells * std::pow(2., static_cast<double>(dim * body.refinements));
       std::ostringstream message;
@@ -127,33 +118,15 @@ namespace signorini
     }
 
 
-    /** Two opposite corners of the box around a body whose shape is made here, in its own place. */
-    template <int dim>
-    std::vector<Point<dim>> corners_around(const BodyDescription<dim> &body)
-    {
-      if (body.shape == BodyShape::box)
-        return {body.lower_corner, body.upper_corner};
-      Tensor<1, dim> half;
-      for (unsigned int c = 0; c < dim; ++c)
-        half[c] =
-          body.shape == BodyShape::cylinder && c == body.axis ? body.length / 2. : body.radius;
-      return {body.centre - half, body.centre + half};
-    }
-
-
     /** The coarse mesh of a body, if it is neither too large nor lost in round-off. */
     template <int dim>
     Triangulation<dim> coarse_mesh(const BodyDescription<dim> &body, const unsigned int n_processes)
     {
-      if (body.shape == BodyShape::box)
-        check_size(body,
-                   std::accumulate(
-                     body.repetitions.begin(), body.repetitions.end(), 1., std::multiplies<>()),
-                   n_processes);
-      if (body.shape != BodyShape::file)
-        check_place(body, corners_around(body));
+      check_size(body, body.shape->n_coarse_cells(), n_processes);
+      if (const auto corners = body.shape->corners_around(); !corners.empty())
+        check_place(body, corners);
       Triangulation<dim> mesh;
-      make_coarse_mesh(body, mesh);
+      body.shape->make_coarse_mesh(body.placement, mesh);
       check_size(body, mesh.n_active_cells(), n_processes);
       check_place(body, mesh.get_vertices());
       return mesh;
@@ -168,16 +141,17 @@ namespace signorini
     std::vector<Point<dim>>                                      vertices;
     std::vector<CellData<dim>>                                   cells;
     SubCellData                                                  faces;
-    constexpr types::manifold_id                                 ids_per_body = 4;
+    types::manifold_id                                           first_id = 0; // of a body
     std::map<types::manifold_id, std::unique_ptr<Manifold<dim>>> manifolds;
     for (unsigned int b = 0; b < bodies.size(); ++b)
       {
         const Triangulation<dim> mesh =
           coarse_mesh(bodies[b], Utilities::MPI::n_mpi_processes(triangulation.get_communicator()));
-        append(mesh, b, ids_per_body * b, vertices, cells, faces);
+        append(mesh, b, first_id, vertices, cells, faces);
         for (const types::manifold_id id : mesh.get_manifold_ids())
           if (id != numbers::flat_manifold_id)
-            manifolds[ids_per_body * b + id] = mesh.get_manifold(id).clone();
+            manifolds[first_id + id] = mesh.get_manifold(id).clone();
+        first_id = manifolds.empty() ? 0 : manifolds.rbegin()->first + 1;
       }
     triangulation.create_triangulation(vertices, cells, faces);
     for (const auto &[id, manifold] : manifolds)

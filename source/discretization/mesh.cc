@@ -39,10 +39,10 @@ namespace signorini
     unsigned int extra_points(const MeshGeometry<dim>                 &geometry,
                               const std::vector<BodyDescription<dim>> &bodies)
     {
-      const bool only_boxes = std::all_of(bodies.begin(), bodies.end(), [](const auto &body) {
-        return body.shape == BodyShape::box && !body.is_round();
+      const bool parallel = std::all_of(bodies.begin(), bodies.end(), [](const auto &body) {
+        return body.shape->has_only_parallelepipeds();
       });
-      return geometry.has_base() && !only_boxes ? 2 : 0;
+      return geometry.has_base() && !parallel ? 2 : 0;
     }
 
 

@@ -96,7 +96,7 @@ namespace signorini
     const MPI_Comm communicator = discretization.communicator();
     const double   here         = find_cell(description);
     const double   distance     = Utilities::MPI::min(here, communicator);
-    const bool     round        = discretization.mesh().bodies()[description.body].is_round();
+    const bool     round = discretization.mesh().bodies()[description.body].shape->is_round();
     if (distance > (round ? at_a_facet : at_a_face))
       refuse(description, discretization.mesh());
     const auto candidates = Utilities::MPI::all_gather(

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/model/body_shape.h>
+#include <signorini/model/placed_body.h>
 #include <signorini/prm/check_expressions.h>
 #include <signorini/scene/sections.h>
 
@@ -41,12 +41,13 @@ namespace signorini
                                                               const std::string          &word,
                                                               const BodyDescription<dim> &body)
     {
-      const auto ids = boundary_ids_named(body, word);
+      const BodyShape<dim> &shape = *body.shape;
+      const auto            ids   = boundary_ids_named(shape, word);
       if (ids.empty())
         in.fail(key,
-                (body.shape == BodyShape::file ? "the mesh " + body.mesh_file.path
-                                               : "a " + name_of(body.shape))
-                  + " has no boundary id `" + word + "`. Valid: " + list_of_boundaries(body) + ".");
+                (shape.file().empty() ? "a " + body.shape_name : "the mesh " + shape.file())
+                  + " has no boundary id `" + word + "`. Valid: " + list_of_boundaries(shape)
+                  + ".");
       return ids;
     }
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/model/body_shape.h>
+#include <signorini/model/placed_body.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -38,12 +38,12 @@ namespace signorini
       std::vector<dealii::types::boundary_id> result;
       for (const std::string &word : words)
         {
-          const auto ids = boundary_ids_named(body, word);
+          const auto ids = boundary_ids_named(*body.shape, word);
           if (ids.empty())
             in.fail("Pairs",
                     "the pair `" + pair.text() + "`: the body `" + body.name + "` (shape "
-                      + name_of(body.shape) + ") has no boundary id " + word
-                      + ". Valid: " + list_of_boundaries(body) + ".");
+                      + body.shape_name + ") has no boundary id " + word
+                      + ". Valid: " + list_of_boundaries(*body.shape) + ".");
           for (const dealii::types::boundary_id id : ids)
             if (std::find(result.begin(), result.end(), id) == result.end())
               result.push_back(id);
@@ -84,7 +84,7 @@ namespace signorini
     {
       std::vector<dealii::Point<dim>> points;
       for (const auto id :
-           pair.slave_boundary_ids.empty() ? boundary_ids(body) : pair.slave_boundary_ids)
+           pair.slave_boundary_ids.empty() ? body.shape->boundary_ids() : pair.slave_boundary_ids)
         for (const dealii::Point<dim> &point : boundary_points(body, id))
           points.push_back(point);
       return points;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/model/body_shape.h>
+#include <signorini/model/placed_body.h>
 #include <signorini/prm/check_expressions.h>
 #include <signorini/scene/sections.h>
 

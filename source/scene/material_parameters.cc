@@ -52,8 +52,11 @@ namespace signorini
   {
     dealii::ParameterHandler declared;
     declare_material(declared);
-    Material material =
-      kind_of(in, "Material", material_models(), declared, "the material").parse(in);
+    const auto &model =
+      kind_of(in, "Material", material_models(), declared, [](const auto &owners) {
+        return "the material " + names_of_kinds(owners);
+      });
+    Material material = model.parse(in);
     check_constants(in, material);
     const std::vector<double> damping =
       dealii::Utilities::string_to_double(dealii::Utilities::split_string_list(in.text("Damping")));

@@ -134,7 +134,10 @@ namespace signorini
                 + name + " ... end` in section Obstacles, or remove the name from the list.");
     dealii::ParameterHandler declared;
     declare_obstacle<dim>(declared);
-    const auto &shape = kind_of(in, "Shape", obstacle_shapes<dim>(), declared, "the shape");
+    const auto &shape =
+      kind_of(in, "Shape", obstacle_shapes<dim>(), declared, [](const auto &owners) {
+        return "the shape " + names_of_kinds(owners);
+      });
     return {name, shape.parse(in, name), parse_obstacle_motion<dim>(in, name)};
   }
 

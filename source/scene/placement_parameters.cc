@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/spelling.h>
-#include <signorini/model/body_shape.h>
+#include <signorini/model/placed_body.h>
 #include <signorini/scene/sections.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -43,7 +43,7 @@ namespace signorini
   Placement<dim> parse_placement(const SectionReader &in, const BodyDescription<dim> &body)
   {
     const std::string  list   = in.text("Rotation centre");
-    dealii::Point<dim> centre = centre_of_shape(body);
+    dealii::Point<dim> centre = body.shape->midpoint();
     if (!list.empty() && split(list, ',').size() != dim)
       in.fail("Rotation centre",
               "must be " + std::to_string(dim)

@@ -118,10 +118,11 @@ namespace signorini
     template <int dim>
     CellGeometry cell_geometry(const MappingChoice choice, const Scene<dim> &scene)
     {
-      const bool needs_curves = scene.adaptivity.any()
-                                && std::any_of(scene.bodies.begin(),
-                                               scene.bodies.end(),
-                                               [](const auto &body) { return body.is_round(); });
+      const bool needs_curves =
+        scene.adaptivity.any()
+        && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
+             return body.shape->is_round();
+           });
       if (choice == MappingChoice::curved || (choice == MappingChoice::automatic && needs_curves))
         return CellGeometry::curved;
       return CellGeometry::linear;
@@ -143,8 +144,8 @@ namespace signorini
       };
       std::vector<NamedMesh> meshes;
       for (const BodyDescription<dim> &body : scene.bodies)
-        if (body.shape == BodyShape::file)
-          meshes.push_back({{"Bodies", body.name}, whole(body.mesh_file.path)});
+        if (const std::string path = body.shape->file(); !path.empty())
+          meshes.push_back({{"Bodies", body.name}, whole(path)});
       for (const NamedObstacle<dim> &obstacle : scene.obstacles)
         if (const std::string path = obstacle.shape->file(); !path.empty())
           meshes.push_back({{"Obstacles", obstacle.name}, whole(path)});

@@ -101,7 +101,7 @@ namespace signorini
            ", the multiple of `Step size` next to `End time` = ",
            scene.time.end_time);
     for (const BodyDescription<dim> &body : scene.bodies)
-      for (const std::string &clause : body.mesh_file.notes)
+      for (const std::string &clause : body.shape->notes())
         note("the mesh of '", body.name, "': ", clause);
     if (!scene.why_linearised.empty())
       note("contact is linearised about the initial configuration: ", scene.why_linearised);
@@ -127,7 +127,7 @@ namespace signorini
                        "its obstacle, or all of them are prescribed.");
     if (mesh_control.any() && scene.mapping != CellGeometry::curved
         && std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const auto &body) {
-             return body.is_round();
+             return body.shape->is_round();
            }))
       result.push_back("On a mesh that changes, a round body keeps the facets of its initial "
                        "`Refinements`, however fine the mesh becomes. Set `Mapping = curved`, or "

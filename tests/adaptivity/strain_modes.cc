@@ -129,7 +129,7 @@ namespace
   {
     BodyDescription<dim> body    = box<dim>();
     body.element                 = element;
-    body.upper_corner[0]         = 3.;
+    box_of(body).upper_corner[0] = 3.;
     body.material.poissons_ratio = 0.25;
     const std::string stress     = dim == 2 ? "(5/(1-0.25^2))*(y-0.5)" : "5*(z-0.5)";
     body.traction.resize(2);

@@ -90,12 +90,11 @@ namespace
   {
     const auto ball = [](const std::string &name, const double height, const unsigned int level) {
       BodyDescription<dim> body;
-      body.name            = name;
-      body.shape           = BodyShape::ball;
-      body.centre[dim - 1] = height;
-      body.radius          = 1.;
-      body.refinements     = level;
-      body.material        = {500., 0.3, 1.};
+      body.name                     = name;
+      ball_of(body).centre[dim - 1] = height;
+      ball_of(body).radius          = 1.;
+      body.refinements              = level;
+      body.material                 = {500., 0.3, 1.};
       return body;
     };
     Scene<dim> scene = stacked<dim>(ball("upper", 1., 3), ball("lower", -1., dim == 2 ? 4 : 2));

@@ -370,13 +370,12 @@ namespace mortar_geometry_tests
   TEST(CoveredArea, OfBlocksOnACylinder)
   {
     BodyDescription<3> column;
-    column.name        = "column";
-    column.shape       = BodyShape::cylinder;
-    column.length      = 2.;
-    column.centre      = Point<3>(0., 0., -1.);
-    column.refinements = 1;
-    column.material    = {500., 0.3, 2.};
-    const auto covered = [&](const Point<3> &lower, const Point<3> &upper) {
+    column.name                            = "column";
+    shape_of<CylinderShape>(column).length = 2.;
+    shape_of<CylinderShape>(column).centre = Point<3>(0., 0., -1.);
+    column.refinements                     = 1;
+    column.material                        = {500., 0.3, 2.};
+    const auto covered                     = [&](const Point<3> &lower, const Point<3> &upper) {
       Scene<3> scene = stacked<3>(block<3>("slave", lower, upper, {{3, 5, 1}}), column);
       scene.pairs[0].master_boundary_ids = {2};
       return TwoBodies<3>(scene, turn<3>(0.4)).mortar.covered_area();

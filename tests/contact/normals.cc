@@ -33,9 +33,8 @@ namespace
   {
     BodyDescription<3> body;
     body.name              = name;
-    body.shape             = BodyShape::ball;
-    body.centre            = Point<3>(0., 0., side * radius);
-    body.radius            = radius;
+    ball_of(body).centre   = Point<3>(0., 0., side * radius);
+    ball_of(body).radius   = radius;
     body.refinements       = refinements;
     body.local_refinements = 1;
     body.refine_where      = "0.5 - sqrt(x^2 + y^2 + z^2)";

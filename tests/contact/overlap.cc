@@ -66,9 +66,9 @@ namespace overlap_tests
       const Point<dim> x = box.placement.pull_back(point);
       for (unsigned int c = 0; c < dim; ++c)
         {
-          const double cells = x[c] / box.upper_corner[c] * box.repetitions[c];
+          const double cells = x[c] / box_of(box).upper_corner[c] * box_of(box).repetitions[c];
           const double part  = cells - std::floor(cells);
-          if (cells < 0. || cells > box.repetitions[c] || part < 0.05 || part > 0.95)
+          if (cells < 0. || cells > box_of(box).repetitions[c] || part < 0.05 || part > 0.95)
             return false;
         }
       return true;

@@ -23,12 +23,11 @@ namespace
   ball_at(const std::string &name, const Point<3> &centre, const unsigned int refinements)
   {
     BodyDescription<3> body;
-    body.name        = name;
-    body.shape       = BodyShape::ball;
-    body.centre      = centre;
-    body.radius      = 1.;
-    body.refinements = refinements;
-    body.material    = {500., 0.3, 1.};
+    body.name            = name;
+    ball_of(body).centre = centre;
+    ball_of(body).radius = 1.;
+    body.refinements     = refinements;
+    body.material        = {500., 0.3, 1.};
     return body;
   }
 

@@ -294,7 +294,7 @@ TEST(RelativeCoordinates, OfTwoBalls)
   auto upper = ball<3>(1), lower = ball<3>(2);
   upper.name            = "upper";
   lower.name            = "lower";
-  lower.centre          = Point<3>(0.2, -0.1, -1.2);
+  ball_of(lower).centre = Point<3>(0.2, -0.1, -1.2);
   Scene<3>        scene = scene_of<3>({upper, lower});
   PairDescription pair;
   pair.name   = "upper : lower";

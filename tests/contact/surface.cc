@@ -36,8 +36,8 @@ namespace
 
 TEST(ContactSurface, WeightsSumUpToTheFace)
 {
-  BodyDescription<3> body = box<3>();
-  body.upper_corner       = Point<3>(1., 2., 3.);
+  BodyDescription<3> body   = box<3>();
+  box_of(body).upper_corner = Point<3>(1., 2., 3.);
   const ContactProblem<3> problem(contact_scene<3>(body, {floor_at<3>(-0.5)}, {4}));
   EXPECT_EQ(problem.surface.n_global_nodes(), 9u);
   EXPECT_NEAR(problem.area(), 2., 1e-14);

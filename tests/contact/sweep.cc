@@ -116,7 +116,7 @@ namespace sweep_tests
         // All sides of balls: normals in all directions, and faces that are not plane.
         Scene<3> balls            = stacked<3>(ball<3>(2), ball<3>(1));
         balls.bodies[0].placement = Placement<3>(
-          {{10., 20., 30.}}, balls.bodies[0].centre, dealii::Tensor<1, 3>({0.4, 0., 2.}));
+          {{10., 20., 30.}}, ball_of(balls.bodies[0]).centre, dealii::Tensor<1, 3>({0.4, 0., 2.}));
         balls.pairs[0].slave_boundary_ids = balls.pairs[0].master_boundary_ids = {};
         expect_all_with_a_segment<3>(balls, turn<3>(angle));
       }

@@ -26,12 +26,12 @@ namespace signorini::tests
                              const std::array<unsigned int, dim> &repetitions)
   {
     BodyDescription<dim> body;
-    body.name         = name;
-    body.shape        = BodyShape::box;
-    body.lower_corner = lower;
-    body.upper_corner = upper;
-    body.repetitions  = repetitions;
-    body.material     = {500., 0.3, 2.};
+    body.name          = name;
+    BoxShape<dim> &box = box_of(body);
+    box.lower_corner   = lower;
+    box.upper_corner   = upper;
+    box.repetitions    = repetitions;
+    body.material      = {500., 0.3, 2.};
     return body;
   }
 

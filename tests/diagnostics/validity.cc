@@ -34,9 +34,9 @@ namespace
   Scene<3> two_bodies()
   {
     BodyDescription<3> round = ball<3>(1), flat = box<3>();
-    round.centre      = dealii::Point<3>(100., -30., 7.);
-    flat.lower_corner = dealii::Point<3>(-3., 0., 0.);
-    flat.upper_corner = dealii::Point<3>(-2., 2., 0.5);
+    ball_of(round).centre     = dealii::Point<3>(100., -30., 7.);
+    box_of(flat).lower_corner = dealii::Point<3>(-3., 0., 0.);
+    box_of(flat).upper_corner = dealii::Point<3>(-2., 2., 0.5);
     return scene_of<3>({round, flat});
   }
 } // namespace

@@ -4,6 +4,8 @@
 #ifndef signorini_tests_discretization_bodies_h
 #define signorini_tests_discretization_bodies_h
 
+#include "../shapes/shape_of.h"
+
 #include <signorini/discretization/discretization.h>
 #include <signorini/scene/scene.h>
 
@@ -19,13 +21,9 @@ namespace signorini::tests
   BodyDescription<dim> box(const double upper = 1.)
   {
     BodyDescription<dim> body;
-    body.name  = "box";
-    body.shape = BodyShape::box;
-    for (unsigned int c = 0; c < dim; ++c)
-      {
-        body.upper_corner[c] = upper;
-        body.repetitions[c]  = 2;
-      }
+    body.name = "box";
+    box_of(body).upper_corner *= upper;
+    box_of(body).repetitions.fill(2);
     body.material = {500., 0.3, 2.};
     return body;
   }
@@ -48,11 +46,10 @@ namespace signorini::tests
   BodyDescription<dim> ball(const unsigned int refinements)
   {
     BodyDescription<dim> body;
-    body.name            = "ball";
-    body.shape           = BodyShape::ball;
-    body.centre[dim - 1] = 1.;
-    body.refinements     = refinements;
-    body.material        = {500., 0.3, 2.};
+    body.name                     = "ball";
+    ball_of(body).centre[dim - 1] = 1.;
+    body.refinements              = refinements;
+    body.material                 = {500., 0.3, 2.};
     return body;
   }
 

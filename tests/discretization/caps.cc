@@ -7,7 +7,7 @@
 
 #include "shapes.h"
 
-#include <signorini/model/cap.h>
+#include <signorini/shapes/cap.h>
 
 #include <gtest/gtest.h>
 
@@ -25,13 +25,14 @@ namespace
   BodyDescription<dim>
   capped_box(const unsigned int face, const double radius, const unsigned int refinements)
   {
-    BodyDescription<dim> body = box<dim>();
-    body.upper_corner[1]      = 2.;
+    BodyDescription<dim> body  = box<dim>();
+    BoxShape<dim>       &shape = box_of(body);
+    shape.upper_corner[1]      = 2.;
     if (dim == 3)
-      body.upper_corner[dim - 1] = 1.5;
-    body.cap_radius   = radius;
-    body.cap_boundary = face;
-    body.refinements  = refinements;
+      shape.upper_corner[dim - 1] = 1.5;
+    shape.cap_radius   = radius;
+    shape.cap_boundary = face;
+    body.refinements   = refinements;
     return body;
   }
 
@@ -54,12 +55,13 @@ namespace
         body.placement            = turned<dim>();
         body.local_refinements    = adaptive ? 1 : 0;
         body.refine_where         = "x - 3";
-        const Meshed<dim>  meshed(body);
-        const Cap<dim>     cap(body);
-        const unsigned int direction = face / 2;
-        Point<dim> sphere = body.lower_corner + 0.5 * (body.upper_corner - body.lower_corner);
+        const Meshed<dim>    meshed(body);
+        const BoxShape<dim> &shape = box_of(std::as_const(body));
+        const Cap<dim>       cap(shape);
+        const unsigned int   direction = face / 2;
+        Point<dim> sphere = shape.lower_corner + 0.5 * (shape.upper_corner - shape.lower_corner);
         sphere[direction] =
-          face % 2 == 0 ? body.lower_corner[direction] + 1.6 : body.upper_corner[direction] - 1.6;
+          face % 2 == 0 ? shape.lower_corner[direction] + 1.6 : shape.upper_corner[direction] - 1.6;
         sphere = body.placement.place(sphere);
 
         unsigned int n_on_cap = 0;
@@ -79,7 +81,7 @@ namespace
                 const Point<dim> flat = cap.flatten(body.placement.pull_back(cell->vertex(v)));
                 for (unsigned int d = 0; d < dim; ++d)
                   {
-                    const double step = (body.upper_corner[d] - body.lower_corner[d]) / 8.;
+                    const double step = (shape.upper_corner[d] - shape.lower_corner[d]) / 8.;
                     EXPECT_NEAR(flat[d] / step, std::round(flat[d] / step), 1e-12);
                   }
               }

@@ -95,9 +95,9 @@ namespace
   template <int dim>
   void expect_one_matrix_for_a_box()
   {
-    BodyDescription<dim> box = standard(box_with_hanging_nodes<dim>()); // three sizes of cells
-    box.upper_corner[1]      = 1.3;
-    box.lower_corner[0]      = 0.1;
+    BodyDescription<dim> box    = standard(box_with_hanging_nodes<dim>()); // three sizes of cells
+    box_of(box).upper_corner[1] = 1.3;
+    box_of(box).lower_corner[0] = 0.1;
     const Assembled<dim>    assembled(box);
     const CellMatrices<dim> fresh(
       assembled.scene.bodies, assembled.discretization.mesh().mapping(), 2);
@@ -116,12 +116,12 @@ TEST(CellMatrices, ABoxNeedsOne)
 TEST(CellMatrices, DependOnMaterialAndShape)
 {
   BodyDescription<3> soft = standard(box_with_hanging_nodes<3>()), hard = standard(box<3>()),
-                     turned = standard(box<3>());
-  hard.lower_corner[2]      = 1.;
-  hard.upper_corner[2]      = 2.;
-  hard.material             = {7000., 0.1, 9.};
-  turned.lower_corner[0]    = 3.;
-  turned.upper_corner[0]    = 4.;
+                     turned      = standard(box<3>());
+  box_of(hard).lower_corner[2]   = 1.;
+  box_of(hard).upper_corner[2]   = 2.;
+  hard.material                  = {7000., 0.1, 9.};
+  box_of(turned).lower_corner[0] = 3.;
+  box_of(turned).upper_corner[0] = 4.;
   turned.placement = Placement<3>({{0., 30., 10.}}, dealii::Point<3>(), dealii::Tensor<1, 3>());
   const Assembled<3>    assembled(scene_of<3>({soft, hard, turned}));
   const CellMatrices<3> fresh(assembled.scene.bodies, assembled.discretization.mesh().mapping(), 2);

@@ -78,9 +78,9 @@ TEST(DirichletConditions, MustAgreeWhereTheyMeet)
 TEST(DirichletConditions, LeaveOutHangingNodesAndOtherBodies)
 {
   BodyDescription<3> fine = box_with_hanging_nodes<3>(), other = box<3>();
-  fine.dirichlet     = {{4, {{"0", "0", "0"}}}};
-  other.lower_corner = dealii::Point<3>(2., 0., 0.);
-  other.upper_corner = dealii::Point<3>(3., 1., 1.);
+  fine.dirichlet             = {{4, {{"0", "0", "0"}}}};
+  box_of(other).lower_corner = dealii::Point<3>(2., 0., 0.);
+  box_of(other).upper_corner = dealii::Point<3>(3., 1., 1.);
   const Assembled<3>           assembled(scene_of<3>({other, fine}));
   const auto                  &discretization = assembled.discretization;
   const DirichletConditions<3> dirichlet(discretization);

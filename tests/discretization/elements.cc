@@ -46,8 +46,8 @@ namespace
                               const double              distortion)
   {
     BodyDescription<dim> body = box_of<dim>(element, poissons_ratio);
-    body.upper_corner         = edges;
-    body.repetitions.fill(1);
+    box_of(body).upper_corner = edges;
+    box_of(body).repetitions.fill(1);
     body.material.youngs_modulus = 1.;
     Mesh<dim>  mesh({body}, MPI_COMM_SELF);
     const auto cell = mesh.triangulation().begin_active();
@@ -224,7 +224,7 @@ TEST(Elements, StrainIsWhatTheStiffnessIsMadeOf)
       BodyDescription<2> plane = box_with_hanging_nodes<2>();
       BodyDescription<3> space = box_with_hanging_nodes<3>();
       plane.element = space.element = element;
-      plane.upper_corner[1] = space.upper_corner[2] = 0.3;
+      box_of(plane).upper_corner[1] = box_of(space).upper_corner[2] = 0.3;
       expect_strain_and_stiffness_to_agree(Assembled<2>(plane).discretization);
       expect_strain_and_stiffness_to_agree(Assembled<3>(space).discretization);
       expect_strain_and_stiffness_to_agree(

@@ -53,9 +53,9 @@ TEST(Loads, GravityWeighs)
 
 TEST(Loads, TractionPullsOnItsFaceOnly)
 {
-  BodyDescription<3> body = box_with_hanging_nodes<3>();
-  body.upper_corner       = dealii::Point<3>(1., 2., 3.);
-  body.traction           = {{4, {{"3", "-", "-2"}}}};
+  BodyDescription<3> body   = box_with_hanging_nodes<3>();
+  box_of(body).upper_corner = dealii::Point<3>(1., 2., 3.);
+  body.traction             = {{4, {{"3", "-", "-2"}}}};
   const Assembled<3> assembled(body);
   Loads<3>           loads(assembled.discretization);
   expect_resultant<3>(assembled.discretization, loads.at(0.), dealii::Tensor<1, 3>({6., 0., -4.}));

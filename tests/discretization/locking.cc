@@ -30,9 +30,9 @@ namespace
   {
     constexpr double     length = 20.;
     BodyDescription<dim> body   = box_of<dim>(element, poissons_ratio);
-    body.repetitions.fill(cells_in_thickness);
-    body.upper_corner[0] = length;
-    body.repetitions[0] *= length;
+    box_of(body).repetitions.fill(cells_in_thickness);
+    box_of(body).upper_corner[0] = length;
+    box_of(body).repetitions[0] *= length;
     body.traction.resize(1);
     body.traction[0].boundary_id          = 1;
     body.traction[0].expressions[dim - 1] = "1"; // the end has the area 1

@@ -29,11 +29,11 @@ namespace
   {
     BodyDescription<3> body;
     body.name        = "cylinder";
-    body.shape       = BodyShape::cylinder;
-    body.centre      = dealii::Point<3>(1., 2., 3.);
-    body.radius      = 0.5;
-    body.length      = 3.;
-    body.axis        = axis;
+    auto &cylinder   = shape_of<CylinderShape>(body);
+    cylinder.centre  = dealii::Point<3>(1., 2., 3.);
+    cylinder.radius  = 0.5;
+    cylinder.length  = 3.;
+    cylinder.axis    = axis;
     body.refinements = 1;
     body.material    = {500., 0.3, 2.};
     return body;
@@ -97,7 +97,8 @@ TEST(Mass, OfACylinderIsThatOfThePrismAroundItsAxis)
         << "axis " << axis;
       double extent = 0.;
       for (const auto &position : discretization.node_positions())
-        extent = std::max(extent, std::abs(position[axis] - body.scene.bodies[0].centre[axis]));
+        extent =
+          std::max(extent, std::abs(position[axis] - body.scene.bodies[0].shape->midpoint()[axis]));
       EXPECT_NEAR(dealii::Utilities::MPI::max(extent, MPI_COMM_WORLD), 1.5, 1e-12)
         << "axis " << axis;
     }
@@ -106,9 +107,9 @@ TEST(Mass, OfACylinderIsThatOfThePrismAroundItsAxis)
 TEST(Mass, BodiesDoNotShareNodesWhereTheyTouch)
 {
   BodyDescription<2> left = box<2>(), right = box<2>();
-  right.lower_corner     = dealii::Point<2>(1., 0.);
-  right.upper_corner     = dealii::Point<2>(2., 1.);
-  right.material.density = 5.;
+  box_of(right).lower_corner = dealii::Point<2>(1., 0.);
+  box_of(right).upper_corner = dealii::Point<2>(2., 1.);
+  right.material.density     = 5.;
   const Assembled<2> both(scene_of<2>({left, right}));
   EXPECT_EQ(both.discretization.dof_handler().n_dofs(), 2u * 2u * 9u);
   EXPECT_NEAR(total_mass(both.discretization), 2. + 5., 1e-13);

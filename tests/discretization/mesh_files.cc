@@ -9,7 +9,6 @@
 #include "shapes.h"
 
 #include <signorini/base/user_error.h>
-#include <signorini/mesh_files/mesh_file.h>
 
 #include <gtest/gtest.h>
 
@@ -25,9 +24,9 @@ namespace
   BodyDescription<3> body_of(const std::string &file)
   {
     BodyDescription<3> body;
-    body.name      = "body";
-    body.shape     = BodyShape::file;
-    body.mesh_file = describe_mesh_file<3>(SIGNORINI_SOURCE_DIR "/parameters/meshes/" + file);
+    body.name  = "body";
+    body.shape = std::make_shared<MeshFileShape<3>>(
+      describe_mesh_file<3>(SIGNORINI_SOURCE_DIR "/parameters/meshes/" + file));
     return body;
   }
 
@@ -99,7 +98,7 @@ TEST(MeshFiles, AnvilIsAFrustum)
       BodyDescription<3> body = body_of("anvil.msh");
       body.refinements        = refinements;
       body.placement =
-        Placement<3>({{20., 0., 50.}}, body.mesh_file.centre, Tensor<1, 3>({1., 2., 3.}));
+        Placement<3>({{20., 0., 50.}}, mesh_of(body).centre, Tensor<1, 3>({1., 2., 3.}));
       const Meshed<3> meshed(body);
       EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 150u << (3 * refinements));
       EXPECT_NEAR(volume(meshed.triangulation), 0.48 * 19. / 3., 1e-7);
@@ -140,7 +139,7 @@ TEST(MeshFiles, HammerIsABarWithANose)
 
 TEST(MeshFiles, HammerFaceTouchesTheOriginAndItsSurfacesAreWhereTheyShouldBe)
 {
-  const MeshFile<3> hammer = body_of("hammer.inp").mesh_file;
+  const MeshFile<3> hammer = mesh_of(body_of("hammer.inp"));
   double            tip    = 1.;
   for (const Point<3> &vertex : hammer.boundary_vertices.at(1))
     {
@@ -162,9 +161,8 @@ TEST(MeshFiles, ManyCellsAreAccepted)
     std::ofstream(path) << gmsh_rectangle(300, 150);
   MPI_Barrier(MPI_COMM_WORLD);
   BodyDescription<2> body;
-  body.name      = "body";
-  body.shape     = BodyShape::file;
-  body.mesh_file = describe_mesh_file<2>(path);
+  body.name  = "body";
+  body.shape = std::make_shared<MeshFileShape<2>>(describe_mesh_file<2>(path));
   const Meshed<2> meshed(body);
   EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 45000u);
   EXPECT_NEAR(volume(meshed.triangulation), 45000., 1e-6);
@@ -177,17 +175,17 @@ TEST(MeshFiles, BodiesWithoutSizeBesideTheirCoordinatesAreRefused)
   BodyDescription<3> far = box<3>(), huge = box<3>(), near = box<3>();
   for (const double distance : {1e9, 1e23})
     {
-      far.lower_corner[0] = distance;
-      far.upper_corner[0] = distance + distance * 1e-9;
+      box_of(far).lower_corner[0] = distance;
+      box_of(far).upper_corner[0] = distance + distance * 1e-9;
       EXPECT_NE(refusal(far).find("Bodies/box: it is "), std::string::npos) << refusal(far);
     }
   BodyDescription<3> far_ball = ball<3>(1);
-  far_ball.centre[1]          = 1e20;
+  ball_of(far_ball).centre[1] = 1e20;
   EXPECT_NE(refusal(far_ball).find("Bodies/ball: it is "), std::string::npos) << refusal(far_ball);
-  huge.upper_corner[0] = 1e308;
+  box_of(huge).upper_corner[0] = 1e308;
   EXPECT_NE(refusal(huge).find("coordinates up to 1e+308"), std::string::npos) << refusal(huge);
-  near.lower_corner[0] += 1e5;
-  near.upper_corner[0] += 1e5;
+  box_of(near).lower_corner[0] += 1e5;
+  box_of(near).upper_corner[0] += 1e5;
   EXPECT_EQ(refusal(near), "");
 }
 
@@ -197,19 +195,19 @@ TEST(MeshFiles, FlatBodiesAreRefusedAndSmallOnesAreNot)
   for (const unsigned int direction : {0, 1})
     {
       BodyDescription<2> flat = box<2>(), small = box<2>();
-      flat.lower_corner            = Point<2>();
-      flat.upper_corner            = Point<2>(1., 1.);
-      flat.upper_corner[direction] = 1e-9;
+      box_of(flat).lower_corner            = Point<2>();
+      box_of(flat).upper_corner            = Point<2>(1., 1.);
+      box_of(flat).upper_corner[direction] = 1e-9;
       EXPECT_NE(refusal(flat).find("it is 1e-09 thick and has coordinates up to 1."),
                 std::string::npos)
         << refusal(flat);
-      flat.upper_corner[direction] = 1e-7;
+      box_of(flat).upper_corner[direction] = 1e-7;
       EXPECT_EQ(refusal(flat), "");
-      small.lower_corner = Point<2>();
-      small.upper_corner = Point<2>(1e-51, 1e-51);
+      box_of(small).lower_corner = Point<2>();
+      box_of(small).upper_corner = Point<2>(1e-51, 1e-51);
       EXPECT_NE(refusal(small).find("between 1e-50 and 1e+50"), std::string::npos)
         << refusal(small);
-      small.upper_corner = Point<2>(1e-40, 1e-40);
+      box_of(small).upper_corner = Point<2>(1e-40, 1e-40);
       EXPECT_EQ(refusal(small), "");
     }
 }
@@ -227,9 +225,8 @@ TEST(MeshFiles, MeshesWithANodeFarAwayAreRefused)
     }
   MPI_Barrier(MPI_COMM_WORLD);
   BodyDescription<2> body;
-  body.name      = "body";
-  body.shape     = BodyShape::file;
-  body.mesh_file = describe_mesh_file<2>(path);
+  body.name  = "body";
+  body.shape = std::make_shared<MeshFileShape<2>>(describe_mesh_file<2>(path));
   EXPECT_NE(refusal(body).find("Bodies/body: it is 1 thick and has coordinates up to 2e+08."),
             std::string::npos)
     << refusal(body);
@@ -241,8 +238,8 @@ TEST(MeshFiles, CoarseCellsThatNoProcessCanKeepAreRefusedBeforeTheyAreMade)
   BodyDescription<3> cube   = box<3>();
   for (const unsigned int repetitions : {1001, 1000000})
     {
-      square.repetitions = {{repetitions, 1000}};
-      cube.repetitions   = {{repetitions, 10, 100}};
+      box_of(square).repetitions = {{repetitions, 1000}};
+      box_of(cube).repetitions   = {{repetitions, 10, 100}};
       for (const std::string &message : {refusal(square), refusal(cube)})
         EXPECT_NE(message.find("Bodies/box/Repetitions gives more than 1000000 coarse cells"),
                   std::string::npos)

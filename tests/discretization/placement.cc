@@ -6,6 +6,8 @@
 
 #include "shapes.h"
 
+#include <signorini/model/placed_body.h>
+
 #include <gtest/gtest.h>
 
 #include <set>
@@ -41,11 +43,11 @@ namespace
   {
     BodyDescription<3> body;
     body.name        = "cylinder";
-    body.shape       = BodyShape::cylinder;
-    body.centre      = Point<3>(1., 2., 3.);
-    body.radius      = 0.5;
-    body.length      = 3.;
-    body.axis        = axis;
+    auto &cylinder   = shape_of<CylinderShape>(body);
+    cylinder.centre  = Point<3>(1., 2., 3.);
+    cylinder.radius  = 0.5;
+    cylinder.length  = 3.;
+    cylinder.axis    = axis;
     body.refinements = 2;
     return body;
   }
@@ -53,8 +55,8 @@ namespace
 
 TEST(Placement, ZeroRotationLeavesEveryDigit)
 {
-  BodyDescription<3> brick = box<3>(0.7);
-  brick.lower_corner       = Point<3>(-0.1, 0.3, 1. / 3.);
+  BodyDescription<3> brick   = box<3>(0.7);
+  box_of(brick).lower_corner = Point<3>(-0.1, 0.3, 1. / 3.);
   for (BodyDescription<3> body : {brick, ball<3>(2), lying_cylinder(1)})
     {
       body.refinements                    = 2;
@@ -90,10 +92,10 @@ void check_ball()
   BodyDescription<dim> body     = ball<dim>(3);
   const double         expected = volume(Meshed<dim>(body).triangulation);
   body.placement                = somewhere<dim>();
-  const Point<dim>  centre      = body.placement.place(body.centre);
+  const Point<dim>  centre      = centre_of(body);
   const Meshed<dim> meshed(body);
   EXPECT_NEAR(volume(meshed.triangulation), expected, 1e-12);
-  EXPECT_GT(centre.distance(body.centre), 4.);
+  EXPECT_GT(centre.distance(body.shape->midpoint()), 4.);
   for_boundary_vertices(meshed.triangulation, [&](const Point<dim> &vertex, const unsigned int) {
     EXPECT_NEAR(vertex.distance(centre), 1., 1e-14);
   });
@@ -112,7 +114,7 @@ TEST(Placement, ARefinedCylinderIsRoundAboutItsNewAxis)
       BodyDescription<3> body     = lying_cylinder(axis);
       const double       expected = volume(Meshed<3>(body).triangulation);
       body.placement              = somewhere<3>();
-      const Point<3> centre       = body.placement.place(body.centre);
+      const Point<3> centre       = centre_of(body);
       Tensor<1, 3>   direction;
       direction[axis] = 1.;
       direction       = body.placement.turn(direction);
@@ -150,9 +152,9 @@ TEST(Placement, LocalRefinementLooksWhereTheBodyIs)
 // left.
 TEST(Placement, LocalRefinementCanDependOnTheSizeOfCells)
 {
-  BodyDescription<2> body = box<2>();
-  body.repetitions        = {{2, 2}};
-  body.local_refinements  = 3;
-  body.refine_where       = "1.2*h - x";
+  BodyDescription<2> body  = box<2>();
+  box_of(body).repetitions = {{2, 2}};
+  body.local_refinements   = 3;
+  body.refine_where        = "1.2*h - x";
   EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 2u + 4u + 8u + 32u);
 }

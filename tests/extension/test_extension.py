@@ -3,12 +3,13 @@
 # Copyright (C) 2026 by the signorini authors
 
 """The program works where `cmake --install` puts it, and find_package(signorini) is enough to add a
-scheme, an obstacle and a material: as a plug-in, and as a program of one's own, which give the same
-bits. What is added keeps the laws like all else. Libraries that are no plug-ins, belong to another
-version or add a name twice are refused with one message. What else a user finds on the command line
-works there, too: scenes to start from, and completion.
+scheme, an obstacle, a shape and a material: as a plug-in, and as a program of one's own, which give
+the same bits. What is added keeps the laws like all else. Libraries that are no plug-ins, belong to
+another version or add a name twice are refused with one message. What else a user finds on the
+command line works there, too: scenes to start from, and completion.
 """
 
+import math
 import pathlib
 import shutil
 import subprocess
@@ -35,7 +36,7 @@ class Extension(check_history.SceneTest):
         ):
             subprocess.run(command, check=True, capture_output=True)
         cls.program = installed / "bin/signorini"
-        cls.scene = sources / "washboard.prm"
+        cls.scene, cls.ring = sources / "washboard.prm", sources / "ring.prm"
         cls.plugin, cls.drop_test = build / "libextension.so", build / "drop_test"
 
     def run_program(self, program, *arguments, status=0):
@@ -79,11 +80,41 @@ class Extension(check_history.SceneTest):
         # The disc comes down beside the top of a ridge, which pushes sideways, too.
         self.assertGreater(max(map(abs, run["contact_force_x"])), 1e3)
 
+    def test_a_shape_of_its_own(self):
+        """The mesh is that of the ring, and the run keeps the laws."""
+        run = check_history.Run(self.ring, "ring", (f"{KEY}={self.plugin}",))
+        self.expect_ledger_closes(run)
+        self.expect_no_gain_of_energy(run)
+        self.expect_no_penetration(run, size=0.02)
+        # What falls is the ring between two regular polygons of 29 * 4 corners, of brass.
+        corners = 29 * 4
+        area = 0.5 * corners * math.sin(2 * math.pi / corners) * (0.01**2 - 0.008**2)
+        self.assertAlmostEqual(run["kinetic_energy"][0] / (0.5 * 8500 * area * 0.5**2), 1, 9)
+        # It is flattened before it jumps up.
+        self.assertGreater(max(run["elastic_energy"]), 0.5 * run["kinetic_energy"][0])
+        self.assertEqual(run["contact_force_y"][-1], 0)
+        plugin = ("--set", f"{KEY}={self.plugin}", "--validate")
+        for change, expected in (
+            ("Hole radius=0.01", "smaller than `Radius`"),
+            ("Hole radius=0.0099999999", "Bodies/ring/Shape gives more than 1000000 coarse cells"),
+            ("Upper corner=1, 1", "is only for boxes"),
+            ("Dirichlet=rim: 0; 0", "a ring has no boundary id `rim`. Valid: 0 (inner), 1 (outer)"),
+        ):
+            message = self.run_program(
+                self.program, self.ring, *plugin, "--set", f"Bodies/ring/{change}", status=2
+            )
+            self.assertIn(expected, " ".join(message.split()))
+        message = self.run_program(
+            self.program, self.scene, *plugin, "--set", "Bodies/disc/Hole radius=0.1", status=2
+        )
+        self.assertIn("is only for rings", " ".join(message.split()))
+
     def test_what_is_added_is_known(self):
         plugin = ("--set", f"{KEY}={self.plugin}")
         for what, expected in (
             (("--print-schemes",), "contact-implicit-damped"),
             (("--explain", "Bodies/disc/Alloy"), "aluminium"),
+            (("--explain", "Bodies/disc/Shape"), "or ring"),
             (("--explain", "Obstacles/floor/Ridge radius"), "radius of its ridges"),
         ):
             self.assertIn(expected, self.run_program(self.program, *what, *plugin))

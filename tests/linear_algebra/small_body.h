@@ -6,6 +6,8 @@
 
 // Small elastic bodies with their matrices, and dense copies of linear maps to compare with.
 
+#include "../shapes/shape_of.h"
+
 #include <signorini/discretization/discretization.h>
 #include <signorini/scene/scene.h>
 
@@ -28,13 +30,8 @@ namespace signorini
     for (unsigned int b = 0; b < n_bodies; ++b)
       {
         BodyDescription<dim> body;
-        body.shape = BodyShape::box;
-        for (unsigned int c = 0; c < dim; ++c)
-          {
-            body.lower_corner[c] = c == 0 ? 3. * b : 0.;
-            body.upper_corner[c] = c == 0 ? 3. * b + 2. : 1.;
-            body.repetitions[c]  = 1;
-          }
+        box_of(body).lower_corner[0] = 3. * b;
+        box_of(body).upper_corner[0] = 3. * b + 2.;
         body.refinements             = refinements;
         body.local_refinements       = hanging_nodes;
         body.refine_where            = "1 - x";

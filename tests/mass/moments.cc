@@ -104,8 +104,8 @@ INSTANTIATE_TEST_SUITE_P(All,
 
 TEST(Extrapolation, KeepsTheMomentsWhereAllSidesMayTouch)
 {
-  BodyDescription<3> body = box<3>();
-  body.repetitions        = {{4, 5, 4}};
+  BodyDescription<3> body  = box<3>();
+  box_of(body).repetitions = {{4, 5, 4}};
   expect_all(contact_scene<3>(body, {sphere<3>(dealii::Point<3>(0.5, 0.5, 0.5), 3., true)}),
              "extrapolation");
 }

@@ -55,10 +55,10 @@ namespace signorini::tests
   template <int dim>
   Scene<dim> box_on_floor(const unsigned int layers)
   {
-    BodyDescription<dim> body = box<dim>();
-    body.repetitions[0]       = 3;
-    body.repetitions[dim - 1] = layers;
-    body.upper_corner[0]      = 2.;
+    BodyDescription<dim> body         = box<dim>();
+    box_of(body).repetitions[0]       = 3;
+    box_of(body).repetitions[dim - 1] = layers;
+    box_of(body).upper_corner[0]      = 2.;
     return contact_scene<dim>(body, {floor_at<dim>(0.)}, {2 * (dim - 1)});
   }
 } // namespace signorini::tests

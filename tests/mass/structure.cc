@@ -106,8 +106,8 @@ TEST(MassStructure, RefusesOneLayer)
 TEST(MassStructure, RefusesWhatIsNotPositiveDefinite)
 {
   // With contact all around, the inner cells would have to carry an inertia beyond their size.
-  BodyDescription<3> body = box<3>();
-  body.repetitions        = {{4, 5, 4}};
+  BodyDescription<3> body  = box<3>();
+  box_of(body).repetitions = {{4, 5, 4}};
   const auto scene = contact_scene<3>(body, {sphere<3>(dealii::Point<3>(0.5, 0.5, 0.5), 3., true)});
   for (const std::string construction : {"minimisation", "macro-elements"})
     EXPECT_NE(refusal(scene, construction).find("not positive definite"), std::string::npos)
@@ -130,8 +130,8 @@ TEST(MassStructure, MacroElementsBesidePrescribedNodes)
 
 TEST(MassStructure, RefusesABodyOfContactNodesAlone)
 {
-  BodyDescription<2> body = box<2>();
-  body.repetitions        = {{3, 1}};
+  BodyDescription<2> body  = box<2>();
+  box_of(body).repetitions = {{3, 1}};
   const auto scene = contact_scene<2>(body, {sphere<2>(dealii::Point<2>(0.5, 0.5), 3., true)});
   for (const std::string construction : {"zero", "extrapolation", "minimisation", "macro-elements"})
     EXPECT_NE(refusal(scene, construction).find("no mass at all"), std::string::npos)

@@ -8,8 +8,6 @@
 #include "../scene/scene_file.h"
 #include "mesh_texts.h"
 
-#include <signorini/model/body_shape.h>
-
 #include <gtest/gtest.h>
 
 using namespace signorini;
@@ -86,17 +84,17 @@ TEST(Groups, NameBoundariesAndParts)
   const Scene<3>      scene  = read_scene<3>(file.name, {});
   const auto         &hammer = scene.bodies[0], &anvil = scene.bodies[1];
   using Ids = std::vector<dealii::types::boundary_id>;
-  EXPECT_EQ(boundary_ids(hammer), (Ids{0, 3, 4}));
-  EXPECT_EQ(boundary_ids(anvil), (Ids{0, 1, 2}));
-  EXPECT_NEAR(hammer.mesh_file.centre[2], 2e-3, 1e-15);
-  EXPECT_NEAR(anvil.mesh_file.centre[2], .5e-3, 1e-15);
+  EXPECT_EQ(hammer.shape->boundary_ids(), (Ids{0, 3, 4}));
+  EXPECT_EQ(anvil.shape->boundary_ids(), (Ids{0, 1, 2}));
+  EXPECT_NEAR(mesh_of(hammer).centre[2], 2e-3, 1e-15);
+  EXPECT_NEAR(mesh_of(anvil).centre[2], .5e-3, 1e-15);
   ASSERT_EQ(anvil.dirichlet.size(), 1u);
   EXPECT_EQ(anvil.dirichlet[0].boundary_id, 1u);
   ASSERT_EQ(scene.pairs.size(), 1u);
   EXPECT_EQ(scene.pairs[0].slave_boundary_ids, Ids{3});
   EXPECT_EQ(scene.pairs[0].master_boundary_ids, Ids{2});
   EXPECT_EQ(scene.pairs[0].friction.coefficient, "0.1");
-  EXPECT_EQ(list_of_boundaries(anvil), "0, 1 (clamp), 2 (top)");
+  EXPECT_EQ(list_of_boundaries(*anvil.shape), "0, 1 (clamp), 2 (top)");
 
   // What is written for the next run says the same.
   const TemporaryFile again(scene.all_parameters);
@@ -137,10 +135,10 @@ TEST(Groups, MayHaveFacesInCommon)
     + assignment("Bodies/plate/File", mesh.name) + assignment("Bodies/plate/Dirichlet", "7: 0; 0"));
   const auto body = read_scene<2>(scene.name, {}).bodies[0];
   using Ids       = std::vector<dealii::types::boundary_id>;
-  EXPECT_EQ(boundary_ids(body), (Ids{0, 7, 8}));
-  EXPECT_EQ(boundary_ids_named(body, "ss7").size(), 2u);
-  EXPECT_EQ(boundary_ids_named(body, "7").size(), 2u);
-  EXPECT_EQ(boundary_ids_named(body, "first"), (Ids{8}));
+  EXPECT_EQ(body.shape->boundary_ids(), (Ids{0, 7, 8}));
+  EXPECT_EQ(boundary_ids_named(*body.shape, "ss7").size(), 2u);
+  EXPECT_EQ(boundary_ids_named(*body.shape, "7").size(), 2u);
+  EXPECT_EQ(boundary_ids_named(*body.shape, "first"), (Ids{8}));
   EXPECT_EQ(body.dirichlet.size(), 2u);
 }
 

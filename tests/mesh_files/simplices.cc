@@ -9,8 +9,6 @@
 #include "../scene/scene_file.h"
 #include "mesh_texts.h"
 
-#include <signorini/mesh_files/mesh_file.h>
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -27,9 +25,8 @@ namespace
   BodyDescription<dim> body_of(const std::string &path, const std::string &part = "")
   {
     BodyDescription<dim> body;
-    body.name      = "body";
-    body.shape     = BodyShape::file;
-    body.mesh_file = describe_mesh_file<dim>(path, part);
+    body.name  = "body";
+    body.shape = std::make_shared<MeshFileShape<dim>>(describe_mesh_file<dim>(path, part));
     return body;
   }
 
@@ -52,12 +49,12 @@ namespace
     EXPECT_NEAR(found.at(0), areas[0], 1e-12);
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       {
-        const auto ids       = boundary_ids_named(body, mesh.faces[f].name);
+        const auto ids       = boundary_ids_named(*body.shape, mesh.faces[f].name);
         const bool has_names = extension != ".ucd" && extension != ".vtk";
-        EXPECT_EQ(ids, has_names ? boundary_ids_named(body, std::to_string(f + 1)) : Ids{});
+        EXPECT_EQ(ids, has_names ? boundary_ids_named(*body.shape, std::to_string(f + 1)) : Ids{});
         EXPECT_NEAR(found.at(f + 1), areas[f + 1], 1e-12);
       }
-    expect_words(body.mesh_file.notes.at(0), {"are split into " + std::to_string(n_cells)});
+    expect_words(mesh_of(body).notes.at(0), {"are split into " + std::to_string(n_cells)});
   }
 
   /** Whether a mesh has this vertex. */
@@ -158,7 +155,7 @@ TEST(Simplices, NodesInTheMiddleOfEdgesKeepTheCurve)
   // Of the quadratic map at the centre: the mean of the corners, and 4/9 of what a node is aside.
   EXPECT_TRUE(has_vertex(mesh, Point<2>(1. / 3. + .4 / 9., 1. / 3. + .4 / 9.)));
   EXPECT_NEAR(volume(Meshed<2>(body).triangulation), .5 + .1, 1e-12);
-  expect_words(body.mesh_file.notes.at(0),
+  expect_words(mesh_of(body).notes.at(0),
                {"1 triangle is split into 3 quad", "keep curved surfaces"});
 }
 
@@ -226,5 +223,5 @@ TEST(Simplices, CubesOfSecondOrderAreReducedToTheirCorners)
   const Meshed<2>          meshed(body);
   EXPECT_EQ(meshed.triangulation.n_global_active_cells(), 1u);
   EXPECT_NEAR(volume(meshed.triangulation), 1., 1e-12);
-  expect_words(body.mesh_file.notes.at(0), {"of second order", "corners"});
+  expect_words(mesh_of(body).notes.at(0), {"of second order", "corners"});
 }

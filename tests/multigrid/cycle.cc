@@ -88,8 +88,8 @@ TEST(MultigridCycle, WorksInAnyUnits)
   Scene<3> scene                          = ball_on_floor<3>(1);
   scene.bodies[0].material.youngs_modulus = 2e11;
   scene.bodies[0].material.density        = 7800.;
-  scene.bodies[0].radius                  = 1e-4;
-  scene.bodies[0].centre[2]               = 1e-4;
+  ball_of(scene.bodies[0]).radius         = 1e-4;
+  ball_of(scene.bodies[0]).centre[2]      = 1e-4;
   const LevelProblem<3>        problem(scene);
   GeometricMultigrid<3, float> cycle(
     problem.shared_hierarchy, problem.coordinates, problem.step(50.));
@@ -109,8 +109,8 @@ TEST(MultigridCycle, WorksInAnyUnits)
 
 TEST(MultigridCycle, WorksOnASingleCell)
 {
-  BodyDescription<2> body = box<2>();
-  body.repetitions        = {{1, 1}};
+  BodyDescription<2> body  = box<2>();
+  box_of(body).repetitions = {{1, 1}};
   const LevelProblem<2>        problem(contact_scene<2>(body, {floor_at<2>(0.)}));
   GeometricMultigrid<2, float> cycle(
     problem.shared_hierarchy, problem.coordinates, problem.step(5.));

@@ -4,6 +4,8 @@
 #ifndef signorini_tests_output_box_above_floor_h
 #define signorini_tests_output_box_above_floor_h
 
+#include "../shapes/shape_of.h"
+
 #include <signorini/contact/contact_surface.h>
 #include <signorini/obstacles/plane.h>
 #include <signorini/scene/scene.h>
@@ -17,11 +19,8 @@ signorini::Scene<dim> box_above_floor()
 {
   signorini::Scene<dim>           scene;
   signorini::BodyDescription<dim> box;
-  box.name  = "box";
-  box.shape = BodyShape::box;
-  for (unsigned int c = 0; c < dim; ++c)
-    box.upper_corner[c] = 1.;
-  box.repetitions.fill(1);
+  box.name                    = "box";
+  box.shape                   = std::make_shared<signorini::BoxShape<dim>>();
   box.refinements             = 1;
   box.local_refinements       = 1;
   box.refine_where            = "0.5 - x";

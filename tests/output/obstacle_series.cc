@@ -35,10 +35,10 @@ TEST(ObstacleSeries, ShowsWhatIsNearEachBody)
 {
   Scene<2> scene = box_above_floor<2>();
   scene.bodies.push_back(scene.bodies[0]);
-  scene.bodies[1].name              = "far";
-  scene.bodies[1].lower_corner      = Point<2>(19., 0.);
-  scene.bodies[1].upper_corner      = Point<2>(20., 1.);
-  scene.bodies[1].local_refinements = 0;
+  scene.bodies[1].name                 = "far";
+  box_of(scene.bodies[1]).lower_corner = Point<2>(19., 0.);
+  box_of(scene.bodies[1]).upper_corner = Point<2>(20., 1.);
+  scene.bodies[1].local_refinements    = 0;
   ObstacleMotion<2>::Description description;
   description.velocity      = {{"t", "0"}};
   scene.obstacles[0].motion = std::make_shared<ObstacleMotion<2>>("floor", description);

@@ -38,7 +38,7 @@ namespace
     const TemporaryFile                     scene_file(scene_of(file.name, 2));
     const Scene<2>                          scene = read_scene<2>(scene_file.name, {});
     std::vector<dealii::types::boundary_id> ids;
-    for (const auto &[id, vertices] : scene.bodies[0].mesh_file.boundary_vertices)
+    for (const auto &[id, vertices] : mesh_of(scene.bodies[0]).boundary_vertices)
       ids.push_back(id);
     return ids;
   }
@@ -52,7 +52,7 @@ namespace
     const TemporaryFile   scene_file(scene_of(file.name, 3));
     const Scene<3>        scene = read_scene<3>(scene_file.name, {});
     std::set<std::string> names;
-    for (const auto &[name, ids] : scene.bodies[0].mesh_file.boundaries)
+    for (const auto &[name, ids] : mesh_of(scene.bodies[0]).boundaries)
       names.insert(name);
     return names;
   }

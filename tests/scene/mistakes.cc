@@ -100,7 +100,7 @@ TEST(Mistakes, ShapesAndMaterial)
 {
   expect_refusals(
     {{"Bodies/ball/Shape", "bal", {"Did you mean `ball`?", "Valid: ball, box, cylinder"}},
-     {"Bodies/ball/File", "ball.msh", {"`Shape = ball`", "Set `Shape = file`"}},
+     {"Bodies/ball/File", "ball.msh", {"is only for bodies from mesh files", "`Shape = ball`"}},
      {"Bodies/ball/Radius", "0", {"must be positive"}},
      {"Bodies/ball/Radius", "-1", {"must be positive"}},
      {"Bodies/ball/Radius", "9e-9", {"no mesh", "larger unit"}},
@@ -120,8 +120,8 @@ TEST(Mistakes, ShapesAndMaterial)
      {"Bodies/box/Rotation centre", "here", {"must be 3 numbers"}},
      {"Bodies/box/Translation", "0; 0; 1", {"must be 3 numbers", "commas"}},
      {"Bodies/box/Cap radius", "-2", {"must not be negative", "0 for a flat face"}},
-     {"Bodies/ball/Cap radius", "2", {"only a face of a box", "`Shape = ball`"}},
-     {"Bodies/ball/Cap boundary", "0", {"only a face of a box", "Remove"}},
+     {"Bodies/ball/Cap radius", "2", {"is only for boxes", "`Shape = ball`"}},
+     {"Bodies/ball/Cap boundary", "0", {"is only for boxes", "Remove"}},
      {"Bodies/box/Repetitions", "1, 0, 1", {"at least one cell in y"}},
      {"Bodies/box/Repetitions", "1, -2, 1", {"at least one cell in y"}},
      {"Bodies/ball/Young's modulus", "0", {"must be positive"}},

@@ -72,8 +72,8 @@ namespace
     EXPECT_EQ(refusal(scene.name), "") << mesh;
     // The edge below the first square is the only one with a boundary id; VTK has none.
     const auto body = read_scene<2>(scene.name, {}).bodies[0];
-    EXPECT_EQ(body.mesh_file.boundary_vertices.count(7), extension == ".vtk" ? 0u : 1u) << mesh;
-    EXPECT_EQ(body.mesh_file.boundary_vertices.at(0).size(), 6u) << mesh;
+    EXPECT_EQ(mesh_of(body).boundary_vertices.count(7), extension == ".vtk" ? 0u : 1u) << mesh;
+    EXPECT_EQ(mesh_of(body).boundary_vertices.at(0).size(), 6u) << mesh;
   }
 
   // Two squares side by side, in all formats.

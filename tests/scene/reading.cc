@@ -75,16 +75,16 @@ TEST(Reading, Bodies)
   ASSERT_EQ(scene.bodies.size(), 2u);
   const BodyDescription<3> &ball = scene.bodies[0];
   EXPECT_EQ(ball.name, "ball");
-  EXPECT_EQ(ball.shape, BodyShape::ball);
-  EXPECT_DOUBLE_EQ(ball.centre[2], 1.);
+  EXPECT_EQ(ball.shape_name, "ball");
+  EXPECT_DOUBLE_EQ(ball_of(ball).centre[2], 1.);
   EXPECT_EQ(ball.refinements, 2u);
   EXPECT_DOUBLE_EQ(ball.material.density, 2.);
   EXPECT_EQ(ball.initial_velocity[2], "-2*z");
   EXPECT_EQ(ball.initial_displacement[0], "0");
 
   const BodyDescription<3> &box = scene.bodies[1];
-  EXPECT_DOUBLE_EQ(box.upper_corner[0], 3.);
-  EXPECT_EQ(box.repetitions[2], 3u);
+  EXPECT_DOUBLE_EQ(box_of(box).upper_corner[0], 3.);
+  EXPECT_EQ(box_of(box).repetitions[2], 3u);
   EXPECT_EQ(box.body_force[2], "-9.81");
 }
 
@@ -275,8 +275,8 @@ TEST(Reading, OtherShapes)
                                {"Obstacles/pillar/Shape", "cylinder"},
                                {"Obstacles/pillar/Axis", "0, 2, 0"},
                                {"Obstacles/pillar/Bodies inside", "true"}});
-  EXPECT_EQ(scene.bodies[0].axis, 0u);
-  EXPECT_DOUBLE_EQ(scene.bodies[0].length, 3.);
+  EXPECT_EQ(shape_of<CylinderShape>(scene.bodies[0]).axis, 0u);
+  EXPECT_DOUBLE_EQ(shape_of<CylinderShape>(scene.bodies[0]).length, 3.);
   EXPECT_NEAR(gap(scene, 0, {1., 0., 0.3}), 0.2 / std::sqrt(1.04), 1e-9);
   EXPECT_NEAR(gap(scene, 1, {0.3, 7., 0.4}), 0.9 - 0.5, 1e-14);
 }
@@ -291,7 +291,7 @@ TEST(Reading, TwoDimensions)
                            + assignment("Exact solution/Velocity", "0; -2"));
   EXPECT_EQ(read_dimension(file.name, {}), 2u);
   const Scene<2> scene = read_scene<2>(file.name, {});
-  EXPECT_DOUBLE_EQ(scene.bodies[0].centre[1], 1.);
+  EXPECT_DOUBLE_EQ(ball_of(scene.bodies[0]).centre[1], 1.);
   EXPECT_TRUE(scene.pairs.empty());
   EXPECT_TRUE(scene.exact_solution.given);
   EXPECT_EQ(scene.exact_solution.velocity[1], "-2");

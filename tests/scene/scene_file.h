@@ -4,6 +4,8 @@
 #ifndef signorini_tests_scene_scene_file_h
 #define signorini_tests_scene_scene_file_h
 
+#include "../shapes/shape_of.h"
+
 #include <signorini/base/spelling.h>
 #include <signorini/base/user_error.h>
 #include <signorini/scene/read_scene.h>

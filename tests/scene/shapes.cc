@@ -6,8 +6,8 @@
 
 #include "scene_file.h"
 
-#include <signorini/model/body_shape.h>
-#include <signorini/model/cap.h>
+#include <signorini/model/placed_body.h>
+#include <signorini/shapes/cap.h>
 
 #include <gtest/gtest.h>
 
@@ -116,8 +116,7 @@ TEST(Cap, IsPartOfASphereAndLeavesTheOppositeFace)
 {
   for (const unsigned int face : {0, 1, 2, 3, 4, 5})
     {
-      BodyDescription<3> box;
-      box.shape        = BodyShape::box;
+      BoxShape<3> box;
       box.lower_corner = Point<3>(1., 2., 3.);
       box.upper_corner = Point<3>(2., 2.8, 4.4);
       box.cap_radius   = 1.5;
@@ -157,7 +156,7 @@ TEST(MeshFiles, AreFoundFromTheFolderOfTheScene)
     + assignment("Bodies/plate/File", std::filesystem::path(mesh.name).filename().string());
   const TemporaryFile file(text);
   const Scene<2>      scene = read_scene<2>(file.name, {});
-  EXPECT_EQ(scene.bodies[0].mesh_file.path, mesh.name);
+  EXPECT_EQ(mesh_of(scene.bodies[0]).path, mesh.name);
   expect_near(centre_of(scene.bodies[0]), Point<2>(6., 0.5));
   EXPECT_EQ(boundary_points(scene.bodies[0], 0).size(), 4u);
 
@@ -182,7 +181,7 @@ TEST(MeshFiles, HaveTheirOwnBoundaryIds)
   correct.replace(correct.find("  subsection box[2, 4] : pillar\n  end\n"), 38, "");
   const TemporaryFile file(correct);
   EXPECT_EQ(refusal(file.name, anvil), "");
-  EXPECT_EQ(boundary_ids(read_scene<3>(file.name, anvil).bodies[1]), (Ids{1, 2, 3}));
+  EXPECT_EQ(read_scene<3>(file.name, anvil).bodies[1].shape->boundary_ids(), (Ids{1, 2, 3}));
 
   std::vector<Override> wrong = anvil;
   wrong.emplace_back("Bodies/box/Dirichlet", "0: 0; 0; 0");

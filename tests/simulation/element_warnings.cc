@@ -5,6 +5,8 @@
 // cells in their thickness, in any direction and with faces counted in any order, and standard
 // cells of a hardly compressible material.
 
+#include "../shapes/shape_of.h"
+
 #include <signorini/simulation/element_warnings.h>
 
 #include <gtest/gtest.h>
@@ -16,11 +18,10 @@ namespace
   BodyDescription<3> plate(const unsigned int cells_in_thickness, const ElementKind element)
   {
     BodyDescription<3> body;
-    body.name         = "plate";
-    body.shape        = BodyShape::box;
-    body.upper_corner = {6., 1., 6.};
-    body.repetitions  = {{6, cells_in_thickness, 6}};
-    body.element      = element;
+    body.name                 = "plate";
+    box_of(body).upper_corner = {6., 1., 6.};
+    box_of(body).repetitions  = {{6, cells_in_thickness, 6}};
+    body.element              = element;
     return body;
   }
 
@@ -52,18 +53,18 @@ TEST(ElementWarnings, OfAThicknessThatIsNotResolved)
   refined.refinements = 2;
   EXPECT_FALSE(warns(refined));
 
-  BodyDescription<3> block = plate(1, ElementKind::standard);
-  block.upper_corner       = {4., 1., 4.};
+  BodyDescription<3> block   = plate(1, ElementKind::standard);
+  box_of(block).upper_corner = {4., 1., 4.};
   EXPECT_FALSE(warns(block)) << "not slender";
 }
 
 TEST(ElementWarnings, NameTheBody)
 {
-  BodyDescription<3> other = plate(1, ElementKind::enhanced);
-  other.name               = "other";
-  other.lower_corner[1]    = 2.;
-  other.upper_corner[1]    = 3.;
-  const std::string text   = warnings({plate(1, ElementKind::standard), other});
+  BodyDescription<3> other      = plate(1, ElementKind::enhanced);
+  other.name                    = "other";
+  box_of(other).lower_corner[1] = 2.;
+  box_of(other).upper_corner[1] = 3.;
+  const std::string text        = warnings({plate(1, ElementKind::standard), other});
   EXPECT_NE(text.find("body 'plate' has one or two cells"), std::string::npos) << text;
   EXPECT_EQ(text.find("other"), std::string::npos) << text;
 }

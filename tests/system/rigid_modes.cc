@@ -125,7 +125,7 @@ TEST(RigidModes, OfFreeBodies)
   expect_in_span<2>(square, expect_basis(square, {}, 3), {{{"0.3 - 0.7*y", "2 + 0.7*x"}}});
 
   BodyDescription<3> away = ball<3>(2);
-  away.centre             = {10., -20., 5.};
+  ball_of(away).centre    = {10., -20., 5.};
   const Bodies<3> ball_far_away(scene_of<3>({away}));
   expect_in_span<3>(ball_far_away,
                     expect_basis(ball_far_away, {}, 6),
@@ -136,7 +136,7 @@ TEST(RigidModes, FarFromTheOrigin)
 {
   // A rotation is a translation there but for one part in 1e5: orthogonal all the same.
   BodyDescription<3> far = ball<3>(2);
-  far.centre             = {1e5, -2e5, 5e4};
+  ball_of(far).centre    = {1e5, -2e5, 5e4};
   const Bodies<3>           bodies(scene_of<3>({far}));
   const std::vector<Motion> free = bodies.modes.free_of({});
   ASSERT_EQ(free.size(), 6u);

@@ -26,9 +26,8 @@ namespace
   {
     BodyDescription<2> bar;
     bar.name                 = "bar";
-    bar.shape                = BodyShape::box;
-    bar.upper_corner         = dealii::Point<2>(2., 0.25);
-    bar.repetitions          = {{n_cells, 1}};
+    box_of(bar).upper_corner = dealii::Point<2>(2., 0.25);
+    box_of(bar).repetitions  = {{n_cells, 1}};
     bar.material             = {18., 0., 2.};
     bar.initial_displacement = {{"cos(pi*x/2)", "0"}};
     Scene<2> scene           = scene_of<2>({bar});
@@ -42,12 +41,11 @@ namespace
   Scene<2> shear_wave(const unsigned int n_cells, const double step_size)
   {
     BodyDescription<2> strip;
-    strip.name             = "strip";
-    strip.shape            = BodyShape::box;
-    strip.upper_corner     = dealii::Point<2>(0.25, 1.);
-    strip.repetitions      = {{1, n_cells}};
-    strip.material         = {10.4, 0.3, 1.};
-    strip.initial_velocity = {{"2*pi*sin(pi*y)", "0"}};
+    strip.name                 = "strip";
+    box_of(strip).upper_corner = dealii::Point<2>(0.25, 1.);
+    box_of(strip).repetitions  = {{1, n_cells}};
+    strip.material             = {10.4, 0.3, 1.};
+    strip.initial_velocity     = {{"2*pi*sin(pi*y)", "0"}};
     strip.dirichlet = {{2, {{"0", "0"}}}, {3, {{"0", "0"}}}, {0, {{"-", "0"}}}, {1, {{"-", "0"}}}};
     Scene<2> scene  = scene_of<2>({strip});
     scene.time.step_size = step_size;

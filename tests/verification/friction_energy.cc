@@ -52,10 +52,10 @@ namespace
       auto body = block<dim>("block", {}, {}, {});
       for (unsigned int c = 0; c < dim; ++c)
         {
-          body.upper_corner[c] = between(0.6, 1.6);
-          body.repetitions[c]  = dim == 2 || c < 2 ? 2 : 1;
+          box_of(body).upper_corner[c] = between(0.6, 1.6);
+          box_of(body).repetitions[c]  = dim == 2 || c < 2 ? 2 : 1;
         }
-      body.repetitions[0] += between(0., 1.) < 0.5 ? 1 : 0;
+      box_of(body).repetitions[0] += between(0., 1.) < 0.5 ? 1 : 0;
       body.material.poissons_ratio = between(0., 0.45);
       Scene<dim> scene = contact_scene<dim>(body, {floor_at<dim>(0.)}, {bottom_id<dim>});
       set_step(scene, 1., coulomb(std::to_string(between(0., 2.))));

@@ -126,8 +126,8 @@ namespace
   {
     for (auto &body : scene.bodies)
       {
-        body.lower_corner *= per_metre;
-        body.upper_corner *= per_metre;
+        box_of(body).lower_corner *= per_metre;
+        box_of(body).upper_corner *= per_metre;
         body.material.youngs_modulus *= per_kilogram / per_metre;
         body.material.density *= per_kilogram / (per_metre * per_metre * per_metre);
         if (body.local_refinements > 0)

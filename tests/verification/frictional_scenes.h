@@ -51,9 +51,9 @@ namespace signorini::tests
     auto body = block<dim>("block", {}, {}, {});
     for (unsigned int c = 0; c < dim; ++c)
       {
-        body.lower_corner[c] = c == dim - 1 ? 0.004 : 0.;
-        body.upper_corner[c] = c == 0 ? 1.4 : 1.;
-        body.repetitions[c]  = dim == 2 ? 4 : 2;
+        box_of(body).lower_corner[c] = c == dim - 1 ? 0.004 : 0.;
+        box_of(body).upper_corner[c] = c == 0 ? 1.4 : 1.;
+        box_of(body).repetitions[c]  = dim == 2 ? 4 : 2;
       }
     if (dim == 3)
       {

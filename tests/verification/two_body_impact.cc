@@ -170,11 +170,11 @@ namespace
   Scene<dim> balls()
   {
     auto upper = ball<dim>(dim == 2 ? 3 : 1), lower = ball<dim>(dim == 2 ? 4 : 2);
-    upper.name            = "upper";
-    lower.name            = "lower";
-    lower.centre[0]       = 0.3;
-    lower.centre[dim - 1] = dim == 2 ? -1. : -1.1;
-    Scene<dim>      scene = scene_of<dim>({upper, lower});
+    upper.name                     = "upper";
+    lower.name                     = "lower";
+    ball_of(lower).centre[0]       = 0.3;
+    ball_of(lower).centre[dim - 1] = dim == 2 ? -1. : -1.1;
+    Scene<dim>      scene          = scene_of<dim>({upper, lower});
     PairDescription pair;
     pair.name   = "upper : lower";
     pair.slave  = 0;

@@ -12,6 +12,9 @@ namespace signorini
   /** The words in one string, separated by `separator`. */
   std::string join(const std::vector<std::string> &words, const std::string &separator = ", ");
 
+  /** The words as a list in a sentence; the last separator differs: `a, b and c`. */
+  std::string enumeration(const std::vector<std::string> &words, const std::string &last);
+
   /** The pieces of @p text between the characters @p separator, without surrounding white space. */
   std::vector<std::string> split(const std::string &text, char separator);
 

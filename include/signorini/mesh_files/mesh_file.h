@@ -5,11 +5,15 @@
 #define signorini_mesh_files_mesh_file_h
 
 #include <signorini/base/user_error.h>
-#include <signorini/model/body_description.h>
+
+#include <deal.II/base/point.h>
+#include <deal.II/base/types.h>
 
 #include <deal.II/grid/tria.h>
 
+#include <map>
 #include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -18,6 +22,23 @@ namespace signorini
   {
   public:
     using UserError::UserError;
+  };
+
+  /**
+   * What a scene needs to know of a mesh from a file: where it comes from, and the vertices on
+   * each of its boundaries, as they stand in the file, times the scale.
+   */
+  template <int dim>
+  struct MeshFile
+  {
+    std::string        path;       ///< absolute, or relative to the current folder
+    std::string        part;       ///< names or numbers of groups of cells; empty: all cells
+    double             scale = 1.; ///< of all coordinates
+    dealii::Point<dim> centre;     ///< of the smallest box that holds all vertices
+    std::map<dealii::types::boundary_id, std::vector<dealii::Point<dim>>> boundary_vertices;
+    /** Boundary ids of the groups of faces, by their names and numbers. */
+    std::map<std::string, std::vector<dealii::types::boundary_id>> boundaries;
+    std::vector<std::string>                                       notes; ///< clauses
   };
 
   /**
@@ -37,7 +58,7 @@ namespace signorini
                       double                      scale = 1.);
 
   /**
-   * What the description of a body keeps of the mesh in a file. @throws UserError like
+   * What the shape of a body keeps of the mesh in a file. @throws UserError like
    * read_mesh_file(), and if cells overlap.
    */
   template <int dim>

@@ -4,50 +4,89 @@
 #ifndef signorini_model_body_shape_h
 #define signorini_model_body_shape_h
 
-#include <signorini/model/body_description.h>
+#include <signorini/model/placement.h>
 
+#include <deal.II/base/types.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <map>
+#include <string>
 #include <vector>
 
 namespace signorini
 {
-  /**
-   * The boundary ids of a shape. Box: deal.II's colours 0..2*dim-1 (0, 1: x-, x+; 2, 3: y-, y+;
-   * ...); ball: 0; cylinder: 0 mantle, 1 bottom, 2 top; file: those of the file.
-   */
-  template <int dim>
-  std::vector<dealii::types::boundary_id> boundary_ids(const BodyDescription<dim> &body);
+  /** Boundary ids by the names that a scene may give instead. */
+  using BoundaryNames = std::map<std::string, std::vector<dealii::types::boundary_id>>;
 
   /**
-   * The boundary ids that a scene means by a number, or by the name of a group of faces in a mesh
-   * file, whatever its capital letters and blanks; empty if there are none.
+   * What a body is before it is placed: its boundaries, and the coarse mesh that refinement starts
+   * from. Coordinates are those of the shape, but for the mesh.
    */
   template <int dim>
-  std::vector<dealii::types::boundary_id> boundary_ids_named(const BodyDescription<dim> &body,
-                                                             const std::string          &word);
+  class BodyShape
+  {
+  public:
+    virtual ~BodyShape() = default;
+
+    /** Its centre, about which a scene turns it. */
+    virtual dealii::Point<dim> midpoint() const = 0;
+
+    /** Of all faces that the mesh has at its boundary; in ascending order. */
+    virtual std::vector<dealii::types::boundary_id> boundary_ids() const = 0;
+
+    /** A few points on one boundary, for trying expressions. */
+    virtual std::vector<dealii::Point<dim>>
+    boundary_points(dealii::types::boundary_id id) const = 0;
+
+    /** Boundaries may have names besides their ids. */
+    virtual BoundaryNames boundary_names() const { return {}; }
+
+    /**
+     * Make the coarse mesh of the body in its place, with the boundary ids. Manifolds say where
+     * refinement puts new vertices; they are attached, in their place, too: round surfaces stay
+     * round.
+     */
+    virtual void make_coarse_mesh(const Placement<dim>       &placement,
+                                  dealii::Triangulation<dim> &mesh) const = 0;
+
+    /** Two opposite corners of a box around it; nothing if only the mesh tells. */
+    virtual std::vector<dealii::Point<dim>> corners_around() const { return {}; }
+
+    /** How many cells the coarse mesh will have; 0 if only the mesh tells. */
+    virtual double n_coarse_cells() const { return 0.; }
+
+    /** Two sentences for more than a million coarse cells: the key that wants them; the remedy. */
+    virtual std::string too_many_cells() const
+    {
+      return "Shape gives more than 1000000 coarse cells, which every process must keep. Use a "
+             "shape with fewer coarse cells and more Refinements.";
+    }
+
+    /** Whether cells with straight edges are only an approximation of the shape. */
+    virtual bool is_round() const { return false; }
+
+    /** Whether all cells are parallelepipeds, however often they are refined. */
+    virtual bool has_only_parallelepipeds() const { return false; }
+
+    /** The path in its key `File`, where the mesh comes from; empty if there is none. */
+    virtual std::string file() const { return {}; }
+
+    /** What the log says about the mesh, in clauses. */
+    virtual std::vector<std::string> notes() const { return {}; }
+  };
+
+  /**
+   * The boundary ids that a scene means by a number, or by a name, whatever its capital letters and
+   * blanks; empty if there are none.
+   */
+  template <int dim>
+  std::vector<dealii::types::boundary_id> boundary_ids_named(const BodyShape<dim> &shape,
+                                                             const std::string    &word);
 
   /** All boundary ids, with names behind them, for messages: `1 (face), 2`. */
   template <int dim>
-  std::string list_of_boundaries(const BodyDescription<dim> &body);
-
-  /** A few points on one boundary of the body in its place, for trying expressions. */
-  template <int dim>
-  std::vector<dealii::Point<dim>> boundary_points(const BodyDescription<dim> &body,
-                                                  dealii::types::boundary_id  id);
-
-  /** The centre of the body in its place and the points of all its boundaries. */
-  template <int dim>
-  std::vector<dealii::Point<dim>> sample_points(const BodyDescription<dim> &body);
-
-  /**
-   * The centre of the shape before it is placed; that of a mesh from a file is the centre of its
-   * bounding box.
-   */
-  template <int dim>
-  dealii::Point<dim> centre_of_shape(const BodyDescription<dim> &body);
-
-  /** The centre of the body in its place. */
-  template <int dim>
-  dealii::Point<dim> centre_of(const BodyDescription<dim> &body);
+  std::string list_of_boundaries(const BodyShape<dim> &shape);
 } // namespace signorini
 
 #endif

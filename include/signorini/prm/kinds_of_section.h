@@ -38,28 +38,38 @@ namespace signorini
                       "One of: " + join(summaries, ", ") + ".");
   }
 
+  /** The names of kinds, for messages: `box or sphere`. */
+  template <typename Kind>
+  std::string names_of_kinds(const std::vector<const Kind *> &kinds)
+  {
+    std::vector<std::string> names;
+    for (const Kind *kind : kinds)
+      names.emplace_back(kind->name);
+    return join(names, " or ");
+  }
+
   /**
    * The kind that a section says.
    * @param declared a handler with the keys of this section at its top
-   * @param what the kinds are, in words
+   * @param in_words says of the kinds that look at a key who they are: `the shape box or sphere`
    * @throws UserError about keys that only other kinds look at
    */
-  template <typename Kind>
+  template <typename Kind, typename InWords>
   const Kind &kind_of(const SectionReader            &in,
                       const std::string              &key,
                       const std::vector<Kind>        &kinds,
                       const dealii::ParameterHandler &declared,
-                      const std::string              &what)
+                      const InWords                  &in_words)
   {
     const Kind &own = *std::find_if(
       kinds.begin(), kinds.end(), [&](const Kind &kind) { return kind.name == in.text(key); });
-    std::map<std::string, std::vector<std::string>> owners;
+    std::map<std::string, std::vector<const Kind *>> owners;
     for (const Kind &kind : kinds)
       for (const std::string &key_of_kind : kind.keys)
-        owners[key_of_kind].emplace_back(kind.name);
-    for (const auto &[key_of_kinds, names] : owners)
+        owners[key_of_kind].push_back(&kind);
+    for (const auto &[key_of_kinds, owners_of_key] : owners)
       if (std::find(own.keys.begin(), own.keys.end(), key_of_kinds) == own.keys.end())
-        refuse_without_effect(in, key_of_kinds, declared, what + ' ' + join(names, " or "), key);
+        refuse_without_effect(in, key_of_kinds, declared, in_words(owners_of_key), key);
     return own;
   }
 } // namespace signorini

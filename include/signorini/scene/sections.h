@@ -41,10 +41,6 @@ namespace signorini
   template <int dim>
   void parse_shape(const SectionReader &in, BodyDescription<dim> &body);
   template <int dim>
-  void declare_cap(dealii::ParameterHandler &prm);
-  template <int dim>
-  void parse_cap(const SectionReader &in, BodyDescription<dim> &body);
-  template <int dim>
   void declare_placement(dealii::ParameterHandler &prm);
   /** Needs the shape of the body. */
   template <int dim>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/model/cap.h>
+#include <signorini/shapes/cap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 namespace signorini
 {
   template <int dim>
-  Cap<dim>::Cap(const BodyDescription<dim> &box)
+  Cap<dim>::Cap(const BoxShape<dim> &box)
     : radius(box.cap_radius)
     , direction(box.cap_boundary / 2)
     , centre(box.lower_corner + .5 * (box.upper_corner - box.lower_corner))

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_discretization_cap_manifold_h
-#define signorini_discretization_cap_manifold_h
+#ifndef signorini_shapes_cap_manifold_h
+#define signorini_shapes_cap_manifold_h
 
-#include <signorini/model/cap.h>
+#include <signorini/shapes/cap.h>
 
 #include <deal.II/grid/manifold.h>
 
@@ -18,7 +18,7 @@ namespace signorini
   class CapManifold : public dealii::ChartManifold<dim>
   {
   public:
-    explicit CapManifold(const BodyDescription<dim> &box);
+    CapManifold(const BoxShape<dim> &box, const Placement<dim> &placement);
 
     std::unique_ptr<dealii::Manifold<dim>> clone() const override;
     dealii::Point<dim> pull_back(const dealii::Point<dim> &point) const override;

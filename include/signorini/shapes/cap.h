@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_model_cap_h
-#define signorini_model_cap_h
+#ifndef signorini_shapes_cap_h
+#define signorini_shapes_cap_h
 
-#include <signorini/model/body_description.h>
+#include <signorini/shapes/box_shape.h>
 
 namespace signorini
 {
@@ -18,8 +18,8 @@ namespace signorini
   class Cap
   {
   public:
-    /** Of a body of shape box; with `cap_radius` zero the map does nothing. */
-    explicit Cap(const BodyDescription<dim> &box);
+    /** Of a box; with `cap_radius` zero the map does nothing. */
+    explicit Cap(const BoxShape<dim> &box);
 
     /** Where a point of the flat box comes to lie. */
     dealii::Point<dim> bulge(const dealii::Point<dim> &point) const;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/discretization/cap_manifold.h>
+#include <signorini/shapes/cap_manifold.h>
 
 namespace signorini
 {
   template <int dim>
-  CapManifold<dim>::CapManifold(const BodyDescription<dim> &box)
+  CapManifold<dim>::CapManifold(const BoxShape<dim> &box, const Placement<dim> &placement)
     : cap(box)
-    , placement(box.placement)
+    , placement(placement)
   {
   }
 
