@@ -129,6 +129,16 @@ class Extension(check_history.SceneTest):
         self.assertIn("Young's modulus", message)
         self.assertIn("hooke", message)
 
+    def test_pictures_and_report(self):
+        """The commands of the installation draw a run, without a checkout."""
+        scene = self.program.parents[1] / "share/signorini/parameters/incline.prm"
+        self.run_program(self.program, scene, "--quiet", "--set", "Output directory=drawn")
+        for tool in ("signorini-plot", "signorini-report"):
+            self.run_program(self.program.parent / tool, "drawn")
+        self.assertTrue((self.folder / "drawn/pictures/energy.png").exists())
+        page = (self.folder / "drawn/report.html").read_text(encoding="utf-8")
+        self.assertIn("@article{krause", page.replace(" ", "").lower())
+
     def test_scenes_to_start_from(self):
         """Each is written once, says its own name, and is in order."""
         names = self.run_program(self.program, "--new", status=2).split("Valid: ")[1]
