@@ -38,7 +38,7 @@ def areas(build):
 
 
 def summary(cases, area_of):
-    """@param cases name, status (run, fail, notrun or disabled) and seconds of tests. @return text"""
+    """@param cases name, status (run, fail, notrun or disabled) and seconds of each test"""
     counts = collections.defaultdict(collections.Counter)
     seconds = collections.Counter()
     left_out = []
