@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""The tables of doc/benchmarks.md, from the rows of results.csv. In the page each stands between
+two comments, <!-- benchmark: CASE --> and <!-- end of benchmark -->."""
+
+import math
+import re
+
+from ..mistake import Mistake
+from ..tables import markdown
+from .rows import OWN
+
+#: A part of the page that is made, and the name of the part about all cases.
+PART = r"<!-- benchmark: (\S+) -->\n.*?<!-- end of benchmark -->"
+SUMMARY = "summary"
+
+
+def relative(row):
+    """The error of a row, in per cent of the reference; absolute where that is zero."""
+    error, scale = float(row["error"] or "nan"), abs(float(row["reference"]))
+    if math.isnan(error):
+        return "-"
+    return f"{100 * error / scale:+.2g} %" if scale else f"{error:+.2g}"
+
+
+def by_run(rows):
+    """The rows of each run."""
+    runs = {}
+    for row in rows:
+        keys = ("code", "version", "scheme", "contact", "settings", "dofs", "processor_s")
+        runs.setdefault(tuple(row.get(key, "") for key in keys), []).append(row)
+    return list(runs.values())
+
+
+def reference(row):
+    """The reference of a quantity as a text."""
+    bar = f" ± {row['uncertainty']}" if float(row["uncertainty"]) else ""
+    return f"{row['reference']}{bar} ({row['kind']})"
+
+
+def table(rows):
+    """A line for each run: what it is, what it cost, the errors of its quantities."""
+    names = list({row["quantity"]: row for row in rows}.values())
+    lines = [
+        ["run", "dofs", "steps", "processor s", *(row["quantity"] for row in names)],
+        ["*reference*", "", "", "", *map(reference, names)],
+    ]
+    for run in by_run(rows):
+        first, found = run[0], {row["quantity"]: row for row in run}
+        what = f"{first['code']}: {first.get('scheme') or 'failed'}"
+        if first["code"] != OWN:
+            what = f"{first['code']} {first['version']}: {first['scheme']}; {first['contact']}"
+        errors = [
+            relative(found[row["quantity"]]) if row["quantity"] in found else "-" for row in names
+        ]
+        cost = f"{float(first['processor_s']):.3g}" if first["processor_s"] else "-"
+        lines.append([what, first["dofs"], first["steps"], cost, *errors])
+    return markdown(lines)
+
+
+def size(row):
+    """The magnitude of an error, infinite if it is not known."""
+    return abs(float(row["error"])) if row["error"] else math.inf
+
+
+def beaten(rows):
+    """Of each quantity that others have, too: whose error is smallest, and what it cost."""
+    said = []
+    for name in dict.fromkeys(row["quantity"] for row in rows if row["code"] != OWN):
+        mine, theirs = (
+            min(
+                (row for row in rows if row["quantity"] == name and (row["code"] == OWN) == is_own),
+                key=size,
+            )
+            for is_own in (True, False)
+        )
+        first, second = (theirs, mine) if size(theirs) < size(mine) else (mine, theirs)
+        word = "**better than here**" if first is theirs else "best"
+        said.append(f"* {name}: {word} {sentence(first)}, then {sentence(second)}")
+    return "\n".join(said)
+
+
+def sentence(row):
+    """A run with the error of a quantity and its time."""
+    time = f", {float(row['processor_s']):.3g} s" if row["processor_s"] else ""
+    return f"{row['code']} ({row['scheme']}, {row['dofs']} dofs{time}) with {relative(row)}"
+
+
+def summary(rows):
+    """A line for each case: size and cost of the runs, and the largest part of a tolerance that was
+    used."""
+    lines = [["case", "quantities", "runs", "dofs", "processor s", "within", "most of a tolerance"]]
+    for case in dict.fromkeys(row["case"] for row in rows):
+        mine = [row for row in rows if row["case"] == case and row["code"] == OWN]
+        runs, used = by_run(mine), [size(row) / float(row["tolerance"]) for row in mine]
+        lines.append(
+            [
+                f"[{case}](#{case.replace('_', '-')})",
+                str(len(runs[0])),
+                str(len(runs)),
+                " / ".join(run[0]["dofs"] for run in runs),
+                f"{sum(float(run[0]['processor_s'] or 'nan') for run in runs):.1f}",
+                f"{sum(row['verdict'] == 'within' for row in mine)} of {len(mine)}",
+                f"{100 * max(used):.0f} %",
+            ]
+        )
+    return markdown(lines)
+
+
+def parts(rows):
+    """The text of each part by its name."""
+    found = {SUMMARY: summary(rows)}
+    for case in dict.fromkeys(row["case"] for row in rows):
+        mine = [row for row in rows if row["case"] == case]
+        found[case] = "\n\n".join(filter(None, [table(mine), beaten(mine)]))
+    return found
+
+
+def renew(text, rows):
+    """The page with its parts made anew."""
+    made = parts(rows)
+    missing = set(made) - set(re.findall(PART, text, re.DOTALL))
+    if missing:
+        raise Mistake(f"the page has no <!-- benchmark: ... --> for {', '.join(sorted(missing))}.")
+
+    def replace(match):
+        name = match[1]
+        body = f"\n{made[name]}\n\n" if name in made else "\nNot run.\n\n"
+        return f"<!-- benchmark: {name} -->\n{body}<!-- end of benchmark -->"
+
+    return re.sub(PART, replace, text, flags=re.DOTALL)
