@@ -10,7 +10,8 @@ hammer.inp  Abaqus: a round bar that lies along the x axis, with a conical nose 
             domed face touches the plane x = 0 in the origin. Surfaces, whose numbers become
             boundary ids: 1 face, 2 cone, 3 mantle, 4 back.
 ring.inp    UCD, in 2d: a regular polygon with 48 corners at the distance 1 from the origin and a
-            hole of the same form, 0.8; its sides at both ends of the x axis are upright.
+            hole of the same form, 0.8; its sides at both ends of the x axis are upright. The
+            outside has the boundary id 1.
 """
 
 import itertools
@@ -204,9 +205,13 @@ def ring():
         (vertex(n, k), vertex(n, k + 1), vertex(n + 1, k + 1), vertex(n + 1, k))
         for n, k in itertools.product(range(RING_CORNERS), range(across - 1))
     ]
-    lines = [f"{len(points)} {len(cells)} 0 0 0"]
+    lines = [f"{len(points)} {len(cells) + RING_CORNERS} 0 0 0"]
     lines += [f"{number} {x:.10g} {y:.10g} 0" for number, (x, y) in enumerate(points, 1)]
     lines += [f"{n} 0 quad {' '.join(map(str, cell))}" for n, cell in enumerate(cells, 1)]
+    lines += [
+        f"{len(cells) + n + 1} 1 line {vertex(n, across - 1)} {vertex(n + 1, across - 1)}"
+        for n in range(RING_CORNERS)
+    ]
     return "\n".join(lines + [""])
 
 

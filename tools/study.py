@@ -26,10 +26,10 @@ A section [quantities] derives numbers from the columns of history.csv, supports
 bodies.csv, and those of probes, PROBE.COLUMN, by names that `observe` and later quantities can use:
 `name = expression` with first(COLUMN), last(COLUMN), largest(COLUMN), smallest(COLUMN),
 total(COLUMN), its sum over the steps, integral(COLUMN), that of its products with the step size,
-zero(COLUMN), the first time at which it passes through zero, begin(COLUMN) and end(COLUMN), the times at which its first step that is not
-zero starts and its last one ends, and duration(COLUMN), the length of all such steps:
-duration(contact_force) is the time in contact, end(pair_0_normal_force) the end of the contact of
-the first pair.
+zero(COLUMN), the first time at which it passes through zero, begin(COLUMN) and end(COLUMN), the
+times at which its first step that is not zero starts and its last one ends, and duration(COLUMN),
+the length of all such steps: duration(contact_force) is the time in contact,
+end(pair_0_normal_force) the end of the contact of the first pair.
 `curve = FILE` in [study], two columns separated by commas below a line with their names, gives the
 function curve(...). `figure = NAME over NAME` draws one observation over another to
 FOLDER/figure.png beside the curve, with one kind of points for each variant, or for all variants

@@ -61,7 +61,7 @@ def problems(folder, coarse=True, certified=None):
 
 class Certificates(unittest.TestCase):
     def test_the_limit_is_within_the_error_bar(self):
-        for order in (0.6, 1.0, 1.7, 2.0, 3.0):
+        for order in (0.6, 1.0, 1.7, 2.0, 2.9):
             for error in (0.3, -2e-3):
                 for mixed in (0.0, 0.4):
                     sizes = [1.0, 0.5, 0.25]
@@ -237,14 +237,16 @@ class Page(unittest.TestCase):
             self.assertEqual(len(found[key]), runs, key)
             for row in found[key]:
                 self.assertEqual(row["verdict"], "within", row)
-                self.assertAlmostEqual(float(row["reference"]) / (known.value or 1), known.value and 1, places=6)
+                error = abs(float(row["reference"]) - known.value)
+                self.assertLessEqual(error, 1e-6 * abs(known.value), row)
 
     def test_a_better_peer_is_named(self):
         mine = {"code": page.OWN, "quantity": "q", "reference": "2", "error": "-0.1", "dofs": "8"}
         mine |= {"scheme": "ours", "processor_s": "3"}
         theirs = {**mine, "code": "other", "error": "0.01", "scheme": "theirs"}
         said = page.beaten([mine, theirs])
-        self.assertRegex(said, r"\*\*better than here\*\* other \(theirs, 8 dofs, 3 s\) with \+0.5 %")
+        words = r"\*\*better than here\*\* other \(theirs, 8 dofs, 3 s\) with \+0.5 %"
+        self.assertRegex(said, words)
         self.assertNotIn("better", page.beaten([mine, {**theirs, "error": "0.2"}]))
 
 

@@ -6,16 +6,17 @@ together by a factor of two, and of two such series with different schemes.
 
 This is Richardson's extrapolation with the order that the last three values show (P. J. Roache,
 Perspective: a method for uniform reporting of grid refinement studies, Journal of Fluids
-Engineering 116 (1994) 405-413), not better than second and not worse than half an order. The error
-bar reaches back to the last value, so that the extrapolation need not be believed. Values that do
-not converge from one side have the larger of their last two changes as error bar.
+Engineering 116 (1994) 405-413), as if it were second if it is better than that. The error bar
+reaches back to the last value, so that the extrapolation need not be believed. Values that show no
+order between one half and three do not converge regularly: the larger of their last two changes is
+their error bar.
 """
 
 import dataclasses
 import math
 
-#: Orders of convergence that are believed.
-LEAST, MOST = 0.5, 2.0
+#: Orders of convergence that are regular, and the one that is believed at most.
+LEAST, MOST, BELIEVED = 0.5, 3.0, 2.0
 #: Relative, what solvers leave open.
 ROUND_OFF = 1e-7
 
@@ -29,16 +30,17 @@ class Certificate:
     order: float
 
 
-def extrapolate(values):
-    """The certificate of the values of a series, the finest mesh last."""
+def extrapolate(values, resolution=0.0):
+    """The certificate of the values of a series, the finest mesh last. resolution: what the last
+    one cannot tell apart, as a time that is counted in steps."""
     before, change = values[-2] - values[-3], values[-1] - values[-2]
-    floor = ROUND_OFF * abs(values[-1])
+    floor = max(resolution, ROUND_OFF * abs(values[-1]))
     if abs(change) <= floor and abs(before) <= floor:
         return Certificate(values[-1], floor, math.nan)
     seen = math.log2(before / change) if before * change > 0 else math.nan
-    if not seen >= LEAST:
+    if not LEAST <= seen <= MOST:
         return Certificate(values[-1], max(abs(before), abs(change), floor), math.nan)
-    correction = change / (2 ** min(seen, MOST) - 1)
+    correction = change / (2 ** min(seen, BELIEVED) - 1)
     return Certificate(values[-1] + correction, max(abs(correction), floor), seen)
 
 

@@ -96,7 +96,7 @@ def summary(rows):
         runs, used = by_run(mine), [size(row) / float(row["tolerance"]) for row in mine]
         lines.append(
             [
-                f"[{case}](#{case.replace('_', '-')})",
+                f"[{case}](#{case})",
                 str(len(runs[0])),
                 str(len(runs)),
                 " / ".join(run[0]["dofs"] for run in runs),

@@ -13,6 +13,7 @@ from ..case import Case, finished, reference, timed
 from ..expressions import Expression
 from ..mistake import Mistake
 from ..tables import read_rows
+from ..work_precision.errors import COUNTED
 
 #: What a reference is.
 EXACT, CERTIFIED = "exact", "certified"
@@ -83,6 +84,11 @@ class Problem(Case):
                 task = runs.Task(self.study, f"{scheme}, mesh {number}", keys, folder)
                 found[scheme].append(reference(executable, task, draw_only))
         return found
+
+    def resolution(self, name, result):
+        """Times at which something begins or ends are known to a step."""
+        counted = COUNTED.search(getattr(self.study.observations[name], "text", ""))
+        return result["step_size"][-1] if counted else 0.0
 
     def value(self, name, result):
         """Of a quantity in a run."""

@@ -73,7 +73,7 @@ def certify(arguments, root, folder):
                 for scheme, runs in results.items()
             }
             found = {
-                scheme: extrapolate(numbers)
+                scheme: extrapolate(numbers, problem.resolution(name, results[scheme][-1]))
                 for scheme, numbers in values.items()
                 if not any(map(math.isnan, numbers))
             }
