@@ -8,7 +8,7 @@ This is Richardson's extrapolation with the order that the last three values sho
 Perspective: a method for uniform reporting of grid refinement studies, Journal of Fluids
 Engineering 116 (1994) 405-413), as if it were second if it is better than that. The error bar
 reaches back to the last value, so that the extrapolation need not be believed. Values that show no
-order between one half and three do not converge regularly: the larger of their last two changes is
+order between 0.5 and 2.5 do not converge regularly: the larger of their last two changes is
 their error bar.
 """
 
@@ -16,7 +16,7 @@ import dataclasses
 import math
 
 #: Orders of convergence that are regular, and the one that is believed at most.
-LEAST, MOST, BELIEVED = 0.5, 3.0, 2.0
+LEAST, MOST, BELIEVED = 0.5, 2.5, 2.0
 #: Relative, what solvers leave open.
 ROUND_OFF = 1e-7
 

@@ -68,7 +68,7 @@ def judge(problem, name, level, value):
 
 def own(problem, executable, draw_only):
     """Rows of the runs of this program."""
-    version = signorini.ask("--version", executable=executable).split("\n")[0].split()[1]
+    version = signorini.ask("--version", executable=executable).split()[1].rstrip(",")
     rows = []
     for settings, level, result in problem.results(executable, draw_only):
         text = "; ".join(f"{key} = {value}" for key, value in settings.items())
