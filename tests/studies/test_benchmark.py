@@ -241,13 +241,16 @@ class Page(unittest.TestCase):
                 self.assertLessEqual(error, 1e-6 * abs(known.value), row)
 
     def test_a_better_peer_is_named(self):
+        """Unless the reference leaves open who is better."""
         mine = {"code": page.OWN, "quantity": "q", "reference": "2", "error": "-0.1", "dofs": "8"}
-        mine |= {"scheme": "ours", "processor_s": "3"}
+        mine |= {"scheme": "ours", "processor_s": "3", "uncertainty": "0"}
         theirs = {**mine, "code": "other", "error": "0.01", "scheme": "theirs"}
-        said = page.beaten([mine, theirs])
-        words = r"\*\*better than here\*\* other \(theirs, 8 dofs, 3 s\) with \+0.5 %"
-        self.assertRegex(said, words)
-        self.assertNotIn("better", page.beaten([mine, {**theirs, "error": "0.2"}]))
+        finer = {**mine, "dofs": "99", "error": "0.001"}
+        said = page.beaten([mine, finer, theirs])
+        self.assertIn("**others are better**: other (theirs, 8 dofs, 3 s) with +0.5 %", said)
+        self.assertIn("none is better", page.beaten([mine, {**theirs, "error": "0.2"}]))
+        unknown = [{**row, "uncertainty": "0.3"} for row in (mine, theirs)]
+        self.assertIn("none is better", page.beaten(unknown))
 
 
 if __name__ == "__main__":

@@ -11,6 +11,8 @@ from ..mistake import Mistake
 from ..tables import markdown
 from .rows import OWN
 
+#: Errors below this, relative, are round-off.
+ROUND_OFF = 1e-8
 #: A part of the page that is made, and the name of the part about all cases.
 PART = r"<!-- benchmark: (\S+) -->\n.*?<!-- end of benchmark -->"
 SUMMARY = "summary"
@@ -21,7 +23,9 @@ def relative(row):
     error, scale = float(row["error"] or "nan"), abs(float(row["reference"]))
     if math.isnan(error):
         return "-"
-    return f"{100 * error / scale:+.2g} %" if scale else f"{error:+.2g}"
+    value = 100 * error / scale if scale else error
+    text = f"{value:+.2g}" if abs(error) > ROUND_OFF * (scale or 1) else "0"
+    return f"{text} %" if scale else text
 
 
 def by_run(rows):
@@ -60,24 +64,24 @@ def table(rows):
 
 
 def size(row):
-    """The magnitude of an error, infinite if it is not known."""
-    return abs(float(row["error"])) if row["error"] else math.inf
+    """The magnitude of an error, infinite if it is not known; below the uncertainty of the
+    reference, and below round-off, nothing can be told."""
+    floor = max(float(row["uncertainty"]), ROUND_OFF * abs(float(row["reference"])))
+    return max(abs(float(row["error"])), floor) if row["error"] else math.inf
 
 
 def beaten(rows):
-    """Of each quantity that others have, too: whose error is smallest, and what it cost."""
+    """Of each quantity that others have, too: the best of theirs, beside the best here on the same
+    mesh, if there is one. On coarse meshes single numbers may be right by luck."""
     said = []
     for name in dict.fromkeys(row["quantity"] for row in rows if row["code"] != OWN):
-        mine, theirs = (
-            min(
-                (row for row in rows if row["quantity"] == name and (row["code"] == OWN) == is_own),
-                key=size,
-            )
-            for is_own in (True, False)
-        )
-        first, second = (theirs, mine) if size(theirs) < size(mine) else (mine, theirs)
-        word = "**better than here**" if first is theirs else "best"
-        said.append(f"* {name}: {word} {sentence(first)}, then {sentence(second)}")
+        found = [row for row in rows if row["quantity"] == name]
+        theirs = min((row for row in found if row["code"] != OWN), key=size)
+        mine = [row for row in found if row["code"] == OWN]
+        same = [row for row in mine if row["dofs"] == theirs["dofs"]] or mine
+        best = min(same, key=size)
+        word = "**others are better**" if size(theirs) < size(best) else "none is better than here"
+        said.append(f"* {name}: {word}: {sentence(theirs)}; here {sentence(best)}")
     return "\n".join(said)
 
 
@@ -93,7 +97,8 @@ def summary(rows):
     lines = [["case", "quantities", "runs", "dofs", "processor s", "within", "most of a tolerance"]]
     for case in dict.fromkeys(row["case"] for row in rows):
         mine = [row for row in rows if row["case"] == case and row["code"] == OWN]
-        runs, used = by_run(mine), [size(row) / float(row["tolerance"]) for row in mine]
+        runs = by_run(mine)
+        used = [abs(float(row["error"] or "inf")) / float(row["tolerance"]) for row in mine]
         lines.append(
             [
                 f"[{case}](#{case})",
