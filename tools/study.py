@@ -84,7 +84,7 @@ def parse():
         type=pathlib.Path,
         help=(
             "krause-walloth: a copy of the page, with its figures in the folder pictures next to"
-            " it; benchmark: the page whose tables are made anew, with the results beside it"
+            " it; benchmark: the page whose tables are made anew; the results are kept, too"
         ),
     )
     parser.add_argument(

@@ -11,6 +11,8 @@ from ..mistake import Mistake
 from ..tables import markdown
 from .rows import OWN
 
+#: Whose error is smaller, if not that of this program.
+OTHERS, EQUAL = "**the other**", "none"
 #: Errors below this, relative, are round-off.
 ROUND_OFF = 1e-8
 #: A part of the page that is made, and the name of the part about all cases.
@@ -33,7 +35,7 @@ def by_run(rows):
     runs = {}
     for row in rows:
         keys = ("code", "version", "scheme", "contact", "settings", "dofs", "processor_s")
-        runs.setdefault(tuple(row.get(key, "") for key in keys), []).append(row)
+        runs.setdefault(tuple(row[key] for key in keys), []).append(row)
     return list(runs.values())
 
 
@@ -52,7 +54,7 @@ def table(rows):
     ]
     for run in by_run(rows):
         first, found = run[0], {row["quantity"]: row for row in run}
-        what = f"{first['code']}: {first.get('scheme') or 'failed'}"
+        what = f"{first['code']}: {first['scheme'] or 'failed'}"
         if first["code"] != OWN:
             what = f"{first['code']} {first['version']}: {first['scheme']}; {first['contact']}"
         errors = [
@@ -73,22 +75,21 @@ def size(row):
 def beaten(rows):
     """Of each quantity that others have, too: the best of theirs, beside the best here on the same
     mesh, if there is one. On coarse meshes single numbers may be right by luck."""
-    said = []
+    lines = [["quantity", "best of the others", "here, on the same mesh", "better"]]
     for name in dict.fromkeys(row["quantity"] for row in rows if row["code"] != OWN):
         found = [row for row in rows if row["quantity"] == name]
         theirs = min((row for row in found if row["code"] != OWN), key=size)
         mine = [row for row in found if row["code"] == OWN]
-        same = [row for row in mine if row["dofs"] == theirs["dofs"]] or mine
-        best = min(same, key=size)
-        word = "**others are better**" if size(theirs) < size(best) else "none is better than here"
-        said.append(f"* {name}: {word}: {sentence(theirs)}; here {sentence(best)}")
-    return "\n".join(said)
+        best = min([row for row in mine if row["dofs"] == theirs["dofs"]] or mine, key=size)
+        word = OTHERS if size(theirs) < size(best) else EQUAL if size(theirs) == size(best) else OWN
+        lines.append([name, sentence(theirs), sentence(best), word])
+    return markdown(lines) if len(lines) > 1 else ""
 
 
 def sentence(row):
     """A run with the error of a quantity and its time."""
     time = f", {float(row['processor_s']):.3g} s" if row["processor_s"] else ""
-    return f"{row['code']} ({row['scheme']}, {row['dofs']} dofs{time}) with {relative(row)}"
+    return f"{row['code']} ({row['scheme']}, {row['dofs']} dofs{time}): {relative(row)}"
 
 
 def summary(rows):

@@ -2,7 +2,7 @@
 # Copyright (C) 2026 by the signorini authors
 
 """The table of results: one row for each quantity of each run of this program, and of those of
-other programs that doc/peers.csv has."""
+other programs that parameters/studies/peers.csv has."""
 
 import csv
 import math
@@ -72,7 +72,8 @@ def own(problem, executable, draw_only):
     rows = []
     for settings, level, result in problem.results(executable, draw_only):
         text = "; ".join(f"{key} = {value}" for key, value in settings.items())
-        run = {"case": problem.name, "code": OWN, "version": version, "settings": text}
+        run = dict.fromkeys(COLUMNS, "")
+        run |= {"case": problem.name, "code": OWN, "version": version, "settings": text}
         if result:
             run |= {
                 "scheme": result.keys_of_time["Scheme"],
@@ -97,8 +98,7 @@ def others(problem, path):
             continue
         cost = peers.seconds(row)
         run = {
-            **{name: row[name] for name in ("code", "version", "scheme", "contact", "steps")},
-            **{name: row[name] for name in ("cells", "dofs")},
+            **{name: row.get(name, "") for name in COLUMNS},
             "case": problem.name,
             "settings": f"step size {row['step_size']}; {row['linear_solver']}",
             "processor_s": number(cost),
@@ -112,6 +112,6 @@ def others(problem, path):
 def write(rows, path):
     """The table as a file."""
     with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, restval="", lineterminator="\n")
+        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
         writer.writeheader()
         writer.writerows(rows)

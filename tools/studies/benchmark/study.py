@@ -11,18 +11,20 @@ from ..tables import markdown, write
 from . import page
 from .certificate import combine, extrapolate, rounded
 from .problem import Problem, read_certified
-from .rows import WITHIN, others, own
+from .rows import FAILED, OUTSIDE, others, own
 from .rows import write as write_results
 
 #: Below the root of the sources.
 STUDIES = pathlib.Path("parameters/studies/benchmark")
 CERTIFIED = STUDIES / "certified.csv"
-PEERS = pathlib.Path("doc/peers.csv")
+RESULTS = STUDIES / "results.csv"
+PEERS = pathlib.Path("parameters/studies/peers.csv")
 
 
 def benchmark(arguments, root):
-    """Runs all cases, or reads what was run; results.csv, tables.md, and the page if one is given.
-    With --certify the reference values instead. Returns whether all is as it should be."""
+    """Runs all cases, or reads what was run; results.csv, tables.md, and the page if one is given,
+    with the results kept in the sources. With --certify the reference values instead. Returns
+    whether all is as it should be."""
     folder = pathlib.Path(arguments.folder or "output/benchmark").resolve()
     folder.mkdir(parents=True, exist_ok=True)
     if arguments.certify:
@@ -44,8 +46,8 @@ def benchmark(arguments, root):
     if arguments.page:
         old = arguments.page.read_text(encoding="utf-8")
         arguments.page.write_text(page.renew(old, rows), encoding="utf-8")
-        write_results(rows, arguments.page.with_suffix(".csv"))
-    wrong = [row for row in rows if row.get("verdict", WITHIN) != WITHIN]
+        write_results(rows, root / RESULTS)
+    wrong = [row for row in rows if row["verdict"] in (OUTSIDE, FAILED)]
     for row in wrong:
         print(
             f"{row['verdict']}: {row['case']}, {row['settings']}: {row['quantity']} ="
