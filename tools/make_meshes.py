@@ -9,6 +9,9 @@ anvil.msh   Gmsh 2.2: a block with sloping sides, its top in the plane z = 0.
 hammer.inp  Abaqus: a round bar that lies along the x axis, with a conical nose whose slightly
             domed face touches the plane x = 0 in the origin. Surfaces, whose numbers become
             boundary ids: 1 face, 2 cone, 3 mantle, 4 back.
+ring.inp    UCD, in 2d: a regular polygon with 48 corners at the distance 1 from the origin and a
+            hole of the same form, 0.8; its sides at both ends of the x axis are upright. The
+            outside has the boundary id 1.
 """
 
 import itertools
@@ -184,11 +187,40 @@ def abaqus(mesh, surfaces):
     return "\n".join(lines + [""])
 
 
+# --- ring ----------------------------------------------------------------------------------------
+
+RING_CORNERS, RING_RADII = 48, (0.8, 0.9, 1.0)
+
+
+def ring():
+    """The text of the file."""
+    across = len(RING_RADII)
+    angles = [2 * math.pi * (n + 0.5) / RING_CORNERS for n in range(RING_CORNERS)]
+    points = [(r * math.cos(a), r * math.sin(a)) for a in angles for r in RING_RADII]
+
+    def vertex(n, layer):
+        return n % RING_CORNERS * across + layer + 1
+
+    cells = [
+        (vertex(n, k), vertex(n, k + 1), vertex(n + 1, k + 1), vertex(n + 1, k))
+        for n, k in itertools.product(range(RING_CORNERS), range(across - 1))
+    ]
+    lines = [f"{len(points)} {len(cells) + RING_CORNERS} 0 0 0"]
+    lines += [f"{number} {x:.10g} {y:.10g} 0" for number, (x, y) in enumerate(points, 1)]
+    lines += [f"{n} 0 quad {' '.join(map(str, cell))}" for n, cell in enumerate(cells, 1)]
+    lines += [
+        f"{len(cells) + n + 1} 1 line {vertex(n, across - 1)} {vertex(n + 1, across - 1)}"
+        for n in range(RING_CORNERS)
+    ]
+    return "\n".join(lines + [""])
+
+
 def main():
     default = pathlib.Path(__file__).resolve().parent.parent / "parameters" / "meshes"
     folder = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else default
     (folder / "anvil.msh").write_text(gmsh(*anvil()), encoding="utf-8")
     (folder / "hammer.inp").write_text(abaqus(*hammer()), encoding="utf-8")
+    (folder / "ring.inp").write_text(ring(), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -23,21 +23,24 @@ of them. All are relative, L2 in time, and each force is compared at the instant
 (signorini --print-schemes).
 
 A section [quantities] derives numbers from the columns of history.csv, supports.csv, pairs.csv and
-bodies.csv, by names that `observe` and later quantities can use: `name = expression` with
-first(COLUMN), last(COLUMN), largest(COLUMN), integral(COLUMN), its sum over the steps times the
-step size, begin(COLUMN) and end(COLUMN), the times at which its first step that is not zero starts
-and its last one ends, and duration(COLUMN), the length of all such steps: duration(contact_force)
-is the time in contact, end(pair_0_normal_force) the end of the contact of the first pair.
+bodies.csv, and those of probes, PROBE.COLUMN, by names that `observe` and later quantities can use:
+`name = expression` with first(COLUMN), last(COLUMN), largest(COLUMN), smallest(COLUMN),
+total(COLUMN), its sum over the steps, integral(COLUMN), that of its products with the step size,
+zero(COLUMN), the first time at which it passes through zero, begin(COLUMN) and end(COLUMN), the
+times at which its first step that is not zero starts and its last one ends, and duration(COLUMN),
+the length of all such steps: duration(contact_force) is the time in contact,
+end(pair_0_normal_force) the end of the contact of the first pair.
 `curve = FILE` in [study], two columns separated by commas below a line with their names, gives the
 function curve(...). `figure = NAME over NAME` draws one observation over another to
 FOLDER/figure.png beside the curve, with one kind of points for each variant, or for all variants
 with the same `group = NAME`.
 
-Four studies have a name instead of a file: krause-walloth compares all schemes on the examples of
+Five studies have a name instead of a file: krause-walloth compares all schemes on the examples of
 Krause and Walloth (2012), with figures and a page; bar-table compares them on the bar with an
 independent computation; adaptive compares uniform and adaptive meshes and steps; work-precision
 finds the cheapest way to an error of 10, 1 and 0.1 % (doc/work_precision.md tells what its study
-files have besides: [schemes], [curves], [exact] and peers).
+files have besides: [schemes], [curves], [exact] and peers); benchmark judges a collection of
+impacts against known values (doc/benchmarks.md; [expected], [certify] and `certify with`).
 """
 
 import argparse
@@ -48,7 +51,7 @@ from studies import instants, references, runs, tables
 from studies.definition import Mistake, Study
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-NAMES = ("krause-walloth", "bar-table", "adaptive", "work-precision")
+NAMES = ("krause-walloth", "bar-table", "adaptive", "work-precision", "benchmark")
 
 
 def parse():
@@ -80,14 +83,22 @@ def parse():
         metavar="FILE.md",
         type=pathlib.Path,
         help=(
-            "krause-walloth: a copy of the page, with its figures in the folder pictures next to it"
+            "krause-walloth: a copy of the page, with its figures in the folder pictures next to"
+            " it; benchmark: the page whose tables are made anew; the results are kept, too"
         ),
+    )
+    parser.add_argument(
+        "--certify",
+        action="store_true",
+        help="benchmark: reference values with error bars, from runs on finer and finer meshes",
     )
     arguments = parser.parse_args()
     if arguments.jobs is not None and arguments.jobs < 1:
         parser.error("--jobs: give a number of 1 or more")
-    if arguments.page and arguments.study != "krause-walloth":
-        parser.error("--page: only the study krause-walloth writes a page")
+    if arguments.page and arguments.study not in ("krause-walloth", "benchmark"):
+        parser.error("--page: only the studies krause-walloth and benchmark write a page")
+    if arguments.certify and arguments.study != "benchmark":
+        parser.error("--certify: only the study benchmark has reference values")
     return arguments
 
 
@@ -138,6 +149,10 @@ def main():
             from studies.work_precision import study
 
             good = study.work_precision(arguments, ROOT)
+        elif arguments.study == "benchmark":
+            from studies.benchmark import study
+
+            good = study.benchmark(arguments, ROOT)
         else:
             good = study_of_a_file(arguments)
     except Mistake as mistake:

@@ -29,7 +29,7 @@ except ImportError as error:
     front, missing = None, str(error)
 
 STUDIES = check_history.PARAMETERS / "studies" / "work_precision"
-PEERS = check_history.SOURCE / "doc" / "peers.csv"
+PEERS = check_history.PARAMETERS / "studies" / "peers.csv"
 NAN = math.nan
 #: A study of a known force, with one variant that cannot run.
 SMALL = """
@@ -228,8 +228,7 @@ class Study(unittest.TestCase):
         (root / "parameters" / "studies" / "work_precision" / "block.ini").write_text(
             SMALL.format(scene=check_history.PARAMETERS / "sliding_block.prm"), encoding="utf-8"
         )
-        (root / "doc").mkdir()
-        shutil.copy(PEERS, root / "doc")
+        shutil.copy(PEERS, root / "parameters" / "studies")
         self.assertTrue(study.work_precision(self.arguments(root, False), root))
         text = (root / "results" / "tables.md").read_text(encoding="utf-8")
         for picture in ("block.png", "block_peers.png"):

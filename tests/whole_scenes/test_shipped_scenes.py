@@ -39,6 +39,16 @@ DRIVEN = {
 LOAD_STEPS = ("static_hertz",)
 #: Whose contact follows the motion; tests/moving_contact looks at them.
 MOVING = ("ball_in_a_bowl", "chute", "rolling_mill")
+#: Whose numbers are judged by tests/studies/test_benchmark.py.
+BENCHMARKS = (
+    "impacting_bar",
+    "cradle",
+    "block_in_a_bowl",
+    "groove",
+    "rocking_block",
+    "rod",
+    "rings",
+)
 
 
 class ShippedScenes(check_history.SceneTest):
@@ -82,6 +92,7 @@ class ShippedScenes(check_history.SceneTest):
                     *test_damping.SCENES,
                     *LOAD_STEPS,
                     *MOVING,
+                    *BENCHMARKS,
                 ]
             ),
         )

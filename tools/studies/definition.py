@@ -25,6 +25,8 @@ SECTIONS = (
     "schemes",
     "curves",
     "exact",
+    "expected",
+    "certify",
 )
 #: Keys of the section [study].
 KEYS = (
@@ -39,6 +41,7 @@ KEYS = (
     "curve",
     "figure",
     "peers",
+    "certify with",
 )
 #: What a [variant NAME] says besides keys of the scene.
 WORDS = ("group", "paper", "full")
@@ -185,6 +188,9 @@ class Study:
                     " such a quantity in [quantities]."
                 )
         self.peers = parser.get("study", "peers", fallback="")
+        self.expected = self.settings(parser, "expected")
+        self.certify = self.rows(parser, "certify")
+        self.certify_with = parser.get("study", "certify with", fallback="")
         self.reference = self.settings(parser, "reference")
         if parser.has_section("reference") and not self.reference:
             raise Mistake(

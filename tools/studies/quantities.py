@@ -4,8 +4,11 @@
 """Numbers that a study file derives from the columns of the tables of a run, such as
 `last(momentum_x)/first(momentum_x)`, and the curve they lie on in theory."""
 
+import ast
 import csv
 import math
+
+from signorini.tables import read_columns
 
 from .distances import Curve
 from .expressions import Expression
@@ -34,8 +37,18 @@ OF_COLUMNS = {
     "first": lambda column, times: column[0],
     "last": lambda column, times: column[-1],
     "largest": lambda column, times: max(column),
+    "smallest": lambda column, times: min(column),
+    "total": lambda column, times: sum(column),
     "integral": lambda column, times: sum(
         value * (end - start) for value, start, end in spans(column, times)
+    ),
+    "zero": lambda column, times: next(
+        (
+            start + (end - start) * before / (before - after)
+            for before, after, start, end in zip(column, column[1:], times, times[1:])
+            if before > 0 >= after or before < 0 <= after
+        ),
+        math.nan,
     ),
     "begin": lambda column, times: min(
         (span[1] for span in active(column, times)), default=math.nan
@@ -71,29 +84,36 @@ class Quantity(Expression):
         )
         return (
             f"Valid: {', '.join(functions)} with columns of history.csv, "
-            f"supports.csv, pairs.csv and bodies.csv. {super().valid()}"
+            f"supports.csv, pairs.csv and bodies.csv, or PROBE.COLUMN. {super().valid()}"
         )
 
     def check_call(self, node):
         if node.func.id in OF_COLUMNS:
-            if len(node.args) != 1 or not hasattr(node.args[0], "id"):
+            if len(node.args) != 1 or not isinstance(node.args[0], (ast.Name, ast.Attribute)):
                 raise self.refuse(f"{node.func.id} wants the name of a column")
         elif node.func.id == OF_CURVE and self.curve and len(node.args) == 1:
             self.check(node.args[0])
         else:
             super().check_call(node)
 
+    def column(self, probe, name):
+        """A column of a probe, or of the other tables if it has no name; and its times."""
+        path = self.result.folder / f"probe_{probe}.csv"
+        if probe and not path.is_file():
+            raise Mistake(f"{self.where} = {self.text}: there is no {path}.")
+        columns = read_columns(path) if probe else self.result.columns
+        if name not in columns:
+            raise Mistake(
+                f"{self.where} = {self.text}: no table in {self.result.folder} has a column"
+                f" {name}. There are {', '.join(columns)}."
+            )
+        return columns[name], columns["time"]
+
     def evaluate(self, node, variables):
         function = getattr(getattr(node, "func", None), "id", None)
         if function in OF_COLUMNS:
-            column = node.args[0].id
-            if column not in self.result.columns:
-                raise Mistake(
-                    f"{self.where} = {self.text}: no table in {self.result.folder} has a column"
-                    f" {column}. There are {', '.join(self.result.columns)}."
-                )
-            value = OF_COLUMNS[function](self.result.columns[column], self.result.columns["time"])
-            return happened(value)
+            probe, _, column = ast.unparse(node.args[0]).rpartition(".")
+            return happened(OF_COLUMNS[function](*self.column(probe, column)))
         if function == OF_CURVE:
             return self.curve(self.evaluate(node.args[0], variables))
         value = super().evaluate(node, variables)

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Other programs on the same problem, from doc/peers.csv, beside the runs of this one."""
+"""Other programs on the same problem, from parameters/studies/peers.csv, beside the runs of this
+one."""
 
 import math
 

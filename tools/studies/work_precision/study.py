@@ -23,7 +23,7 @@ def work_precision(arguments, root):
             good = False
             continue
         problem.read(done, exact)
-        text += write(problem, folder, root / "doc" / "peers.csv")
+        text += write(problem, folder, root / "parameters" / "studies" / "peers.csv")
         (folder / "tables.md").write_text(text, encoding="utf-8")
     print(f"\n{text}{folder / 'tables.md'}")
     return good
