@@ -109,13 +109,19 @@ namespace signorini
     n_master_nodes = Utilities::MPI::sum(static_cast<unsigned int>(owned_master_nodes.size()),
                                          discretization.communicator());
     if (is_of_one_body())
-      measure_thickness();
+      {
+        const std::vector<double> thickness = thickness_behind_faces(masters);
+        for (std::size_t f = 0; f < slaves.size(); ++f)
+          slaves[f].thickness = thickness[f];
+      }
   }
 
 
   template <int dim>
-  void FacingPair<dim>::measure_thickness()
+  std::vector<double>
+  FacingPair<dim>::thickness_behind_faces(const std::vector<SurfaceFace<dim>> &others) const
   {
+    std::vector<double>     thickness(slaves.size(), std::numeric_limits<double>::infinity());
     const double            size = discretization.mesh().body_size(pairs[pair].slave);
     std::vector<Sweep<dim>> sweeps;
     for (const SurfaceFace<dim> &face : slaves)
@@ -124,15 +130,30 @@ namespace signorini
     rules.rule     = SegmentRule::degree_5;
     rules.may_meet = share_no_node<dim>;
     find_opposite<dim>(slaves,
-                       masters,
+                       others,
                        sweeps,
                        discretization.communicator(),
                        rules,
                        [&](const FacedByMasters<dim> &face) {
-                         double &thickness = slaves[face.slave].thickness;
+                         double &least = thickness[face.slave];
                          for (const Segment<dim> &segment : face.segments)
-                           thickness = std::min(thickness, -segment.gap);
+                           least = std::min(least, -segment.gap);
                        });
+    return thickness;
+  }
+
+
+  template <int dim>
+  Vector FacingPair<dim>::reciprocal_thickness() const
+  {
+    const std::vector<double> thickness = thickness_behind_faces(slaves);
+    Vector                    result    = discretization.make_vector();
+    for (std::size_t f = 0; f < slaves.size(); ++f)
+      for (const VertexNodes &weights : slaves[f].nodes)
+        for (const auto &[node, weight] : weights)
+          result(dim * node) = std::max<double>(result(dim * node), 1. / thickness[f]);
+    result.compress(VectorOperation::max);
+    return result;
   }
 
 

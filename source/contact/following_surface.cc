@@ -158,8 +158,18 @@ namespace signorini
         const double     depth = 0.25
                              * std::min(mesh.body_size(descriptions[pair].slave),
                                         mesh.body_size(descriptions[pair].master));
-        for (const ContactNode<dim> &node : geometry->at(displacement, depth))
-          if (-node.clearance > overlap_of_facets * std::pow(node.weight, 1. / (dim - 1)))
+        const std::vector<ContactNode<dim>> nodes   = geometry->at(displacement, depth);
+        const auto                          is_deep = [](const ContactNode<dim> &node) {
+          return -node.clearance > overlap_of_facets * std::pow(node.weight, 1. / (dim - 1));
+        };
+        const unsigned int n_deep = std::count_if(nodes.begin(), nodes.end(), is_deep);
+        if (Utilities::MPI::max(n_deep, discretization.communicator()) == 0)
+          continue;
+        // What a thin body sees behind itself may be what its other side has in front of it.
+        const Vector reciprocal_thickness = geometry->reciprocal_thickness();
+        for (const ContactNode<dim> &node : nodes)
+          if (is_deep(node)
+              && -node.clearance * reciprocal_thickness.local_element(dim * node.node) < 1.)
             {
               std::ostringstream message;
               message << "Contact/Pairs = " << descriptions[pair].name

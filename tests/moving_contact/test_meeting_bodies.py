@@ -275,6 +275,27 @@ class MeetingBodies(check_history.SceneTest):
         self.assertGreater(max(one.table("pairs")["pair_1_normal_force"]), 0)
         self.expect_same_history(two, one, 1e-8)
 
+    def test_rings_meet_with_all_of_their_surface(self):
+        """The inside of one lies as far behind the inside of the other as a body that overlaps it
+        by the thickness of both walls. Rings that do overlap are refused, however thin they are."""
+        folder = check_history.pathlib.Path(check_history.settings["folder"])
+        folder.mkdir(parents=True, exist_ok=True)
+        shape = ("set Shape = file", f"set File = {ring(folder)}")
+
+        def rings(distance):
+            bodies = [
+                body("a", *shape, "set Initial velocity = 0.2; 0"),
+                body("b", *shape, f"set Translation = {distance}, 0.1"),
+            ]
+            return scene(bodies, ["a : b"], 0.5, "contact-stabilized-projected")
+
+        run = check_history.Run(rings(2.01), "rings")
+        self.assertGreater(max(run["contact_force"]), 0)
+        self.expect_laws(run)
+        for overlap in (0.03, 0.15):
+            with self.assertRaisesRegex(AssertionError, "overlap at the start"):
+                check_history.Run(rings(2 - overlap), f"rings_{overlap}")
+
     def test_a_ring_is_squashed_until_it_touches_itself(self):
         """Between two plates, one of which comes down by 1.78 of the height of 2: the walls of the
         ring, 0.1 thick each, have 0.02 between them then if they do not bend, and touch. What the

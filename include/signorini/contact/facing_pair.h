@@ -44,6 +44,12 @@ namespace signorini
     /** The owned nodes of the slave surface, and the area (length in 2d) of each. */
     const std::map<unsigned int, double> &slave_nodes() const { return areas; }
 
+    /**
+     * How thick the slave is behind its nodes: the reciprocal, in the first entry of each node; 0
+     * where its surface shows no other side. Collective.
+     */
+    Vector reciprocal_thickness() const;
+
     /** The owned nodes of the master surface, ascending. */
     const std::vector<unsigned int> &master_nodes() const { return owned_master_nodes; }
 
@@ -87,9 +93,9 @@ namespace signorini
 
     /** Area and bluntness of the slave's nodes. Collective. */
     void measure_slave();
-    /** A body with itself: how thick it is behind each face. Collective. */
-    void measure_thickness();
-    bool is_of_one_body() const { return pairs[pair].slave == pairs[pair].master; }
+    /** How thick the slave is behind each of its faces, as far as others show it. Collective. */
+    std::vector<double> thickness_behind_faces(const std::vector<SurfaceFace<dim>> &others) const;
+    bool                is_of_one_body() const { return pairs[pair].slave == pairs[pair].master; }
     /** The coupling of faces that face each other. Collective. */
     std::vector<ContactNode<dim>> couple(const CoveredSurface<dim> &surface,
                                          const std::vector<bool>   *excluded) const;
