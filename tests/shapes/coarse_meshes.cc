@@ -82,7 +82,9 @@ namespace
         shape.make_coarse_mesh(body.placement, mesh);
         EXPECT_EQ(shape.boundary_ids(), mesh.get_boundary_ids());
         if (shape.n_coarse_cells() > 0.)
-          EXPECT_EQ(shape.n_coarse_cells(), mesh.n_active_cells());
+          {
+            EXPECT_EQ(shape.n_coarse_cells(), mesh.n_active_cells());
+          }
         if (const auto corners = shape.corners_around(); !corners.empty())
           {
             for (const Point<dim> &vertex : mesh.get_vertices())
@@ -91,7 +93,9 @@ namespace
                       1e-14);
           }
         else
-          EXPECT_LT(shape.midpoint().distance(box_around(mesh.get_vertices()).center()), 1e-12);
+          {
+            EXPECT_LT(shape.midpoint().distance(box_around(mesh.get_vertices()).center()), 1e-12);
+          }
 
         const std::vector<Point<dim>>                vertices = mesh.get_vertices();
         std::array<double, Placement<dim>::n_angles> degrees;
