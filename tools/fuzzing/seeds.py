@@ -105,7 +105,8 @@ def with_meshes():
 def at_most(values, most):
     """A list of integers, none above."""
     numbers = [number.strip() for number in values.split(",")]
-    return ", ".join(str(min(int(n), most)) if n.isdigit() else n for n in numbers)
+    # Python makes no number of thousands of digits; all that are so long are too large.
+    return ", ".join(str(min(int(n[:18]), most)) if n.isdigit() else n for n in numbers)
 
 
 def made_small(text):
