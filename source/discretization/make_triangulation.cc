@@ -122,6 +122,7 @@ namespace signorini
     template <int dim>
     Triangulation<dim> coarse_mesh(const BodyDescription<dim> &body, const unsigned int n_processes)
     {
+      Assert(body.shape != nullptr, ExcMessage("the body has no shape"));
       check_size(body, body.shape->n_coarse_cells(), n_processes);
       if (const auto corners = body.shape->corners_around(); !corners.empty())
         check_place(body, corners);

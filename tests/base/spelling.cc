@@ -31,6 +31,9 @@ TEST(Spelling, Words)
   EXPECT_EQ(trim("  a \t b  "), "a b");
   EXPECT_EQ(split(" a ;; b", ';'), (std::vector<std::string>{"a", "", "b"}));
   EXPECT_EQ(join({"a", "b"}, "/"), "a/b");
+  EXPECT_EQ(enumeration({"a"}, " and "), "a");
+  EXPECT_EQ(enumeration({"a", "b"}, " and "), "a and b");
+  EXPECT_EQ(enumeration({"a", "b", "c"}, ", or "), "a, b, or c");
   EXPECT_TRUE(consists_of("121", "12"));
   EXPECT_FALSE(consists_of("123", "12"));
   EXPECT_FALSE(consists_of("", "12"));

@@ -97,7 +97,7 @@ class Extension(check_history.SceneTest):
         for change, expected in (
             ("Hole radius=0.01", "smaller than `Radius`"),
             ("Hole radius=0.0099999999", "Bodies/ring/Shape gives more than 1000000 coarse cells"),
-            ("Upper corner=1, 1", "is only for boxes"),
+            ("Upper corner=2, 2", "is only for boxes"),
             ("Dirichlet=rim: 0; 0", "a ring has no boundary id `rim`. Valid: 0 (inner), 1 (outer)"),
         ):
             message = self.run_program(

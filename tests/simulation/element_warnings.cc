@@ -73,6 +73,7 @@ TEST(ElementWarnings, OfNearIncompressibility)
 {
   BodyDescription<3> ball;
   ball.name                    = "ball";
+  ball.shape                   = std::make_shared<BallShape<3>>();
   ball.refinements             = 1;
   ball.material.poissons_ratio = 0.46;
   EXPECT_FALSE(warns(ball));
