@@ -44,13 +44,13 @@ class Fuzz:
         self.messages, self.examples = collections.Counter(), {}
         self.n_found = self.n_runs = 0
         self.lock = threading.Lock()
-        n_bytes = 0 if arguments.no_memory_limit else running.BYTES
+        limits = running.LIMITS_WITH_SANITIZERS if arguments.sanitizers else running.LIMITS
         server = arguments.server
         self.places = queue.Queue()
         for job in range(arguments.jobs):
             place = self.folder / f"job{job}"
-            alone = running.Alone(arguments.executable, place / "mpi", n_bytes)
-            usual = running.Server(server, place / "mpi", n_bytes) if server else alone
+            alone = running.Alone(arguments.executable, place / "mpi", limits)
+            usual = running.Server(server, place / "mpi", limits) if server else alone
             self.places.put((place, usual, alone))
 
     def judge(self, number):
@@ -138,7 +138,7 @@ def main():
     parser.add_argument("--only", type=int, help="one case by its number, by the program itself")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument(
-        "--no-memory-limit", action="store_true", help="for programs with sanitizers"
+        "--sanitizers", action="store_true", help="the program has them: longer, more memory"
     )
     arguments = parser.parse_args()
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

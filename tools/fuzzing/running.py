@@ -3,14 +3,17 @@
 
 """Runs of the program with bounded time and memory: by a server, or alone."""
 
+import collections
 import os
 import resource
 import subprocess
 
-#: Of processor time.
-SECONDS = 20
-#: Of addresses. The program and its libraries take a third of it.
-BYTES = 2 << 30
+#: Processor time, and memory in addresses, of which the program and its libraries take a third (0:
+#: any).
+Limits = collections.namedtuple("Limits", "seconds n_bytes")
+LIMITS = Limits(20, 2 << 30)
+#: Sanitizers make a program ten times as slow, and need addresses of their own.
+LIMITS_WITH_SANITIZERS = Limits(200, 0)
 ENVIRONMENT = dict(
     os.environ,
     OMPI_ALLOW_RUN_AS_ROOT="1",
@@ -23,10 +26,10 @@ ENVIRONMENT = dict(
 class Server:
     """Runs as children of a program that is ready (tests/fuzz/fuzz_server.cc)."""
 
-    def __init__(self, executable, session, n_bytes):
+    def __init__(self, executable, session, limits):
         session.mkdir(parents=True, exist_ok=True)
         self.process = subprocess.Popen(
-            [executable, str(SECONDS), str(n_bytes)],
+            [executable, str(limits.seconds), str(limits.n_bytes)],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             text=True,
@@ -53,15 +56,16 @@ class Server:
 class Alone:
     """A process for each run."""
 
-    def __init__(self, executable, session, n_bytes):
+    def __init__(self, executable, session, limits):
         session.mkdir(parents=True, exist_ok=True)
-        self.executable, self.session, self.n_bytes = executable, session, n_bytes
+        self.executable, self.session, self.limits = executable, session, limits
 
     def limit(self):
         """In the child."""
-        resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS + 1))
-        if self.n_bytes:
-            resource.setrlimit(resource.RLIMIT_AS, (self.n_bytes, self.n_bytes))
+        seconds, n_bytes = self.limits
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        if n_bytes:
+            resource.setrlimit(resource.RLIMIT_AS, (n_bytes, n_bytes))
 
     def run(self, folder, arguments):
         """As above."""
