@@ -212,7 +212,8 @@ namespace signorini
   make_static_preconditioner(const PreconditionerKind       kind,
                              const Discretization<dim>     &discretization,
                              const ContactCoordinates<dim> &coordinates,
-                             const std::vector<double>     &mass_factors)
+                             const std::vector<double>     &mass_factors,
+                             const bool                     in_double_precision)
   {
     const double largest = *std::max_element(mass_factors.begin(), mass_factors.end());
     if (kind == PreconditionerKind::ml
@@ -223,7 +224,7 @@ namespace signorini
       return make_geometric_multigrid(std::make_shared<const LevelHierarchy<dim>>(discretization),
                                       coordinates,
                                       MatrixSum{largest, 1.},
-                                      true);
+                                      in_double_precision);
     return make_preconditioner(kind, discretization.matrices(), coordinates, {largest, 1.});
   }
 
@@ -250,7 +251,8 @@ namespace signorini
     PreconditionerKind,                                                                            \
     const Discretization<dim> &,                                                                   \
     const ContactCoordinates<dim> &,                                                               \
-    const std::vector<double> &);                                                                  \
+    const std::vector<double> &,                                                                   \
+    bool);                                                                                         \
   template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(                         \
     const ElasticMatrices<dim> &, const ContactCoordinates<dim> &);
   INSTANTIATE(2)

@@ -14,8 +14,6 @@ namespace signorini
     constexpr unsigned int n_kept = 4;
     /** In solutions: older increments belong to another phase of the motion. */
     constexpr unsigned int forget_age = 4;
-    /** Courant number: mass is next to nothing beyond, and rotations are nearly free. */
-    constexpr double needs_double_precision = 3000.;
   } // namespace
 
 

@@ -11,6 +11,13 @@
 
 namespace signorini
 {
+  /**
+   * Courant number from which on the cycle of multigrid computes in double precision: mass is next
+   * to nothing there, and rotations are nearly free.
+   */
+  constexpr double needs_double_precision = 3000.;
+
+
   /** What decides about the preconditioner of a step. */
   struct StepCost
   {
@@ -47,14 +54,16 @@ namespace signorini
    * geometric multigrid in double precision: its number of iterations depends neither on the mesh
    * nor on how slender the bodies are, and it knows what contact holds. Where a body is 1e6 times
    * as stiff as another one it is algebraic multigrid, contact around it.
-   * @param mass_factors see Multilevel
+   * @param mass_factors        see Multilevel
+   * @param in_double_precision of the geometric multigrid
    */
   template <int dim>
   std::unique_ptr<MaskedPreconditioner>
   make_static_preconditioner(PreconditionerKind             kind,
                              const Discretization<dim>     &discretization,
                              const ContactCoordinates<dim> &coordinates,
-                             const std::vector<double>     &mass_factors);
+                             const std::vector<double>     &mass_factors,
+                             bool                           in_double_precision = true);
 
   /** Sweeps with the block-scalar mass, or its incomplete factor where two bodies meet. */
   template <int dim>
