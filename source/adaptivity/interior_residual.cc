@@ -2,30 +2,29 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/residual_parts.h>
-#include <signorini/finite_elements/cell_strain.h>
 
 #include <cmath>
 
 namespace signorini
 {
   template <int dim>
-  void add_interior_residual(const CellNeighbors<dim> &mesh,
-                             const Vector             &displacement,
+  void add_interior_residual(const StressVectors<dim> &stress,
                              const Vector             &specific_force,
                              const ResidualWeights    &weights,
                              dealii::Vector<double>   &squares)
   {
+    const auto &mesh    = stress.mesh;
     const auto &mapping = mesh.discretization.mesh().mapping();
     const auto &tables  = GaussTables<dim>::of_degree(1).interior;
     const auto &of_map  = GaussTables<dim>::of_degree(mapping.get_degree()).interior;
     std::array<double, dim *(1 << dim)> forces;
-    for (const LocalCell<dim> &cell : mesh.cells)
-      if (cell.owned)
+    for (unsigned int number = 0; number < mesh.cells.size(); ++number)
+      if (const LocalCell<dim> &cell = mesh.cells[number]; cell.owned)
         {
           mesh.gather(cell, specific_force, forces.data());
-          const CellStrain<dim> strain(mesh, cell, displacement);
-          const Material       &material = strain.material;
-          FourNumbers           square{};
+          const CellStrain<dim> &strain   = stress.strain(number);
+          const Material        &material = strain.material;
+          FourNumbers            square{};
           for (std::size_t t = 0; t < tables.size(); ++t)
             {
               const auto        jacobian = strain.jacobian(of_map[t]);
@@ -50,13 +49,11 @@ namespace signorini
   }
 
 
-  template void add_interior_residual(const CellNeighbors<2> &,
-                                      const Vector &,
+  template void add_interior_residual(const StressVectors<2> &,
                                       const Vector &,
                                       const ResidualWeights &,
                                       dealii::Vector<double> &);
-  template void add_interior_residual(const CellNeighbors<3> &,
-                                      const Vector &,
+  template void add_interior_residual(const StressVectors<3> &,
                                       const Vector &,
                                       const ResidualWeights &,
                                       dealii::Vector<double> &);

@@ -25,7 +25,7 @@ namespace signorini
     const Vector             u = mesh.interpolate_hanging_nodes(balance.displacement);
     const StressVectors<dim> stress(mesh, u);
     add_interior_residual(
-      mesh, u, mesh.interpolate_hanging_nodes(balance.specific_force), weights, result);
+      stress, mesh.interpolate_hanging_nodes(balance.specific_force), weights, result);
     add_stress_jumps(stress, weights, result);
     const auto fields = contact_fields(stress, roles, surface, dirichlet, balance);
     add_boundary_residual(stress, roles, balance, fields, weights, result);

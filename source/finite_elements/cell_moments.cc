@@ -3,8 +3,9 @@
 
 #include <signorini/finite_elements/cell_moments.h>
 
-#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+
+#include <array>
 
 namespace signorini
 {
@@ -108,7 +109,6 @@ namespace signorini
         , against(against)
         , smaller(of->level() < against->level() ? against : of)
         , weights(prolongation<dim>(discretization, smaller))
-        , shape(1)
       {
       }
 
@@ -122,17 +122,18 @@ namespace signorini
         const FEValues<dim>    &fe_values = matrices.values_on(smaller);
         for (const unsigned int q : fe_values.quadrature_point_indices())
           {
-            const double         weight = fe_values.get_quadrature().weight(q);
-            const Tensor<2, dim> sigma  = stress_at(fe_values, q, here, modes);
+            const Point<dim>    &point = fe_values.get_quadrature().point(q);
+            const Tensor<2, dim> sigma = stress_at(fe_values, q, here, modes);
             for (unsigned int v = 0; v < n_vertices; ++v)
               for (unsigned int c = 0; c < dim; ++c)
                 moments[dim * v + c] += sigma[c] * fe_values.shape_grad(v, q) * fe_values.JxW(q);
-            const Point<dim> point = in_cell(against, fe_values.get_quadrature().point(q));
+            const auto   shape = shape_values(against, point);
+            const double volume =
+              fe_values.get_quadrature().weight(q) * part_of_reference_cell(against);
             for (unsigned int v = 0; v < n_vertices; ++v)
               for (unsigned int c = 0; c < dim; ++c)
                 for (unsigned int i = 0; i < dim; ++i)
-                  stress[c][dim * v + i] += sigma[c][i] * shape.shape_value(v, point) * weight
-                                            * part_of_reference_cell(against);
+                  stress[c][dim * v + i] += sigma[c][i] * shape[v] * volume;
           }
         if (against != smaller)
           moments = restricted<dim>(weights, moments);
@@ -146,14 +147,19 @@ namespace signorini
       const Discretization<dim> &discretization;
       const CellOfMesh<dim>      of, against, smaller;
       const FullMatrix<double>  &weights;
-      const FE_Q<dim>            shape;
 
-      /** Of a point of the smaller cell. */
-      Point<dim> in_cell(const CellOfMesh<dim> &cell, const Point<dim> &point) const
+      /** The functions of one of the cells at a point of the smaller one. */
+      std::array<double, n_vertices> shape_values(const CellOfMesh<dim> &cell,
+                                                  const Point<dim>      &point) const
       {
-        return cell == smaller ? point
-                               : GeometryInfo<dim>::child_to_cell_coordinates(
-                                 point, place_in_parent<dim>(smaller));
+        const Point<dim> in_cell =
+          cell == smaller
+            ? point
+            : GeometryInfo<dim>::child_to_cell_coordinates(point, place_in_parent<dim>(smaller));
+        std::array<double, n_vertices> values;
+        for (unsigned int v = 0; v < n_vertices; ++v)
+          values[v] = GeometryInfo<dim>::d_linear_shape_function(in_cell, v);
+        return values;
       }
 
       /** What the smaller cell is of the reference cell of a cell. */
@@ -171,15 +177,15 @@ namespace signorini
                                const VertexValues      &values,
                                const ModeGradient<dim> &modes) const
       {
-        const Point<dim> point = in_cell(of, fe_values.get_quadrature().point(q));
-        const double     volume =
+        const auto   shape = shape_values(of, fe_values.get_quadrature().point(q));
+        const double volume =
           fe_values.JxW(q) / fe_values.get_quadrature().weight(q) / part_of_reference_cell(of);
         Tensor<2, dim> gradient;
         for (unsigned int v = 0; v < n_vertices; ++v)
           for (unsigned int c = 0; c < dim; ++c)
             for (unsigned int i = 0; i < dim; ++i)
               gradient[c][i] += values[dim * v + c] * fe_values.shape_grad(v, q)[i]
-                                + modes[c][dim * v + i] * shape.shape_value(v, point) / volume;
+                                + modes[c][dim * v + i] * shape[v] / volume;
         const Material &material = discretization.mesh().bodies()[of->material_id()].material;
         return material.mu() * (gradient + transpose(gradient))
                + material.lambda() * trace(gradient)

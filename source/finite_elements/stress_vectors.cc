@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/finite_elements/cell_strain.h>
 #include <signorini/finite_elements/stress_vectors.h>
 
 #include <cmath>
@@ -61,15 +60,15 @@ namespace signorini
   template <int dim>
   StressVectors<dim>::StressVectors(const CellNeighbors<dim> &mesh, const Vector &displacement)
     : mesh(mesh)
-    , displacement(displacement)
     , stresses(mesh.cells.size() * GaussTables<dim>::n_faces)
   {
     const auto      &tables    = GaussTables<dim>::of_degree(1);
     const auto      &of_map    = tables_of_map(mesh);
     FaceStress<dim> *next_face = stresses.data();
+    strains.reserve(mesh.cells.size());
     for (const LocalCell<dim> &cell : mesh.cells)
       {
-        const CellStrain<dim> strain(mesh, cell, displacement);
+        const CellStrain<dim> &strain = strains.emplace_back(mesh, cell, displacement);
         for (unsigned int face = 0; face < GaussTables<dim>::n_faces; ++face)
           *next_face++ =
             stress_at_points<dim>(tables.faces[face], of_map.faces[face], face, strain);
@@ -86,7 +85,7 @@ namespace signorini
     return stress_at_points<dim>(GaussTables<dim>::of_degree(1).subfaces[table],
                                  tables_of_map(mesh).subfaces[table],
                                  face,
-                                 CellStrain<dim>(mesh, mesh.cells[cell], displacement));
+                                 strains[cell]);
   }
 
 

@@ -26,7 +26,7 @@ namespace
   {
     const auto            &discretization = mesh.discretization;
     dealii::Vector<double> interior(discretization.mesh().triangulation().n_active_cells());
-    add_interior_residual(mesh, u, u, ResidualWeights{}, interior);
+    add_interior_residual(StressVectors<dim>(mesh, u), u, ResidualWeights{}, interior);
 
     const dealii::FEValuesExtractors::Vector vector(0);
     dealii::FEValues<dim>                    values(discretization.mesh().mapping(),

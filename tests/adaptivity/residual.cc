@@ -37,7 +37,7 @@ TEST(Residual, InteriorOfABilinearDisplacement)
     discretization.interpolate_hanging_nodes(field<2>(discretization, {{"3", "0"}}));
   dealii::Vector<double> squares(discretization.mesh().triangulation().n_active_cells());
   const CellNeighbors<2> mesh(discretization);
-  add_interior_residual(mesh, u, force, ResidualWeights{}, squares);
+  add_interior_residual(StressVectors<2>(mesh, u), force, ResidualWeights{}, squares);
   // div sigma = (0, lambda + mu), rho q = (6, 0), with the weight h^2 / mu.
   double volume_by_size = 0.;
   for (const auto &cell : discretization.mesh().triangulation().active_cell_iterators())

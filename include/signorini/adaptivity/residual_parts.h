@@ -13,10 +13,9 @@ namespace signorini
   // direction: on parallelepipeds and rectangles all of them are exact. Vectors have values at
   // hanging nodes; each part adds to the squares of the cells of this process.
 
-  /** Interior residual of a displacement and a force per mass. */
+  /** Interior residual of a stress and a force per mass. */
   template <int dim>
-  void add_interior_residual(const CellNeighbors<dim> &mesh,
-                             const Vector             &displacement,
+  void add_interior_residual(const StressVectors<dim> &stress,
                              const Vector             &specific_force,
                              const ResidualWeights    &weights,
                              dealii::Vector<double>   &squares);

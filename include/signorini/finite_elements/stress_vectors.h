@@ -4,7 +4,7 @@
 #ifndef signorini_finite_elements_stress_vectors_h
 #define signorini_finite_elements_stress_vectors_h
 
-#include <signorini/finite_elements/cell_neighbors.h>
+#include <signorini/finite_elements/cell_strain.h>
 
 namespace signorini
 {
@@ -18,17 +18,19 @@ namespace signorini
   };
 
   /**
-   * Stress vectors of a displacement on all faces of all local cells, computed once for both
-   * sides.
+   * Strains of a displacement in all local cells, and the stress vectors on all of their faces,
+   * computed once for both sides. 1.5 kB per cell in 3d with a map of second degree.
    */
   template <int dim>
   class StressVectors
   {
   public:
-    /** @param displacement with values at hanging nodes; must outlive this object */
+    /** @param displacement with values at hanging nodes */
     StressVectors(const CellNeighbors<dim> &mesh, const Vector &displacement);
 
     /** By the number of a local cell. */
+    const CellStrain<dim> &strain(const unsigned int cell) const { return strains[cell]; }
+
     const FaceStress<dim> &of_face(const unsigned int cell, const unsigned int face) const
     {
       return stresses[GaussTables<dim>::n_faces * cell + face];
@@ -40,7 +42,7 @@ namespace signorini
     const CellNeighbors<dim> &mesh;
 
   private:
-    const Vector                &displacement;
+    std::vector<CellStrain<dim>> strains;
     std::vector<FaceStress<dim>> stresses;
   };
 } // namespace signorini
