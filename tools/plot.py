@@ -13,8 +13,8 @@ try:
     from plotting import animation, pictures
 except ImportError as error:
     sys.exit(
-        f"plot.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio, "
-        "and run it with /usr/bin/python3 (./dev plot DIR does both)."
+        f"{pathlib.Path(sys.argv[0]).name}: {error}. On Debian: apt-get install "
+        "python3-matplotlib python3-meshio, which is for Debian's own /usr/bin/python3."
     )
 
 from plotting.problem import Problem

@@ -14,8 +14,8 @@ try:
     from plotting import pictures
 except ImportError as error:
     sys.exit(
-        f"report.py: {error}. On Debian: apt-get install python3-matplotlib python3-meshio "
-        "libjs-dygraphs, and run it with /usr/bin/python3 (./dev report DIR does both)."
+        f"{pathlib.Path(sys.argv[0]).name}: {error}. On Debian: apt-get install python3-matplotlib "
+        "python3-meshio libjs-dygraphs, which is for Debian's own /usr/bin/python3."
     )
 
 from plotting.problem import Problem

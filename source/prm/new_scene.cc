@@ -51,7 +51,8 @@ namespace signorini
   {
     const std::vector<std::string> names = names_of_new_scenes();
     if (name.empty())
-      throw UserError("--new needs the name of a scene. Valid: " + join(names) + ".");
+      return "Scenes to start from; `signorini --new NAME` writes NAME.prm:\n\n  "
+             + join(names, "\n  ") + "\n";
     if (std::find(names.begin(), names.end(), name) == names.end())
       throw UserError("--new " + name + ": there is no such scene. " + suggestion(name, names));
     const std::string file   = name + ".prm";

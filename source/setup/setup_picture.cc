@@ -154,6 +154,14 @@ namespace signorini
         }
       return lines;
     }
+
+
+    /** Of a line in 2d or a triangle in 3d. */
+    template <int dim>
+    std::vector<Point<dim>> corners(const DataOutBase::Patch<dim - 1, dim> &patch)
+    {
+      return {&patch.vertices[0], &patch.vertices[0] + dim};
+    }
   } // namespace
 
 
@@ -211,8 +219,7 @@ namespace signorini
     const SvgDrawing::Style style = dim == 2 ? SvgDrawing::Style{"", obstacle_colour, 4.}
                                              : SvgDrawing::Style{obstacle_colour, "", 0., 0.3};
     for (const auto &patch : surfaces.get_patches())
-      drawing.polygon(
-        projected(view, std::vector<Point<dim>>(patch.vertices, patch.vertices + dim)), style);
+      drawing.polygon(projected(view, corners(patch)), style);
     drawing.legend(style, "obstacle");
   }
 
@@ -227,9 +234,8 @@ namespace signorini
     std::map<unsigned int, Point<2>> ends;
     for (const auto &patch : surfaces.get_patches())
       {
-        const Point<dim> place =
-          middle(std::vector<Point<dim>>(patch.vertices, patch.vertices + dim));
-        const Point<2> end = View()(place);
+        const Point<dim> place = middle(corners(patch));
+        const Point<2>   end   = View()(place);
         if (box.point_inside(place))
           if (const auto [known, is_new] =
                 ends.insert({static_cast<unsigned int>(patch.data(0, 0)), end});

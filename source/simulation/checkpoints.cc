@@ -210,11 +210,11 @@ namespace signorini
     const FolderLock lock(scene.output_directory, mesh.communicator());
     found = checkpoints.find(); // a run that was ending may have left another one
     check_scene(found.folder);
-    if (mesh_control.any())
-      restore_levels(mesh, found.folder + "/" + mesh_file);
     std::istringstream memory(content_of(found.folder + "/" + memory_file));
     Archive            archive(memory);
     check_files(archive, scene);
+    if (mesh_control.any())
+      restore_levels(mesh, found.folder + "/" + mesh_file);
     mesh_control.archive(archive); // it tells what is built how long it will live
     PackedState packed;
     meshed = std::make_unique<MeshedScene<dim>>(mesh, scene, mesh_control.mesh_life_time(), timer);

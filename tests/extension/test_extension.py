@@ -141,8 +141,8 @@ class Extension(check_history.SceneTest):
 
     def test_scenes_to_start_from(self):
         """Each is written once, says its own name, and is in order."""
-        names = self.run_program(self.program, "--new", status=2).split("Valid: ")[1]
-        names = names.strip().rstrip(".").split(", ")
+        names = self.run_program(self.program, "--new").split("NAME.prm:")[1]
+        names = names.split()
         self.assertEqual(names[0], "ball")
         self.assertGreater(len(names), 20)
         for name in names[:: len(names) // 5]:

@@ -6,6 +6,7 @@
 import csv
 import pathlib
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -59,20 +60,33 @@ class Runs:
         scene, overrides = RUNS[name]
         folder = self.folder / (name if processes == 1 else f"{name}_{processes}")
         shutil.rmtree(folder, ignore_errors=True)
-        command = [self.executable, SOURCE / "parameters" / f"{scene}.prm", "--quiet"]
+        fields = f"Output/VTU={'true' if fields else 'false'}"
+        command = self.command(scene, folder, *overrides, *further, fields)
         if processes > 1:
-            command = ["mpirun", "--oversubscribe", "-np", processes, *command]
-        for override in (
-            *overrides,
-            *further,
-            f"Output/VTU={'true' if fields else 'false'}",
-            f"Output directory={folder}",
-        ):
-            command += ["--set", override]
-        subprocess.run(
-            [str(word) for word in command], check=True, capture_output=True, timeout=300
-        )
+            command = ["mpirun", "--oversubscribe", "-np", str(processes), *command]
+        subprocess.run([*command, "--quiet"], check=True, capture_output=True, timeout=300)
         return folder
+
+    def interrupted(self, name):
+        """The folder of a run that SIGINT stopped after a step, and the command to go on with."""
+        scene, overrides = RUNS[name]
+        folder = self.folder / f"{name}_interrupted"
+        shutil.rmtree(folder, ignore_errors=True)
+        command = self.command(scene, folder, *overrides)
+        with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
+            while line := run.stdout.readline():
+                if line.startswith(b"step "):
+                    run.send_signal(signal.SIGINT)
+                    break
+            run.communicate(timeout=300)
+        return folder, [*command, "--resume"]
+
+    def command(self, scene, folder, *overrides):
+        """A run of a shipped scene with changed keys."""
+        words = [self.executable, SOURCE / "parameters" / f"{scene}.prm"]
+        for override in (*overrides, f"Output directory={folder}"):
+            words += ["--set", override]
+        return [str(word) for word in words]
 
     def copy(self, folder, name):
         """A copy of a folder, to be spoilt."""

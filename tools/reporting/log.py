@@ -8,6 +8,8 @@ import re
 
 #: Words of a warning that the guard of the laws gives.
 BROKEN_LAW = "a law is broken"
+#: What a run says that was to go on and had nothing to do.
+NOTHING_TO_DO = "It had come to its end."
 #: "at time 0.03 ..." and, in the summary, "since time 0.03 ... (the most of the run)".
 PLACE_IN_TIME = re.compile(r"^(at|since) time \S+ ")
 
@@ -34,13 +36,14 @@ class Log:
 
 def parse_log(text):
     """A Log. What a killed run or another version left out is empty."""
-    lines = text.splitlines()
-    log = Log()
-    steps = False
-    for line in lines:
+    log, before = Log(), Log()
+    steps, early_ends = False, []
+    for line in text.splitlines():
         content = line.strip()
         if line.startswith("signorini "):  # again where a run was resumed
+            before = dataclasses.replace(log)
             log.program, log.facts, log.summary, log.timers, steps = content, [], [], [], False
+            log.early_end = ""
             continue
         if content.startswith(("warning: ", "note: ")):
             kind, _, message = content.partition(": ")
@@ -49,6 +52,9 @@ def parse_log(text):
             steps = True
         elif match := re.match(r"The run ended early, at the time ([^:]*): (.*)", content):
             log.early_end = f"at the time {match[1]}: {match[2]}"
+            early_ends.append(log.early_end)
+        elif content.startswith(NOTHING_TO_DO):
+            log.facts, log.summary, log.timers = before.facts, before.summary, before.timers
         elif content.startswith(("|", "+--")):
             read_timer(content, log)
         elif steps and line.startswith("  "):
@@ -56,8 +62,7 @@ def parse_log(text):
         elif match := re.match(r"  (\S[\w ]*?) {2,}(\S.*)", line):
             log.facts.append((match[1], match[2]))
     log.broken_laws = [text for text in log.warnings if BROKEN_LAW in text]
-    if BROKEN_LAW in log.early_end:
-        log.broken_laws.append(log.early_end)
+    log.broken_laws += [text for text in early_ends if BROKEN_LAW in text]
     log.warnings = last_of_each([text for text in log.warnings if BROKEN_LAW not in text])
     return log
 

@@ -14,7 +14,8 @@ namespace signorini
 
   /**
    * Write a scene with comments to start from into `<name>.prm` in the current folder.
-   * @return what to do with it, in words
+   * @param name if empty, nothing is written
+   * @return what to do with it, in words, or the names that there are
    * @throws UserError if there is no scene of this name, or a file already, or no room
    */
   std::string write_new_scene(const std::string &name);
