@@ -52,6 +52,13 @@ namespace signorini
       const StepOperator<dim> stiffness(discretization.matrices(), coordinates, {mass_factor, 1.});
       RigidSprings<dim>       matrix(stiffness, rigid);
       matrix.set(frequency * frequency * loose * loose.transpose());
+      coordinates.force_to_contact(right_hand_side);
+      const std::vector<unsigned int> &prescribed = coordinates.dirichlet_entries();
+      const std::vector<double>        nothing(prescribed.size(), 0.);
+      // As small as what CG leaves of the moments: they are the round-off of their sums.
+      if (rough_response_size(matrix, right_hand_side, prescribed, nothing) <= 1e-12 * size)
+        return discretization.make_vector();
+
       // With all of the mass as stiff as the springs it differs from that of the problem by at most
       // a factor of two but for motions that are slower than any that keep a body's shape.
       const auto preconditioner = make_static_preconditioner(
@@ -61,15 +68,10 @@ namespace signorini
         std::vector<double>(discretization.mesh().bodies().size(), frequency * frequency),
         discretization.mesh().courant_number(2. / frequency) > needs_double_precision);
       PrimalDualActiveSet solver(limits);
-      coordinates.force_to_contact(right_hand_side);
-      const std::vector<double> nothing(coordinates.dirichlet_entries().size(), 0.);
-      Vector                    correction = discretization.make_vector(), residual = correction;
+      Vector              correction = discretization.make_vector(), residual = correction;
       // Of a body without deformation both sizes are round-off; then the larger one is the measure.
-      const double response = response_size(
-        matrix, *preconditioner, right_hand_side, coordinates.dirichlet_entries(), nothing);
-      // As small as what CG leaves of the moments: they are the round-off of their sums.
-      if (response <= 1e-12 * size)
-        return discretization.make_vector();
+      const double response =
+        response_size(matrix, *preconditioner, right_hand_side, prescribed, nothing);
       const double tolerance =
         std::max({1e-11 * size, 1e-8 * response, std::numeric_limits<double>::min()});
       solver.solve({matrix,
@@ -77,7 +79,7 @@ namespace signorini
                     right_hand_side,
                     coordinates.normal_entries(),
                     bounds,
-                    coordinates.dirichlet_entries(),
+                    prescribed,
                     nothing,
                     tolerance,
                     1e-14 * discretization.mesh().body_size()},
