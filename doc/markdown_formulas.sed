@@ -6,3 +6,6 @@
 s/\$\([^$]*\)\$/@f$\1@f$/g
 # Doxygen takes every README.md for its main page, and has one only.
 s/\[\(python\/README.md\)\](python\/README.md)/\1/g
+# The manual is not part of the reference, and headings are no anchors for it.
+s/\[\([^]]*\)\](manual\/[^)]*)/\1/g
+s/\[\([^]]*\)\](#[^)]*)/\1/g
