@@ -253,13 +253,16 @@ namespace signorini
     const View                                                                   view;
     std::map<unsigned int, std::vector<Point<2>>>                                bodies;
     std::map<std::pair<unsigned int, types::boundary_id>, std::vector<Point<2>>> boundaries;
-    std::set<const Kind *>                                                       shown;
+    std::set<const Kind *>                                                       shown, hidden;
     for (const Polygon &polygon : polygons)
       {
         const Point<2> centre = view(middle(polygon.points));
+        const Kind    &kind   = kind_of(polygon.face);
         if (!polygon.is_cell && !view.shows(polygon.normal))
-          continue;
-        const Kind       &kind   = kind_of(polygon.face);
+          {
+            hidden.insert(&kind);
+            continue;
+          }
         const std::string rgb    = colour(kind.colour, view.light(polygon.normal));
         const auto        points = projected(view, polygon.points);
         if (polygon.is_cell)
@@ -280,8 +283,9 @@ namespace signorini
     for (const auto &[body, places] : bodies)
       drawing.label(top(places), names[body], false);
     for (const Kind &kind : kinds)
-      if (shown.count(&kind) > 0)
-        drawing.legend({colour(kind.colour, 1.), line_colour}, kind.words);
+      if (shown.count(&kind) + hidden.count(&kind) > 0)
+        drawing.legend({colour(kind.colour, 1.), line_colour},
+                       std::string(kind.words) + (shown.count(&kind) > 0 ? "" : " (hidden)"));
   }
 
 
