@@ -81,7 +81,8 @@ namespace signorini
     , preconditioner(make_static_preconditioner(parameters.preconditioner,
                                                 discretization,
                                                 coordinates,
-                                                mass_factors<dim>(loose, stiffness_of_springs)))
+                                                mass_factors<dim>(loose, stiffness_of_springs),
+                                                true))
     , with_friction(with_friction)
     , weakness(with_friction ? not_weak : weak)
     , solver(make_solver(with_friction, parameters.inequality, parameters.limits))

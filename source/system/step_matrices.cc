@@ -98,11 +98,11 @@ namespace signorini
       {
         if (!hierarchy)
           hierarchy = std::make_shared<const LevelHierarchy<dim>>(discretization);
-        matrix.preconditioner = make_geometric_multigrid(
-          hierarchy,
-          coordinates,
-          matrix.sum,
-          discretization.mesh().courant_number(step_size) > needs_double_precision);
+        matrix.preconditioner =
+          make_geometric_multigrid(hierarchy,
+                                   coordinates,
+                                   matrix.sum,
+                                   needs_double_precision(discretization.mesh(), step_size));
       }
     else
       matrix.preconditioner =

@@ -67,19 +67,24 @@ class Runs:
         subprocess.run([*command, "--quiet"], check=True, capture_output=True, timeout=300)
         return folder
 
-    def interrupted(self, name):
-        """The folder of a run that SIGINT stopped after a step, and the command to go on with."""
+    def interrupted(self, name, further_steps):
+        """The folder of a run that SIGINT stopped, the command to go on with for some steps, and
+        the time at which it ends then. The run is too long to end before the signal comes."""
         scene, overrides = RUNS[name]
         folder = self.folder / f"{name}_interrupted"
         shutil.rmtree(folder, ignore_errors=True)
-        command = self.command(scene, folder, *overrides)
+        command = self.command(scene, folder, *overrides, "Time/End time=1000")
         with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as run:
             while line := run.stdout.readline():
                 if line.startswith(b"step "):
                     run.send_signal(signal.SIGINT)
                     break
             run.communicate(timeout=300)
-        return folder, [*command, "--resume"]
+        with open(folder / "history.csv", encoding="utf-8") as file:
+            last = list(csv.DictReader(file))[-1]
+        end = float(last["time"]) + further_steps * float(last["step_size"])
+        go_on = self.command(scene, folder, *overrides, f"Time/End time={end!r}")
+        return folder, [*go_on, "--resume"], end
 
     def command(self, scene, folder, *overrides):
         """A run of a shipped scene with changed keys."""

@@ -8,6 +8,8 @@ import re
 
 #: Words of a warning that the guard of the laws gives.
 BROKEN_LAW = "a law is broken"
+#: Words of an end by a signal.
+INTERRUPTED = "interrupted by"
 #: What a run says that was to go on and had nothing to do.
 NOTHING_TO_DO = "It had come to its end."
 #: "at time 0.03 ..." and, in the summary, "since time 0.03 ... (the most of the run)".
@@ -27,6 +29,11 @@ class Log:
     timers: list = dataclasses.field(default_factory=list)  # (section, calls, seconds on average)
     wall_time: float = 0.0  # seconds of the slowest process
     early_end: str = ""  # why the run ended before its time
+
+    @property
+    def interrupted(self):
+        """Whether somebody wanted the run to end early."""
+        return INTERRUPTED in self.early_end
 
     @property
     def complete(self):

@@ -26,7 +26,7 @@ def end(run):
     time, wanted = run.history["time"][-1], run.number("Time/End time", numpy.nan)
     text = f"The last row is of the time {time:.6g}"
     if run.log.early_end:
-        level = LOOK if ": interrupted by " in run.log.early_end else BROKEN
+        level = LOOK if run.log.interrupted else BROKEN
         return Verdict("end of the run", level, f"It ended early, {run.log.early_end}")
     if not run.log.program:
         return Verdict("end of the run", NOT_JUDGED, f"{text}; there is no log.txt.")

@@ -28,9 +28,10 @@ namespace signorini
     /** @param displacement with values at hanging nodes */
     StressVectors(const CellNeighbors<dim> &mesh, const Vector &displacement);
 
-    /** By the number of a local cell. */
+    /** Of a local cell, by its number. */
     const CellStrain<dim> &strain(const unsigned int cell) const { return strains[cell]; }
 
+    /** Of a face of a local cell. */
     const FaceStress<dim> &of_face(const unsigned int cell, const unsigned int face) const
     {
       return stresses[GaussTables<dim>::n_faces * cell + face];

@@ -4,6 +4,7 @@
 #ifndef signorini_preconditioners_preconditioners_h
 #define signorini_preconditioners_preconditioners_h
 
+#include <signorini/discretization/discretization.h>
 #include <signorini/model/run_parameters.h>
 #include <signorini/preconditioners/step_operator.h>
 
@@ -12,10 +13,14 @@
 namespace signorini
 {
   /**
-   * Courant number from which on the cycle of multigrid computes in double precision: mass is next
-   * to nothing there, and rotations are nearly free.
+   * Whether the cycle of geometric multigrid has to compute in double precision for a step of this
+   * size: where it is very long, mass is next to nothing, and rotations are nearly free.
    */
-  constexpr double needs_double_precision = 3000.;
+  template <int dim>
+  bool needs_double_precision(const Mesh<dim> &mesh, const double step_size)
+  {
+    return mesh.courant_number(step_size) > 3000.;
+  }
 
 
   /** What decides about the preconditioner of a step. */
@@ -51,9 +56,9 @@ namespace signorini
 
   /**
    * The masked preconditioner for A in contact coordinates, of a static problem. `automatic` is
-   * geometric multigrid in double precision: its number of iterations depends neither on the mesh
-   * nor on how slender the bodies are, and it knows what contact holds. Where a body is 1e6 times
-   * as stiff as another one it is algebraic multigrid, contact around it.
+   * geometric multigrid: its number of iterations depends neither on the mesh nor on how slender
+   * the bodies are, and it knows what contact holds. Where a body is 1e6 times as stiff as another
+   * one it is algebraic multigrid, contact around it.
    * @param mass_factors        see Multilevel
    * @param in_double_precision of the geometric multigrid
    */
@@ -63,7 +68,7 @@ namespace signorini
                              const Discretization<dim>     &discretization,
                              const ContactCoordinates<dim> &coordinates,
                              const std::vector<double>     &mass_factors,
-                             bool                           in_double_precision = true);
+                             bool                           in_double_precision);
 
   /** Sweeps with the block-scalar mass, or its incomplete factor where two bodies meet. */
   template <int dim>
