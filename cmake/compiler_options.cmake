@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 #
-# signorini_compile(<target>): how all code of the project is compiled.
+# signorini_compile(<target>): how all code of the project is compiled;
+# signorini_compile_alone(<target>): the same without deal.II.
 
 include(CheckCXXCompilerFlag)
 include(CheckCXXSourceCompiles)
@@ -71,8 +72,7 @@ foreach(flag IN LISTS candidates)
   endif()
 endforeach()
 
-function(signorini_compile target)
-  deal_ii_setup_target(${target})
+function(signorini_compile_alone target)
   target_compile_options(${target} PRIVATE
     -Wall -Wextra $<$<BOOL:${SIGNORINI_WARNINGS_AS_ERRORS}>:-Werror> ${SIGNORINI_FLAGS})
   target_link_options(${target} PRIVATE ${SIGNORINI_SANITIZERS})
@@ -80,4 +80,9 @@ function(signorini_compile target)
   if(SIGNORINI_SANITIZE AND type STREQUAL EXECUTABLE)
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:signorini_keep_libraries>)
   endif()
+endfunction()
+
+function(signorini_compile target)
+  deal_ii_setup_target(${target})
+  signorini_compile_alone(${target})
 endfunction()

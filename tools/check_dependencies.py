@@ -21,6 +21,7 @@ import sys
 MAY_USE = {
     "base": set(),
     "linear_algebra": {"base"},
+    "sweeps": {"base", "linear_algebra"},
     "friction": {"base"},
     "model": {"base"},
     "mesh_files": {"base"},
@@ -40,7 +41,7 @@ MAY_USE["surfaces"] = MAY_USE["finite_elements"]
 MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles", "surfaces"}
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["multigrid"] = MAY_USE["contact"] | {"contact"}
-MAY_USE["preconditioners"] = MAY_USE["multigrid"] | {"multigrid"}
+MAY_USE["preconditioners"] = MAY_USE["multigrid"] | {"multigrid", "sweeps"}
 MAY_USE["system"] = (
     MAY_USE["mass"]
     | MAY_USE["variational_inequality"]
@@ -57,6 +58,7 @@ MAY_USE["simulation"] = set(MAY_USE)
 HOLDS = {
     "base": "types, errors, spelling, expressions, the command line",
     "linear_algebra": "block matrices, masks, conjugate gradients, GMRES, the incomplete factor",
+    "sweeps": "symmetric Gauss-Seidel that solves by itself, on any number of processes",
     "friction": "the law of friction of one node",
     "model": "what is simulated, as plain data: bodies, materials, pairs, parameters",
     "mesh_files": "meshes from files: readers, groups, cells split into cubes; surfaces from files",

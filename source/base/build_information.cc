@@ -35,25 +35,6 @@ namespace signorini
   } // namespace
 
 
-  std::string commit()
-  {
-    return SIGNORINI_COMMIT;
-  }
-
-
-  std::string version()
-  {
-    return "signorini " SIGNORINI_VERSION " (deal.II " DEAL_II_PACKAGE_VERSION ")\n";
-  }
-
-
-  std::string version_and_commit()
-  {
-    return "signorini " SIGNORINI_VERSION ", commit " + commit()
-           + " (deal.II " DEAL_II_PACKAGE_VERSION ")\n";
-  }
-
-
   std::string libraries()
   {
     return "deal.II " DEAL_II_PACKAGE_VERSION ", p4est "

@@ -4,31 +4,13 @@
 #include <signorini/linear_algebra/conjugate_gradients.h>
 #include <signorini/linear_algebra/lanczos.h>
 #include <signorini/linear_algebra/rough_solver.h>
-#include <signorini/linear_algebra/solver_goal.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace signorini
 {
-  namespace
-  {
-    /** Of a residual, by which one solve in single precision can reduce it. */
-    constexpr double most_digits = 1e-5;
-    /** Sought beyond the goal, so that rounding does not miss it. */
-    constexpr double surplus = 0.8;
-    /**
-     * P of symmetric sweeps is larger than K, by L D^-1 L', so that the norm with P^-1 is smaller
-     * than the error: by less than this where eigenvalues of P^-1 K are above 1/4, as nearly all
-     * are while the mass rules. Without it `bar_2d` drifts by 2.6e-10 of its energy, with it by
-     * 2e-11 as with any other preconditioner.
-     */
-    constexpr double underestimate = 2.;
-  } // namespace
-
-
   ConjugateGradients::Report ConjugateGradients::solve(const LinearOperator       &matrix,
                                                        const MaskedPreconditioner &preconditioner,
                                                        Vector                     &solution,
@@ -41,18 +23,12 @@ namespace signorini
     AssertDimension(solution.locally_owned_size(), residual.locally_owned_size());
     Assert(tolerance >= 0. && reduction >= 0. && reduction < 1.,
            dealii::ExcMessage("An accepted error is not negative, and a reduction less than one."));
-    if (preconditioned.get_partitioner() != solution.get_partitioner()
-        || preconditioned.size() == 0)
-      {
-        preconditioned.reinit(solution, true);
-        direction.reinit(solution, true);
-        product.reinit(solution, true);
-      }
-
     const SolverLimits limits{tolerance, reduction, maximum_iterations, is_guess};
     const RoughSolver *rough_solver = preconditioner.rough_solver();
-    return rough_solver ? refine(*rough_solver, matrix, solution, residual, limits)
-                        : iterate(matrix, preconditioner, solution, residual, limits);
+    if (rough_solver != nullptr)
+      return refinement.solve(
+        *rough_solver, matrix, solution, residual, [&](double) { return limits; });
+    return iterate(matrix, preconditioner, solution, residual, limits);
   }
 
 
@@ -62,6 +38,14 @@ namespace signorini
                                                          Vector                     &residual,
                                                          const SolverLimits         &limits)
   {
+    if (preconditioned.get_partitioner() != solution.get_partitioner()
+        || preconditioned.size() == 0)
+      {
+        preconditioned.reinit(solution, true);
+        direction.reinit(solution, true);
+        product.reinit(solution, true);
+      }
+
     preconditioner.vmult(preconditioned, residual);
     double           norm_square = dot(residual, preconditioned);
     const SolverGoal goal(std::sqrt(std::max(norm_square, 0.)), limits);
@@ -95,43 +79,6 @@ namespace signorini
     // A negative square means that the preconditioner is not positive definite, and this is no
     // norm.
     report.converged = std::abs(norm_square) <= goal.accepted * goal.accepted;
-    return report;
-  }
-
-
-  ConjugateGradients::Report ConjugateGradients::refine(const RoughSolver    &rough_solver,
-                                                        const LinearOperator &matrix,
-                                                        Vector               &solution,
-                                                        Vector               &residual,
-                                                        const SolverLimits   &limits)
-  {
-    Report           report;
-    double           norm = underestimate * rough_solver.start(residual), lambda = 1.;
-    const SolverGoal goal(norm, limits);
-    double           sought = goal.sought;
-    while (norm > sought && report.iterations < limits.maximum_iterations)
-      {
-        const double cycles = std::ceil(std::log(norm / sought) / std::log(1. / most_digits));
-        const double factor = std::pow(sought / norm, 1. / cycles) * (cycles == 1. ? surplus : 1.);
-        const auto   cycle =
-          rough_solver.solve(direction, factor, limits.maximum_iterations - report.iterations);
-        report.iterations += cycle.iterations;
-        lambda = std::min(lambda, cycle.smallest_eigenvalue);
-        solution += direction;
-        matrix.vmult(product, direction);
-        residual -= product;
-        if (limits.reduction > 0. && cycles == 1.)
-          {
-            report.converged = true; // what follows checks it
-            return report;
-          }
-        const double before = std::exchange(norm, underestimate * rough_solver.start(residual));
-        if (!(norm < 0.5 * before))
-          break; // round-off: the caller judges the result
-        if (norm <= sought)
-          sought = goal.sought * goal.trust(lambda);
-      }
-    report.converged = norm <= goal.accepted;
     return report;
   }
 } // namespace signorini

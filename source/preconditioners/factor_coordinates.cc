@@ -3,6 +3,7 @@
 
 #include <signorini/preconditioners/factor_coordinates.h>
 #include <signorini/preconditioners/relative_matrix.h>
+#include <signorini/surfaces/contact_frame.h>
 
 namespace signorini
 {
@@ -58,6 +59,42 @@ namespace signorini
       for (const unsigned int i : coordinates.relative_entries())
         within[i] = 0;
     return frames.held_nodes(within);
+  }
+
+
+  template <int dim>
+  std::optional<std::vector<NodeSlip<dim>>>
+  FactorCoordinates<dim>::node_slip(const std::vector<SlipRows> &rows) const
+  {
+    std::vector<NodeSlip<dim>> result;
+    bool                       any_oblique = false;
+    for (const SlipRows &row : rows)
+      {
+        const unsigned int node  = row.normal / dim;
+        const auto        &frame = coordinates.node_frames().at(node);
+        any_oblique              = any_oblique || orthonormal_frame<dim>(frame) != frame;
+        const auto direction     = [&](const unsigned int entry) {
+          dealii::Tensor<1, dim> result;
+          for (unsigned int c = 0; c < dim; ++c)
+            result[c] = frame[dim * (entry % dim) + c];
+          return result;
+        };
+        NodeSlip<dim> slip{node, direction(row.normal), {}, {}};
+        for (unsigned int i = 0; i < row.entries.size(); ++i)
+          {
+            slip.coupling += row.coupling[i] * direction(row.entries[i]);
+            for (unsigned int j = 0; j < row.entries.size(); ++j)
+              slip.stiffness +=
+                row.stiffness(i, j)
+                * outer_product(direction(row.entries[i]), direction(row.entries[j]));
+          }
+        result.push_back(slip);
+      }
+    if (dealii::Utilities::MPI::max(static_cast<unsigned int>(any_oblique),
+                                    of_bodies.pattern.partitioner->get_mpi_communicator())
+        > 0)
+      return {};
+    return result;
   }
 
 

@@ -2,11 +2,11 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/incomplete_cholesky.h>
-#include <signorini/linear_algebra/symmetric_gauss_seidel.h>
 #include <signorini/multigrid/geometric_multigrid.h>
 #include <signorini/preconditioners/factor_coordinates.h>
 #include <signorini/preconditioners/multilevel.h>
 #include <signorini/preconditioners/preconditioners.h>
+#include <signorini/sweeps/symmetric_gauss_seidel.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -107,6 +107,16 @@ namespace signorini
 
       const RoughSolver *rough_solver() const override { return is_exact ? this : nullptr; }
 
+      const RoughSolver *rough_solver_with(const std::vector<SlipRows> &rows) override
+      {
+        if (!is_exact)
+          return nullptr;
+        const auto slipping = inner.node_slip(rows);
+        if (slipping)
+          sweeps.set_slip(*slipping);
+        return slipping ? this : nullptr;
+      }
+
       double start(const Vector &residual) const override
       {
         turn(residual);
@@ -165,9 +175,10 @@ namespace signorini
     if (cost.solves_roughly)
       {
         // An iteration with multigrid takes six times as long, and five of them make a solution.
-        constexpr double most_iterations = 33.;
-        const double     too_large       = std::min(100., 50. * (1. + 5000. / cost.n_dofs));
-        const bool       too_many =
+        // With friction there are more linear systems, and each asks for less.
+        const double most_iterations = cost.with_friction ? 17. : 33.;
+        const double too_large       = std::min(100., 50. * (1. + 5000. / cost.n_dofs));
+        const bool   too_many =
           cost.iterations > 0. ? cost.iterations > most_iterations : courant_number > too_large;
         return too_many ? PreconditionerKind::multigrid
                         : PreconditionerKind::symmetric_gauss_seidel;

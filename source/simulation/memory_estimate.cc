@@ -48,7 +48,7 @@ namespace signorini
       cost.courant_number   = meshed.discretization.mesh().courant_number(scene.time.step_size);
       cost.n_dofs           = meshed.discretization.dof_handler().n_dofs();
       cost.matrix_life_time = scene.time.n_steps();
-      cost.solves_roughly   = !has_friction(scene.pairs);
+      cost.solves_roughly   = true;
       return choose_preconditioner(cost) == PreconditionerKind::multigrid;
     }
     /** Of this process: now, and the most so far. */
@@ -68,10 +68,8 @@ namespace signorini
       dealii::TimerOutput timer(
         no_table, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
       const double      step = scene.time.step_size, before = resident_bytes().first;
-      StepMatrices<dim> matrices(meshed.discretization,
-                                 meshed.coordinates,
-                                 {PreconditionerKind::multigrid, 1, false},
-                                 timer);
+      StepMatrices<dim> matrices(
+        meshed.discretization, meshed.coordinates, {PreconditionerKind::multigrid, 1}, timer);
       matrices.get(0.25 * step * step, 0., step);
       return std::max(0., resident_bytes().first - before);
     }

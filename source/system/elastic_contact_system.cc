@@ -42,13 +42,14 @@ namespace signorini
     , timer(timer)
     , first_guess(coordinates, touching_distance(discretization.mesh().body_size()))
     , friction(coordinates, surface.friction_may_come(), discretization.communicator())
-    , step_matrices(discretization,
-                    coordinates,
-                    {parameters.solver.preconditioner,
-                     parameters.mesh_life_time,
-                     !friction.any() && parameters.solver.inequality == InequalityMethod::active_set
-                       && sweeps_know_all(coordinates, discretization.communicator())},
-                    timer)
+    , step_matrices(
+        discretization,
+        coordinates,
+        {parameters.solver.preconditioner,
+         parameters.mesh_life_time,
+         (friction.any() || parameters.solver.inequality == InequalityMethod::active_set)
+           && sweeps_know_all(coordinates, discretization.communicator())},
+        timer)
     , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
     , solver(make_solver(friction.any(), parameters.solver.inequality, parameters.solver.limits))
     , active(surface.nodes().size(), contact_status::open)

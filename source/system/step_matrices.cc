@@ -84,6 +84,7 @@ namespace signorini
         // again.
         cost.matrix_life_time = std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses);
         cost.solves_roughly   = preconditioner.solves_roughly;
+        cost.with_friction    = preconditioner.with_friction;
         if (matrix.kind == PreconditionerKind::multigrid)
           return; // what it was taken for does not go away
         if (matrix.effort.active_set_iterations > 0)

@@ -286,12 +286,12 @@ namespace signorini
   }
 
 
-  ConjugateGradients::Report FrictionalNewton::step(const ConstrainedProblem &problem,
-                                                    Vector                   &solution,
-                                                    Vector                   &residual,
-                                                    const Precision           precision,
-                                                    const double              last_norm,
-                                                    const bool                is_guess)
+  LinearReport FrictionalNewton::step(const ConstrainedProblem &problem,
+                                      Vector                   &solution,
+                                      Vector                   &residual,
+                                      const Precision           precision,
+                                      const double              last_norm,
+                                      const bool                is_guess)
   {
     if (!slip.any())
       return conjugate_gradients.solve(problem.matrix,
@@ -302,17 +302,16 @@ namespace signorini
                                        precision == Precision::rough ? rough_reduction : 0.,
                                        limits.maximum_linear_iterations,
                                        is_guess);
-    const auto goal = [&](const double norm) {
+    const auto limits_for = [&](const double norm) {
       double reduction = rough_reduction;
       if (precision == Precision::settled && slip.any_turning() && last_norm > 0.)
         reduction = std::min(
           reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for
       else if (precision != Precision::rough)
         reduction = 0.;
-      return std::max(tolerance, reduction * norm);
+      return SolverLimits{tolerance, reduction, limits.maximum_linear_iterations, false};
     };
-    const auto report =
-      slip.solve(problem, residual, correction, goal, limits.maximum_linear_iterations);
+    const auto report = slip.solve(problem, residual, correction, limits_for);
     solution += correction;
     return report;
   }

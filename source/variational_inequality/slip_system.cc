@@ -134,33 +134,56 @@ namespace signorini
   };
 
 
-  ConjugateGradients::Report SlipSystem::solve(const ConstrainedProblem &problem,
-                                               Vector                   &residual,
-                                               Vector                   &correction,
-                                               const Gmres::Goal        &goal,
-                                               const unsigned int        maximum_iterations)
+  std::vector<SlipRows> SlipSystem::rows() const
   {
-    const Jacobian       jacobian(problem.matrix, slipping);
-    const Preconditioner preconditioner(problem.preconditioner, slipping);
+    std::vector<SlipRows> result;
+    for (const Node &node : slipping)
+      result.push_back(
+        {node.normal, node.friction->entries, node.condition.stiffness, node.condition.coupling});
+    return result;
+  }
+
+
+  LinearReport SlipSystem::solve(const ConstrainedProblem &problem,
+                                 Vector                   &residual,
+                                 Vector                   &correction,
+                                 const Refinement::Limits &limits)
+  {
+    const Jacobian jacobian(problem.matrix, slipping);
     unbalance(residual);
-    const auto report = gmres.solve(
-      [&](Vector &destination, const Vector &source) { jacobian.vmult(destination, source); },
-      [&](Vector &destination, const Vector &source) { preconditioner.vmult(destination, source); },
-      correction,
-      unbalanced,
-      goal,
-      maximum_iterations);
+    LinearReport       report;
+    const RoughSolver *rough_solver = problem.preconditioner.rough_solver_with(rows());
+    is_refined                      = rough_solver != nullptr;
+    if (is_refined)
+      {
+        correction.reinit(residual);
+        report = refinement.solve(*rough_solver, jacobian, correction, unbalanced, limits);
+      }
+    else
+      {
+        const Preconditioner preconditioner(problem.preconditioner, slipping);
+        unsigned int         maximum_iterations = limits(0.).maximum_iterations;
+        report                                  = gmres.solve(
+          [&](Vector &destination, const Vector &source) { jacobian.vmult(destination, source); },
+          [&](Vector &destination, const Vector &source) {
+            preconditioner.vmult(destination, source);
+          },
+          correction,
+          unbalanced,
+          [&](const double norm) { return SolverGoal(norm, limits(norm)).accepted; },
+          maximum_iterations);
+      }
     balance(correction, residual);
     return report;
   }
 
 
-  ConjugateGradients::Report SlipSystem::solve_symmetric(const ConstrainedProblem &problem,
-                                                         Vector                   &residual,
-                                                         Vector                   &correction,
-                                                         const double              tolerance,
-                                                         const double              reduction,
-                                                         const unsigned int maximum_iterations)
+  LinearReport SlipSystem::solve_symmetric(const ConstrainedProblem &problem,
+                                           Vector                   &residual,
+                                           Vector                   &correction,
+                                           const double              tolerance,
+                                           const double              reduction,
+                                           const unsigned int        maximum_iterations)
   {
     Assert(std::all_of(slipping.begin(),
                        slipping.end(),

@@ -64,6 +64,23 @@ namespace signorini
     return held;
   }
 
+  /** Without its components in the held directions. */
+  template <int dim>
+  Vector free_part(const HeldNodes<dim> &held, const unsigned int n_owned, Vector vector)
+  {
+    for (const HeldNode<dim> &node : held)
+      for (unsigned int c = 0; c < dim; ++c)
+        if (node.held[c] && node.node < n_owned)
+          {
+            double component = 0.;
+            for (unsigned int d = 0; d < dim; ++d)
+              component += node.frame[dim * c + d] * vector.local_element(dim * node.node + d);
+            for (unsigned int d = 0; d < dim; ++d)
+              vector.local_element(dim * node.node + d) -= component * node.frame[dim * c + d];
+          }
+    return vector;
+  }
+
   /** Z (Z'KZ)^-1 Z', the columns of Z spanning what is free. */
   template <int dim>
   Eigen::MatrixXd inverse_on_free_directions(const Eigen::MatrixXd &K, const HeldNodes<dim> &held)

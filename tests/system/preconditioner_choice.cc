@@ -15,16 +15,17 @@ using namespace signorini;
 
 namespace
 {
-  /** With friction, or on processes that share the contact of two bodies. */
+  /** On processes that share the contact of two bodies. */
   PreconditionerKind
   of_factors(const double courant_number, const unsigned int n_dofs, const unsigned int life_time)
   {
     return choose_preconditioner({courant_number, n_dofs, life_time});
   }
 
-  PreconditionerKind of_sweeps(const double courant_number, const double iterations)
+  PreconditionerKind
+  of_sweeps(const double courant_number, const double iterations, const bool with_friction = false)
   {
-    return choose_preconditioner({courant_number, 100000, 100, true, iterations});
+    return choose_preconditioner({courant_number, 100000, 100, true, iterations, with_friction});
   }
 } // namespace
 
@@ -61,4 +62,7 @@ TEST(PreconditionerChoice, SweepsUntilTheyTakeTooManyIterations)
   EXPECT_EQ(of_sweeps(1000., 0.), PreconditionerKind::multigrid) << "as long as nothing is known";
   EXPECT_EQ(of_sweeps(10., 80.), PreconditionerKind::multigrid);
   EXPECT_EQ(of_sweeps(1000., 10.), PreconditionerKind::symmetric_gauss_seidel);
+  EXPECT_EQ(of_sweeps(10., 25.), PreconditionerKind::symmetric_gauss_seidel);
+  EXPECT_EQ(of_sweeps(10., 25., true), PreconditionerKind::multigrid)
+    << "with friction there are more linear systems, and each asks for less";
 }

@@ -6,7 +6,7 @@
 
 #include <signorini/linear_algebra/linear_operator.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
-#include <signorini/linear_algebra/solver_goal.h>
+#include <signorini/linear_algebra/refinement.h>
 
 namespace signorini
 {
@@ -23,11 +23,7 @@ namespace signorini
   class ConjugateGradients
   {
   public:
-    struct Report
-    {
-      unsigned int iterations = 0;
-      bool         converged  = false;
-    };
+    using Report = LinearReport;
 
     /**
      * @param solution  on entry a guess, on exit the solution; held entries are not changed
@@ -54,18 +50,13 @@ namespace signorini
                  bool                        is_guess = false);
 
   private:
-    Report iterate(const LinearOperator       &matrix,
-                   const MaskedPreconditioner &preconditioner,
-                   Vector                     &solution,
-                   Vector                     &residual,
-                   const SolverLimits         &limits);
-    Report refine(const RoughSolver    &rough_solver,
-                  const LinearOperator &matrix,
-                  Vector               &solution,
-                  Vector               &residual,
-                  const SolverLimits   &limits);
-
-    Vector preconditioned, direction, product;
+    Report     iterate(const LinearOperator       &matrix,
+                       const MaskedPreconditioner &preconditioner,
+                       Vector                     &solution,
+                       Vector                     &residual,
+                       const SolverLimits         &limits);
+    Refinement refinement;
+    Vector     preconditioned, direction, product;
   };
 } // namespace signorini
 

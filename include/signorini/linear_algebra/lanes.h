@@ -44,6 +44,11 @@ namespace signorini
     return lanes;
   }
 
+  inline void store(float *numbers, const Lanes<float> lanes)
+  {
+    std::memcpy(numbers, &lanes, sizeof(lanes));
+  }
+
   /** block x, the block stored column by column. */
   template <int dim, typename Number>
   inline Lanes<Number> block_product(const Number *block, const Number *x)

@@ -5,6 +5,7 @@
 #define signorini_linear_algebra_masked_preconditioner_h
 
 #include <signorini/base/types.h>
+#include <signorini/linear_algebra/slip_rows.h>
 
 #include <vector>
 
@@ -36,6 +37,15 @@ namespace signorini
 
     /** Where it can solve by itself, with the mask and the norm that it has here; else null. */
     virtual const RoughSolver *rough_solver() const { return nullptr; }
+
+    /**
+     * The same for K with further rows, until the next set_mask(). Null where it cannot, on all
+     * processes. Collective.
+     */
+    virtual const RoughSolver *rough_solver_with(const std::vector<SlipRows> & /*rows*/)
+    {
+      return nullptr;
+    }
   };
 } // namespace signorini
 

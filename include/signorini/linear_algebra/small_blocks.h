@@ -19,6 +19,24 @@ namespace signorini
     Lanes<double> column[n];
   };
 
+  /** A block, or its transpose, times lanes; or a number times lanes. */
+  template <int dim, typename Entry>
+  inline Lanes<float> times(const Entry &block, const Lanes<float> x)
+  {
+    if constexpr (std::tuple_size<Entry>() == 1)
+      return block[0] * x;
+    else
+      return block_product<dim, float>(block.data(), x);
+  }
+  template <int dim, typename Entry>
+  inline Lanes<float> transposed_times(const Entry &block, const Lanes<float> x)
+  {
+    if constexpr (std::tuple_size<Entry>() == 1)
+      return block[0] * x;
+    else
+      return block_transposed_product<dim, float>(block.data(), x);
+  }
+
   /** Numbers that are stored column by column. */
   template <int n, typename Number>
   inline dealii::Tensor<2, n> to_tensor(const std::array<Number, n * n> &entry)

@@ -6,8 +6,11 @@
 
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/contact/node_frames.h>
+#include <signorini/linear_algebra/slip_rows.h>
 
 #include <deal.II/base/mpi.h>
+
+#include <optional>
 
 namespace signorini
 {
@@ -52,6 +55,12 @@ namespace signorini
 
     /** @return what is held within sweeps. Collective */
     HeldNodes<dim> set_mask(const Mask &mask);
+
+    /**
+     * The rows of slipping nodes in the coordinates of the factor. None where the frame of a node
+     * is oblique, so that forces have other components than displacements. Collective
+     */
+    std::optional<std::vector<NodeSlip<dim>>> node_slip(const std::vector<SlipRows> &rows) const;
 
     /** Of a force: held entries become zero. */
     void to_factor(Vector &force) const;

@@ -29,10 +29,11 @@ namespace signorini
     double                          courant_number;       ///< c_p tau / h
     dealii::types::global_dof_index n_dofs;               ///< on all processes
     unsigned int                    matrix_life_time = 1; ///< steps that will use the matrix
-    /** Whether conjugate gradients solve the step, and sweeps know its matrix: see RoughSolver. */
+    /** Whether active sets solve the step, and sweeps know its matrix: see RoughSolver. */
     bool solves_roughly = false;
     /** With sweeps so far, per active set; 0: not known yet. */
-    double iterations = 0.;
+    double iterations    = 0.;
+    bool   with_friction = false;
   };
 
   /**

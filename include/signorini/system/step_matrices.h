@@ -40,6 +40,7 @@ namespace signorini
     unsigned int mesh_life_time = 1;
     /** See StepCost. */
     bool solves_roughly = false;
+    bool with_friction  = false;
   };
 
   /**

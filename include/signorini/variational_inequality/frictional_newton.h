@@ -84,12 +84,12 @@ namespace signorini
      * @param is_guess  see ConjugateGradients; of no importance where nodes slip
      * @return iterations; zero if all was balanced
      */
-    ConjugateGradients::Report step(const ConstrainedProblem &problem,
-                                    Vector                   &solution,
-                                    Vector                   &residual,
-                                    Precision                 precision,
-                                    double                    last_norm,
-                                    bool                      is_guess);
+    LinearReport step(const ConstrainedProblem &problem,
+                      Vector                   &solution,
+                      Vector                   &residual,
+                      Precision                 precision,
+                      double                    last_norm,
+                      bool                      is_guess);
   };
 } // namespace signorini
 

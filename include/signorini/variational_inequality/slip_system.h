@@ -17,7 +17,8 @@ namespace signorini
    *
    * The matrix K is not modified; these rows get their terms behind each product. The
    * preconditioner is that of K; directions that slip makes stiff (a small slip that is about to
-   * turn) are scaled down in it. Solved by GMRES, or without q by conjugate gradients.
+   * turn) are scaled down in it. Solved by GMRES, in single precision and refined where the
+   * preconditioner can do that, or without q by conjugate gradients.
    */
   class SlipSystem
   {
@@ -47,24 +48,23 @@ namespace signorini
     /**
      * Solve for the correction dx, in the free entries of the problem's preconditioner.
      * @param residual   b - K x on entry, b - K (x + dx) on exit
-     * @param goal       see Gmres
+     * @param limits     given the norm of what is unbalanced at the start
      */
-    ConjugateGradients::Report solve(const ConstrainedProblem &problem,
-                                     Vector                   &residual,
-                                     Vector                   &correction,
-                                     const Gmres::Goal        &goal,
-                                     unsigned int              maximum_iterations);
+    LinearReport solve(const ConstrainedProblem &problem,
+                       Vector                   &residual,
+                       Vector                   &correction,
+                       const Refinement::Limits &limits);
 
     /**
      * The same where no law depends on the normal force (q = 0) and Q is symmetric and has no
      * negative curvature. @param tolerance, reduction see ConjugateGradients
      */
-    ConjugateGradients::Report solve_symmetric(const ConstrainedProblem &problem,
-                                               Vector                   &residual,
-                                               Vector                   &correction,
-                                               double                    tolerance,
-                                               double                    reduction,
-                                               unsigned int              maximum_iterations);
+    LinearReport solve_symmetric(const ConstrainedProblem &problem,
+                                 Vector                   &residual,
+                                 Vector                   &correction,
+                                 double                    tolerance,
+                                 double                    reduction,
+                                 unsigned int              maximum_iterations);
 
     /**
      * The forces that the linearised laws gave in the last solve, in the order of add(). They are
@@ -73,10 +73,13 @@ namespace signorini
     const std::vector<TangentVector> &forces() const { return law_forces; }
 
     /** Norm of what was unbalanced at the start of the last solve(). */
-    double initial_norm() const { return gmres.initial_norm(); }
+    double initial_norm() const
+    {
+      return is_refined ? refinement.initial_norm() : gmres.initial_norm();
+    }
 
     /** What round-off of the last solve has left in the residual, as a norm; 0: nothing slips. */
-    double round_off() const { return any_slip ? gmres.round_off() : 0.; }
+    double round_off() const { return any_slip && !is_refined ? gmres.round_off() : 0.; }
 
   private:
     struct Node
@@ -89,13 +92,16 @@ namespace signorini
     std::vector<Node>          slipping;
     std::vector<TangentVector> law_forces;
     bool                       any_slip = false, may_turn = false;
+    bool                       is_refined = false; ///< the last solution was
     Gmres                      gmres;
+    Refinement                 refinement;
     ConjugateGradients         conjugate_gradients;
     Vector                     unbalanced;
 
     class Jacobian;
     class Preconditioner;
 
+    std::vector<SlipRows> rows() const;
     /** What K dx with the terms of the slipping nodes has to be. */
     void unbalance(const Vector &residual);
     /** The forces of the laws after a solve, and the residual with them. */

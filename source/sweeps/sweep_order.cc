@@ -2,7 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/cuthill_mckee.h>
-#include <signorini/linear_algebra/sweep_order.h>
+#include <signorini/sweeps/sweep_order.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_linear_algebra_sweep_exchange_h
-#define signorini_linear_algebra_sweep_exchange_h
+#ifndef signorini_sweeps_sweep_exchange_h
+#define signorini_sweeps_sweep_exchange_h
 
-#include <signorini/linear_algebra/sweep_order.h>
+#include <signorini/sweeps/sweep_order.h>
 
 #include <mpi.h>
 

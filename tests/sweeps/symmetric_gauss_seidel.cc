@@ -9,12 +9,12 @@
 // by a half on such small meshes.
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
-#include <signorini/linear_algebra/symmetric_gauss_seidel.h>
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/sweeps/symmetric_gauss_seidel.h>
 
 #include <gtest/gtest.h>
 
-#include "held_nodes.h"
+#include "../linear_algebra/held_nodes.h"
 
 using namespace signorini;
 
@@ -78,24 +78,6 @@ namespace
             largest = std::max(largest, std::abs(component));
           }
     return largest;
-  }
-
-
-  /** Without its components in the held directions. */
-  template <int dim>
-  Vector free_part(const HeldNodes<dim> &held, const unsigned int n_owned, Vector vector)
-  {
-    for (const HeldNode<dim> &node : held)
-      for (unsigned int c = 0; c < dim; ++c)
-        if (node.held[c] && node.node < n_owned)
-          {
-            double component = 0.;
-            for (unsigned int d = 0; d < dim; ++d)
-              component += node.frame[dim * c + d] * vector.local_element(dim * node.node + d);
-            for (unsigned int d = 0; d < dim; ++d)
-              vector.local_element(dim * node.node + d) -= component * node.frame[dim * c + d];
-          }
-    return vector;
   }
 
 

@@ -3,7 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/matrix_block.h>
-#include <signorini/linear_algebra/unit_diagonal_matrix.h>
+#include <signorini/sweeps/unit_diagonal_matrix.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_linear_algebra_unit_diagonal_matrix_h
-#define signorini_linear_algebra_unit_diagonal_matrix_h
+#ifndef signorini_sweeps_unit_diagonal_matrix_h
+#define signorini_sweeps_unit_diagonal_matrix_h
 
 #include <signorini/linear_algebra/elastic_matrices.h>
-#include <signorini/linear_algebra/sweep_order.h>
+#include <signorini/sweeps/sweep_order.h>
 
 #include <deal.II/base/tensor.h>
 

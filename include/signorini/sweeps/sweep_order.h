@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_linear_algebra_sweep_order_h
-#define signorini_linear_algebra_sweep_order_h
+#ifndef signorini_sweeps_sweep_order_h
+#define signorini_sweeps_sweep_order_h
 
 #include <signorini/linear_algebra/node_pattern.h>
 

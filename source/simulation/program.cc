@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/base/build_information.h>
+#include <signorini/base/command_line.h>
+#include <signorini/base/start_of_mpi.h>
+#include <signorini/base/user_error.h>
+#include <signorini/prm/new_scene.h>
+#include <signorini/prm/plugins.h>
+#include <signorini/scene/explain_key.h>
+#include <signorini/scene/read_scene.h>
+#include <signorini/schemes/scheme_table.h>
+#include <signorini/simulation/program.h>
+#include <signorini/simulation/run_program.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <iostream>
+
+namespace signorini
+{
+  namespace
+  {
+    void print_information(const CommandLine &options)
+    {
+      load_plugins(options.scene_file.empty()
+                     ? plugins_without_a_scene(options.overrides)
+                     : read_scene_text(options.scene_file, options.overrides));
+      if (options.help)
+        std::cout << help();
+      else if (options.version)
+        std::cout << version_and_commit();
+      else if (options.new_scene)
+        std::cout << write_new_scene(*options.new_scene);
+      else if (!options.explain.empty())
+        explain_key(options.explain, std::cout);
+      else if (options.print_parameters)
+        print_parameters(std::cout);
+      else if (options.print_schemes)
+        (options.as_json ? print_schemes_as_json : print_schemes)(std::cout);
+      else
+        std::cout << short_help();
+    }
+
+
+    /** What needs no MPI, whose start takes longer, is printed without. @return whether it was */
+    bool print_without_mpi(const std::vector<std::string> &arguments)
+    {
+      try
+        {
+          const CommandLine options = parse_command_line(arguments);
+          if (!options.scene_file.empty() && !options.asks_for_information_only())
+            return false;
+          const std::string rank = launched_rank();
+          if (rank.empty() || rank == "0")
+            print_information(options);
+          return true;
+        }
+      catch (const UserError &)
+        {
+          return false; // to be reported by all processes together
+        }
+    }
+
+  } // namespace
+} // namespace signorini
+
+
+int signorini_program(int argc, char **argv)
+{
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  if (signorini::print_without_mpi(arguments))
+    return 0;
+  signorini::make_mpi_start_quickly();
+  // deal.II would hand the options on to other libraries, and PETSc comments on what it does not
+  // know.
+  int                                      only_the_name = 1;
+  dealii::Utilities::MPI::MPI_InitFinalize mpi(only_the_name, argv, 1);
+  return signorini::run_program(arguments, MPI_COMM_WORLD);
+}

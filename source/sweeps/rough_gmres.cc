@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/sweeps/rough_gmres.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    using SingleVector = RoughGmres::Vectors;
+
+    /** A direction of which so little is new is round-off. */
+    constexpr double exhausted = 1e-5;
+
+    double dot_in_single(const SingleVector &a, const SingleVector &b)
+    {
+      double sums[4] = {0., 0., 0., 0.};
+      for (std::size_t i = 0; i < a.size(); i += 4)
+        for (unsigned int c = 0; c < 4; ++c)
+          sums[c] += static_cast<double>(a[i + c]) * b[i + c];
+      return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    }
+
+
+    void add_in_single(const double factor, const SingleVector &from, SingleVector &to)
+    {
+      const float single = static_cast<float>(factor);
+      for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] += single * from[i];
+    }
+
+
+    void scale_in_single(const double factor, SingleVector &vector)
+    {
+      const float single = static_cast<float>(factor);
+      for (float &value : vector)
+        value *= single;
+    }
+
+
+    double norm_in_single(const SingleVector &vector, const MPI_Comm communicator)
+    {
+      return std::sqrt(dealii::Utilities::MPI::sum(dot_in_single(vector, vector), communicator));
+    }
+
+
+    /**
+     * Take out of the last vector of a basis what the others have of it, in two messages.
+     * @return the components, and behind them the norm of what is left
+     */
+    Eigen::VectorXd orthogonalise(std::vector<SingleVector> &basis,
+                                  const unsigned int         last,
+                                  const MPI_Comm             communicator)
+    {
+      std::vector<double> own, all(last);
+      for (unsigned int i = 0; i < last; ++i)
+        own.push_back(dot_in_single(basis[last], basis[i]));
+      dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(own.data(), last),
+                                  communicator,
+                                  dealii::ArrayView<double>(all.data(), last));
+      Eigen::VectorXd result(last + 1);
+      for (unsigned int i = 0; i < last; ++i)
+        {
+          add_in_single(-all[i], basis[i], basis[last]);
+          result[i] = all[i];
+        }
+      result[last] = norm_in_single(basis[last], communicator);
+      return result;
+    }
+  } // namespace
+
+
+  unsigned int RoughGmres::solve(const Operator    &matrix,
+                                 const Vectors     &right_hand_side,
+                                 Vectors           &solution,
+                                 const double       reduction,
+                                 const unsigned int maximum_iterations,
+                                 const MPI_Comm     communicator)
+  {
+    const unsigned int most = std::min(most_vectors, maximum_iterations);
+    basis.resize(std::max<std::size_t>(basis.size(), 1));
+    basis[0]           = right_hand_side;
+    const double start = norm_in_single(basis[0], communicator);
+    if (start > 0.)
+      scale_in_single(1. / start, basis[0]);
+
+    Eigen::MatrixXd                            triangle = Eigen::MatrixXd::Zero(most + 1, most);
+    Eigen::VectorXd                            left     = Eigen::VectorXd::Zero(most + 1);
+    std::vector<Eigen::JacobiRotation<double>> rotations;
+    left[0]        = start;
+    unsigned int j = 0;
+    while (j < most && std::abs(left[j]) > reduction * start)
+      {
+        if (basis.size() < j + 2)
+          basis.emplace_back(right_hand_side.size());
+        basis[j + 1].resize(right_hand_side.size());
+        matrix(basis[j], basis[j + 1]);
+        const Eigen::VectorXd column = orthogonalise(basis, j + 1, communicator);
+        triangle.col(j).head(j + 2)  = column;
+        for (unsigned int i = 0; i < j; ++i)
+          triangle.col(j).applyOnTheLeft(i, i + 1, rotations[i].adjoint());
+        rotations.emplace_back();
+        rotations.back().makeGivens(triangle(j, j), triangle(j + 1, j));
+        triangle.col(j).applyOnTheLeft(j, j + 1, rotations.back().adjoint());
+        left.applyOnTheLeft(j, j + 1, rotations.back().adjoint());
+        ++j;
+        if (!(column[j] > exhausted * column.norm()))
+          break; // the space is exhausted
+        scale_in_single(1. / column[j], basis[j]);
+      }
+    const Eigen::VectorXd factors =
+      triangle.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(left.head(j));
+    solution.assign(right_hand_side.size(), 0.f);
+    for (unsigned int i = 0; i < j; ++i)
+      add_in_single(factors[i], basis[i], solution);
+    return j;
+  }
+} // namespace signorini
