@@ -44,17 +44,14 @@ namespace signorini
 
 
     /**
-     * Append the connected part of `start` to `numbering`, level by level, nodes with few
-     * neighbours first.
+     * Append to `numbering` what is connected with its nodes from `head` on, level by level, nodes
+     * with few neighbours first.
      */
-    void traverse(const Graph               &graph,
-                  const unsigned int         start,
-                  std::vector<char>         &visited,
-                  std::vector<unsigned int> &numbering)
+    void extend(const Graph               &graph,
+                std::size_t                head,
+                std::vector<char>         &visited,
+                std::vector<unsigned int> &numbering)
     {
-      std::size_t head = numbering.size();
-      numbering.push_back(start);
-      visited[start] = 1;
       for (; head < numbering.size(); ++head)
         {
           const unsigned int node  = numbering[head];
@@ -74,15 +71,31 @@ namespace signorini
             std::rotate(std::upper_bound(begin, next, *next, fewer_neighbours), next, next + 1);
         }
     }
+
+
+    /** Append the connected part of `start` to `numbering`. */
+    void traverse(const Graph               &graph,
+                  const unsigned int         start,
+                  std::vector<char>         &visited,
+                  std::vector<unsigned int> &numbering)
+    {
+      numbering.push_back(start);
+      visited[start] = 1;
+      extend(graph, numbering.size() - 1, visited, numbering);
+    }
   } // namespace
 
 
-  std::vector<unsigned int> cuthill_mckee(const NodePattern &pattern)
+  std::vector<unsigned int> cuthill_mckee(const NodePattern               &pattern,
+                                          const std::vector<unsigned int> &first)
   {
     const Graph               graph(pattern);
-    std::vector<unsigned int> numbering, trial;
+    std::vector<unsigned int> numbering = first, trial;
     std::vector<char>         visited(pattern.n_local, 0), scratch(pattern.n_local);
     numbering.reserve(pattern.n_local);
+    for (const unsigned int node : first)
+      visited[node] = 1;
+    extend(graph, 0, visited, numbering);
     for (unsigned int node = 0; node < pattern.n_local; ++node)
       if (!visited[node])
         {

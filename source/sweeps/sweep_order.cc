@@ -111,8 +111,13 @@ namespace signorini
     const std::vector<char>   is_interface = coupled_with_ghosts(pattern);
     std::vector<unsigned int> interface;
     for (const unsigned int node : cuthill_mckee(pattern))
-      if (node < pattern.n_owned)
-        (is_interface[node] ? interface : result.nodes).push_back(node);
+      if (node < pattern.n_owned && is_interface[node])
+        interface.push_back(node);
+    for (const unsigned int node : cuthill_mckee(pattern, interface))
+      if (node < pattern.n_owned && !is_interface[node])
+        result.nodes.push_back(node);
+    if (place > 0.5)
+      std::reverse(result.nodes.begin(), result.nodes.end());
     result.interface_begin = static_cast<unsigned int>(place * result.nodes.size());
     result.interface_end   = result.interface_begin + interface.size();
     result.nodes.insert(

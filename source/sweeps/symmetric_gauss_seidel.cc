@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace signorini
 {
@@ -57,22 +58,25 @@ namespace signorini
     if (sweeps.any_slip())
       {
         report.iterations = gmres.solve(
-          [this](const std::vector<float> &p, std::vector<float> &q) {
-            sweeps.p = p;
+          [this](std::vector<float> &p, std::vector<float> &q) {
+            std::swap(sweeps.p, p);
             sweeps.sweep_back();
-            sweeps.sweep_forth(p);
+            sweeps.sweep_forth(sweeps.p);
+            std::swap(sweeps.p, p);
             for (std::size_t i = 0; i < q.size(); ++i)
-              q[i] = sweeps.t[i] + sweeps.y[i];
-            std::fill(sweeps.y.begin(), sweeps.y.end(), 0.f);
+              {
+                q[i]        = sweeps.t[i] + sweeps.y[i];
+                sweeps.y[i] = 0.f;
+              }
           },
           residual,
           solution,
           reduction,
           maximum_iterations,
           sweeps.communicator());
-        sweeps.p = solution;
+        std::swap(sweeps.p, solution);
         sweeps.sweep_back();
-        solution = sweeps.t;
+        std::swap(sweeps.t, solution);
       }
     else
       report = conjugate_gradients(reduction, maximum_iterations);

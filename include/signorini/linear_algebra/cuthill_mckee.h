@@ -9,10 +9,11 @@
 namespace signorini
 {
   /**
-   * The local nodes in the order of Cuthill and McKee (not reversed), every connected part from a
-   * peripheral node.
+   * The local nodes in the order of Cuthill and McKee (not reversed): given ones, what is connected
+   * with them level by level, and every other connected part from a peripheral node.
    */
-  std::vector<unsigned int> cuthill_mckee(const NodePattern &pattern);
+  std::vector<unsigned int> cuthill_mckee(const NodePattern               &pattern,
+                                          const std::vector<unsigned int> &first = {});
 } // namespace signorini
 
 #endif

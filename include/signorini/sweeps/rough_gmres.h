@@ -19,8 +19,8 @@ namespace signorini
   {
   public:
     using Vectors = std::vector<float>;
-    /** q = A p. */
-    using Operator = std::function<void(const Vectors &p, Vectors &q)>;
+    /** q = A p, and p as it was. */
+    using Operator = std::function<void(Vectors &p, Vectors &q)>;
 
     /**
      * @param right_hand_side of this process, as all vectors

@@ -14,7 +14,8 @@ namespace signorini
    * follow each other in the order of the colours where they are coupled. A process comes to its
    * coupled nodes (the interface) the later the higher its colour is: the one of two that is first
    * begins with its interface and sends it, while the other one is busy with the rest of its nodes.
-   * So nobody waits, and the sweep is the same method on any number of processes.
+   * So nobody waits, and the sweep is the same method on any number of processes. The rest follows
+   * the interface level by level, or comes up to it.
    *
    * The graph of all neighbours is known to each process: a few numbers per process of the run.
    */
