@@ -13,6 +13,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -33,10 +34,14 @@ def own_lines(text):
 class CommandLine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        version = subprocess.run(
-            [EXECUTABLE, "--version"], timeout=TIMEOUT, check=True, capture_output=True, text=True
+        loads_libraries = subprocess.run(
+            [EXECUTABLE, "--print-schemes"],
+            timeout=TIMEOUT,
+            check=True,
+            capture_output=True,
+            text=True,
         )
-        cls.libraries_are_silent = version.stderr == ""
+        cls.libraries_are_silent = loads_libraries.stderr == ""
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -89,6 +94,41 @@ class CommandLine(unittest.TestCase):
             self.assertEqual((result.returncode, own_lines(result.stderr)), (0, []), result.stderr)
             self.expect_nothing_else(result.stderr, [])
             self.assertIn(word, result.stdout)
+
+    def test_what_needs_no_library_loads_none(self):
+        """The linker needs a quarter of a second for all that deal.II brings."""
+        loading = {**os.environ, "LD_DEBUG": "files"}
+        for arguments, loads in (
+            (["--version"], False),
+            (["--help"], False),
+            ([], False),
+            (["--print-schemes"], True),
+        ):
+            result = subprocess.run(
+                [EXECUTABLE, *arguments],
+                env=loading,
+                timeout=TIMEOUT,
+                check=True,
+                capture_output=True,
+                text=True,
+            )
+            self.assertIn("libc.so", result.stderr)
+            self.assertEqual("libsignorini.so" in result.stderr, loads, arguments)
+
+    def test_without_its_library(self):
+        alone = self.folder / "signorini"
+        shutil.copy(EXECUTABLE, alone)
+        environment = {k: v for k, v in os.environ.items() if k != "LD_LIBRARY_PATH"}
+        result = subprocess.run(
+            [alone, QUICK_START],
+            env=environment,
+            timeout=TIMEOUT,
+            check=False,
+            capture_output=True,
+            text=True,
+        )
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, "^signorini: its library is missing.*Install or build it")
 
     def test_explanations_of_keys(self):
         """Of every key that --print-parameters prints, with its default, and of all sections."""
