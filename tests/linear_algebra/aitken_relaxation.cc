@@ -17,7 +17,7 @@ namespace
   double error_after(const unsigned int n_steps, const Eigen::Vector2d &rates)
   {
     AitkenRelaxation relaxation;
-    Eigen::VectorXd  x = Eigen::Vector2d(1., 1.);
+    Eigen::VectorXd  x = Eigen::VectorXd::Ones(2);
     for (unsigned int n = 0; n < n_steps; ++n)
       {
         const Eigen::VectorXd step = rates.asDiagonal() * x - x;
