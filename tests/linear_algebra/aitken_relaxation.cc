@@ -13,11 +13,18 @@ using namespace signorini;
 
 namespace
 {
+  Eigen::VectorXd vector(const double x, const double y)
+  {
+    Eigen::VectorXd result(2);
+    result << x, y;
+    return result;
+  }
+
   /** Errors of x <- diag(rates) x from (1, 1). @return |x| after some steps */
   double error_after(const unsigned int n_steps, const Eigen::Vector2d &rates)
   {
     AitkenRelaxation relaxation;
-    Eigen::VectorXd  x = Eigen::VectorXd::Ones(2);
+    Eigen::VectorXd  x = vector(1., 1.);
     for (unsigned int n = 0; n < n_steps; ++n)
       {
         const Eigen::VectorXd step = rates.asDiagonal() * x - x;
@@ -44,7 +51,7 @@ TEST(AitkenRelaxation, TwoRates)
 TEST(AitkenRelaxation, NoStepBackwards)
 {
   AitkenRelaxation      relaxation;
-  const Eigen::VectorXd step = Eigen::Vector2d(1., 0.);
+  const Eigen::VectorXd step = vector(1., 0.);
   EXPECT_EQ(relaxation.factor(step), 1.);
   EXPECT_EQ(relaxation.factor(1.5 * step), 1.);
   relaxation.forget();
