@@ -11,14 +11,16 @@ vibrate, no contact) in the same run, their ratio, iterations, and matrix-vector
 by matrix; then the part that the set-up of contact (search, segments, coupling) and of the
 preconditioner has in the run. Then what friction costs: the same bodies thrown obliquely, a step
 with contact with the coefficient 0.3 against one without friction. Then the first steps of Geometry
-A with each preconditioner, and with truncated Newton multigrid, in steps of five sizes.
-Last, the products of a step in undeformed flight. Times are those of this machine at this moment;
-ratios and counts travel.
+A with each preconditioner, and with truncated Newton multigrid, in steps of five sizes. Then what
+an iteration of the sweeps takes on a large mesh, against what it takes this machine to stream as
+many bytes (the triad of STREAM, compiled for it). Last, the products of a step in undeformed
+flight. Times are those of this machine at this moment; ratios and counts travel.
 """
 
 import pathlib
 import re
 import statistics
+import subprocess
 import sys
 import tempfile
 
@@ -49,6 +51,32 @@ SOLVERS = (
     ("multigrid", "truncated-newton-multigrid"),
 )
 STEP_SIZES, FIRST_STEPS = (5e-3, 1e-2, 4e-2, 0.32, 2.6), 8
+#: Of an iteration of the sweeps, per degree of freedom in 3d: half the matrix in single precision
+#: with its columns, back and forth (27/2 blocks per node), and five vectors of four numbers per
+#: node that are read or written 14 times.
+BYTES_OF_AN_ITERATION = (2 * 13 * (9 * 4 + 4) + 14 * 16) / 3
+#: a = b + s c on arrays of the given number of doubles: prints bytes per second, the best of ten.
+TRIAD = """
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+int main(int, char **argv)
+{
+  const long n = std::atol(argv[1]);
+  std::vector<double> a(n, 0.), b(n, 1.), c(n, 2.);
+  double best = 1e300;
+  for (int k = 0; k < 10; ++k)
+    {
+      const auto start = std::chrono::steady_clock::now();
+      for (long i = 0; i < n; ++i)
+        a[i] = b[i] + (k + 1) * c[i];
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+      best = taken.count() < best ? taken.count() : best;
+    }
+  std::printf("%g %g", 24. * n / best, a[n / 2]);
+}
+"""
 MATRICES = (("products_combined", "M + s A"), ("products_stiffness", "A"), ("products_mass", "M"))
 
 
@@ -157,6 +185,38 @@ def report_solvers(executable, refinement):
     print()
 
 
+def bytes_per_second():
+    """Of the triad, on arrays as large as the matrix of a large mesh."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, program = pathlib.Path(folder) / "triad.cc", pathlib.Path(folder) / "triad"
+        source.write_text(TRIAD, encoding="utf-8")
+        subprocess.run(["c++", "-O3", "-march=native", source, "-o", program], check=True)
+        result = subprocess.run([program, "20000000"], check=True, capture_output=True, text=True)
+        return float(result.stdout.split()[0])
+
+
+def report_iteration(executable):
+    """Of the sweeps, at refinement 5."""
+    history, seconds = run(
+        executable,
+        "geometry_a",
+        1,
+        "Bodies/ball/Refinements=5",
+        "Time/Step size=2.5e-3",
+        "Time/End time=0.0125",
+        "Solver/Preconditioner=symmetric-gauss-seidel",
+        sections=("step: inequality",),
+    )
+    iterations = sum(row["linear_iterations"] for row in history)
+    streamed = BYTES_OF_AN_ITERATION * history[0]["dofs"] / bytes_per_second()
+    print(
+        f"An iteration of the sweeps, {history[0]['dofs']:.0f} dofs, refinement in double precision"
+        f" and active sets included: {1e3 * seconds / iterations:.1f} ms;"
+        f" to stream its {BYTES_OF_AN_ITERATION:.0f} bytes per dof takes {1e3 * streamed:.1f} ms:"
+        f" {seconds / iterations / streamed:.2f} times\n"
+    )
+
+
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
@@ -191,6 +251,7 @@ def main():
         report_friction(executable, refinement)
     for refinement in [int(argument) for argument in sys.argv[2:]] or [3, 4]:
         report_solvers(executable, refinement)
+    report_iteration(executable)
     flight, _ = run(
         executable,
         "geometry_a",
