@@ -46,12 +46,12 @@ namespace signorini
       return message;
     }
 
-    void report(const Failure &failure)
-    {
-      std::cerr << "signorini: " + printable(failure.message) + '\n' << std::flush;
-    }
-
   } // namespace
+
+  void report(const Failure &failure)
+  {
+    std::cerr << "signorini: " + printable(failure.message) + '\n' << std::flush;
+  }
 
   Failure attempt(const std::function<void()> &action)
   {

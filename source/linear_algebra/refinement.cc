@@ -16,6 +16,9 @@ namespace signorini
     constexpr double most_digits = 1e-5;
     /** Sought beyond the goal, so that rounding does not miss it. */
     constexpr double surplus = 0.8;
+    /** Less progress than this is round-off; or no progress, where there was no end of iterations.
+     */
+    constexpr double rounding_begins = 0.5, stands_still = 0.99;
     /**
      * P of symmetric sweeps is larger than K, by L D^-1 L', so that the norm with P^-1 is smaller
      * than the error: by less than this where eigenvalues of P^-1 K are above 1/4, as nearly all
@@ -51,14 +54,14 @@ namespace signorini
         solution += correction;
         matrix.vmult(product, correction);
         residual -= product;
-        if (limits.reduction > 0. && cycles == 1.)
+        if (limits.reduction > 0. && cycles == 1. && cycle.reached)
           {
             report.converged = true;
             return report;
           }
         const double before = std::exchange(norm, underestimate * rough_solver.start(residual));
-        if (!(norm < 0.5 * before))
-          break; // round-off: the caller judges the result
+        if (!(norm < (cycle.reached ? rounding_begins : stands_still) * before))
+          break; // the caller judges the result
         if (norm <= sought)
           sought = goal.sought * goal.trust(lambda);
       }

@@ -3,6 +3,7 @@
 
 #include <signorini/base/build_information.h>
 #include <signorini/base/command_line.h>
+#include <signorini/base/failure.h>
 #include <signorini/base/start_of_mpi.h>
 #include <signorini/base/user_error.h>
 #include <signorini/prm/new_scene.h>
@@ -16,6 +17,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <iostream>
+#include <optional>
 
 namespace signorini
 {
@@ -43,25 +45,31 @@ namespace signorini
     }
 
 
-    /** What needs no MPI, whose start takes longer, is printed without. @return whether it was */
-    bool print_without_mpi(const std::vector<std::string> &arguments)
+    /**
+     * What needs no MPI, whose start takes longer, is printed without, by the first process.
+     * @return the exit status; none: that is for all processes together
+     */
+    std::optional<int> print_without_mpi(const std::vector<std::string> &arguments)
     {
+      CommandLine options;
       try
         {
-          const CommandLine options = parse_command_line(arguments);
-          if (!options.scene_file.empty() && !options.asks_for_information_only())
-            return false;
-          const std::string rank = launched_rank();
-          if (rank.empty() || rank == "0")
-            print_information(options);
-          return true;
+          options = parse_command_line(arguments);
         }
       catch (const UserError &)
         {
-          return false; // to be reported by all processes together
+          return {};
         }
+      if (!options.scene_file.empty() && !options.asks_for_information_only())
+        return {};
+      const std::string rank = launched_rank();
+      if (!rank.empty() && rank != "0")
+        return 0;
+      const Failure failure = attempt([&] { print_information(options); });
+      if (failure.status != 0)
+        report(failure);
+      return failure.status;
     }
-
   } // namespace
 } // namespace signorini
 
@@ -69,8 +77,8 @@ namespace signorini
 int signorini_program(int argc, char **argv)
 {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
-  if (signorini::print_without_mpi(arguments))
-    return 0;
+  if (const std::optional<int> status = signorini::print_without_mpi(arguments))
+    return *status;
   signorini::make_mpi_start_quickly();
   // deal.II would hand the options on to other libraries, and PETSc comments on what it does not
   // know.

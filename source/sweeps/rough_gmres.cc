@@ -77,12 +77,12 @@ namespace signorini
   } // namespace
 
 
-  unsigned int RoughGmres::solve(const Operator    &matrix,
-                                 const Vectors     &right_hand_side,
-                                 Vectors           &solution,
-                                 const double       reduction,
-                                 const unsigned int maximum_iterations,
-                                 const MPI_Comm     communicator)
+  RoughSolver::Report RoughGmres::solve(const Operator    &matrix,
+                                        const Vectors     &right_hand_side,
+                                        Vectors           &solution,
+                                        const double       reduction,
+                                        const unsigned int maximum_iterations,
+                                        const MPI_Comm     communicator)
   {
     const unsigned int most = std::min(most_vectors, maximum_iterations);
     basis.resize(std::max<std::size_t>(basis.size(), 1));
@@ -120,6 +120,9 @@ namespace signorini
     solution.assign(right_hand_side.size(), 0.f);
     for (unsigned int i = 0; i < j; ++i)
       add_in_single(factors[i], basis[i], solution);
-    return j;
+    RoughSolver::Report report;
+    report.iterations = j;
+    report.reached    = std::abs(left[j]) <= reduction * start;
+    return report;
   }
 } // namespace signorini

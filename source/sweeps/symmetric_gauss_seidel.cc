@@ -57,7 +57,7 @@ namespace signorini
     Report               report;
     if (sweeps.any_slip())
       {
-        report.iterations = gmres.solve(
+        report = gmres.solve(
           [this](std::vector<float> &p, std::vector<float> &q) {
             std::swap(sweeps.p, p);
             sweeps.sweep_back();
@@ -112,7 +112,8 @@ namespace signorini
         const double kept       = new_square / rr;
         advance(static_cast<float>(step), static_cast<float>(kept));
         lanczos.add(step, kept);
-        if (new_square <= goal)
+        report.reached = new_square <= goal;
+        if (report.reached)
           break;
       }
     report.smallest_eigenvalue = lanczos.smallest_eigenvalue();

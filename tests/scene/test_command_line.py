@@ -115,6 +115,14 @@ class CommandLine(unittest.TestCase):
             self.assertIn("libc.so", result.stderr)
             self.assertEqual("libsignorini.so" in result.stderr, loads, arguments)
 
+    def test_mistakes_in_questions_do_not_hang(self):
+        """The first process answers alone, and ends the others, which have nothing to do."""
+        for arguments in (["--explain", "Time/No such key"], ["--new", "nothing"]):
+            for processes in (1, 2):
+                result = self.call(*arguments, processes=processes)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertEqual(len(own_lines(result.stderr)), 1, result.stderr)
+
     def test_without_its_library(self):
         alone = self.folder / "signorini"
         shutil.copy(EXECUTABLE, alone)

@@ -24,6 +24,9 @@ namespace signorini
   /** Call a function and turn whatever it throws into a status and a message of one line. */
   Failure attempt(const std::function<void()> &action);
 
+  /** Write the message to the standard error, in one line that is kind to terminals. */
+  void report(const Failure &failure);
+
   /** Ends a parallel program with one message and without a process that waits for the others. */
   class FailureReporter
   {

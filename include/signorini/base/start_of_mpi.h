@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 namespace signorini
 {
@@ -28,7 +29,8 @@ namespace signorini
   inline void make_mpi_start_quickly()
   {
     // The driver of Omni-Path waits for its device.
-    if (!std::filesystem::exists("/dev/hfi1_0"))
+    std::error_code unknown;
+    if (!std::filesystem::exists("/dev/hfi1_0", unknown))
       setenv("OMPI_MCA_mtl", "^psm2", 0);
     if (!launched_rank().empty())
       return;

@@ -4,6 +4,8 @@
 #ifndef signorini_sweeps_rough_gmres_h
 #define signorini_sweeps_rough_gmres_h
 
+#include <signorini/linear_algebra/rough_solver.h>
+
 #include <mpi.h>
 
 #include <functional>
@@ -25,18 +27,17 @@ namespace signorini
     /**
      * @param right_hand_side of this process, as all vectors
      * @param solution        on exit, from zero
-     * @param reduction       of the residual, at which to stop
-     * @return iterations. Collective
+     * @param reduction       of the residual, at which to stop. Collective
      */
-    unsigned int solve(const Operator &matrix,
-                       const Vectors  &right_hand_side,
-                       Vectors        &solution,
-                       double          reduction,
-                       unsigned int    maximum_iterations,
-                       MPI_Comm        communicator);
+    RoughSolver::Report solve(const Operator &matrix,
+                              const Vectors  &right_hand_side,
+                              Vectors        &solution,
+                              double          reduction,
+                              unsigned int    maximum_iterations,
+                              MPI_Comm        communicator);
 
   private:
-    static constexpr unsigned int most_vectors = 30;
+    static constexpr unsigned int most_vectors = 50;
 
     std::vector<Vectors> basis; ///< kept for the next solve
   };
