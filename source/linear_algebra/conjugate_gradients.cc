@@ -11,14 +11,14 @@
 
 namespace signorini
 {
-  ConjugateGradients::Report ConjugateGradients::solve(const LinearOperator       &matrix,
-                                                       const MaskedPreconditioner &preconditioner,
-                                                       Vector                     &solution,
-                                                       Vector                     &residual,
-                                                       const double                tolerance,
-                                                       const double                reduction,
-                                                       const unsigned int maximum_iterations,
-                                                       const bool         is_guess)
+  LinearReport ConjugateGradients::solve(const LinearOperator       &matrix,
+                                         const MaskedPreconditioner &preconditioner,
+                                         Vector                     &solution,
+                                         Vector                     &residual,
+                                         const double                tolerance,
+                                         const double                reduction,
+                                         const unsigned int          maximum_iterations,
+                                         const bool                  is_guess)
   {
     AssertDimension(solution.locally_owned_size(), residual.locally_owned_size());
     Assert(tolerance >= 0. && reduction >= 0. && reduction < 1.,
@@ -32,11 +32,11 @@ namespace signorini
   }
 
 
-  ConjugateGradients::Report ConjugateGradients::iterate(const LinearOperator       &matrix,
-                                                         const MaskedPreconditioner &preconditioner,
-                                                         Vector                     &solution,
-                                                         Vector                     &residual,
-                                                         const SolverLimits         &limits)
+  LinearReport ConjugateGradients::iterate(const LinearOperator       &matrix,
+                                           const MaskedPreconditioner &preconditioner,
+                                           Vector                     &solution,
+                                           Vector                     &residual,
+                                           const SolverLimits         &limits)
   {
     if (preconditioned.get_partitioner() != solution.get_partitioner()
         || preconditioned.size() == 0)
@@ -50,7 +50,7 @@ namespace signorini
     double           norm_square = dot(residual, preconditioned);
     const SolverGoal goal(std::sqrt(std::max(norm_square, 0.)), limits);
 
-    Report        report;
+    LinearReport  report;
     LanczosMatrix lanczos;
     const auto    iterate_to = [&](const double smaller_norm) {
       while (norm_square > smaller_norm * smaller_norm

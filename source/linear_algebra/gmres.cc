@@ -2,9 +2,8 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/gmres.h>
+#include <signorini/linear_algebra/hessenberg.h>
 #include <signorini/linear_algebra/vector_kernels.h>
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -35,26 +34,26 @@ namespace signorini
   } // namespace
 
 
-  ConjugateGradients::Report Gmres::solve(const Operator    &matrix,
-                                          const Operator    &inverse_of_preconditioner,
-                                          Vector            &correction,
-                                          Vector            &residual,
-                                          const Goal        &goal_of,
-                                          const unsigned int maximum_iterations)
+  LinearReport Gmres::solve(const Operator  &matrix,
+                            const Operator  &inverse_of_preconditioner,
+                            Vector          &correction,
+                            Vector          &residual,
+                            const LimitsFor &limits_for)
   {
-    ConjugateGradients::Report report;
+    LinearReport report;
     correction.reinit(residual);
     Vector &first = place(preconditioned, 0, residual);
     inverse_of_preconditioner(first, residual);
-    const double square = dot(residual, first);
-    double       norm   = std::sqrt(std::max(0., square));
-    norm_at_start       = norm;
-    lost                = 0.;
-    const double goal   = goal_of(norm);
+    const double square       = dot(residual, first);
+    double       norm         = std::sqrt(std::max(0., square));
+    norm_at_start             = norm;
+    lost                      = 0.;
+    const SolverLimits limits = limits_for(norm);
+    const double       goal   = SolverGoal(norm, limits).accepted;
     Assert(!(goal < 0.), dealii::ExcMessage("The accepted norm of a residual is not negative."));
     if (square < -goal * goal) // the preconditioner is not positive definite, and this is no norm
       return report;
-    while (!(report.converged = norm <= goal) && report.iterations < maximum_iterations)
+    while (!(report.converged = norm <= goal) && report.iterations < limits.maximum_iterations)
       {
         const double       before = norm;
         const unsigned int done   = cycle(matrix,
@@ -62,7 +61,7 @@ namespace signorini
                                         correction,
                                         residual,
                                         goal,
-                                        maximum_iterations - report.iterations,
+                                        limits.maximum_iterations - report.iterations,
                                         norm);
         report.iterations += done;
         // The recurrence knows the norm as far as the preconditioner is linear and symmetric.
@@ -87,16 +86,12 @@ namespace signorini
                             const unsigned int maximum_iterations,
                             double            &norm)
   {
-    const unsigned int m = std::min(n_basis, maximum_iterations);
-    Eigen::MatrixXd    H =
-      Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg matrix, then triangular by rotations
-    Eigen::MatrixXd                            original = H;
-    Eigen::VectorXd                            g        = Eigen::VectorXd::Zero(m + 1);
-    std::vector<Eigen::JacobiRotation<double>> rotations;
+    const unsigned int m        = std::min(n_basis, maximum_iterations);
+    Eigen::MatrixXd    original = Eigen::MatrixXd::Zero(m + 1, m); // Hessenberg
+    Hessenberg         hessenberg(norm, m);
 
     place(basis, 0, residual).equ(1. / norm, residual);
     preconditioned[0] /= norm;
-    g[0]           = norm;
     unsigned int j = 0;
     for (; j < m && norm > goal; ++j)
       {
@@ -110,14 +105,8 @@ namespace signorini
         Vector &z = place(preconditioned, j + 1, residual);
         inverse_of_preconditioner(z, next);
         original(j + 1, j) = std::sqrt(std::max(0., dot(next, z)));
-        H.col(j)           = original.col(j);
-        for (unsigned int i = 0; i < j; ++i)
-          H.col(j).applyOnTheLeft(i, i + 1, rotations[i].adjoint());
-        rotations.emplace_back();
-        rotations.back().makeGivens(H(j, j), H(j + 1, j));
-        H.col(j).applyOnTheLeft(j, j + 1, rotations.back().adjoint());
-        g.applyOnTheLeft(j, j + 1, rotations.back().adjoint());
-        norm = std::abs(g[j + 1]);
+        hessenberg.add(original.col(j).head(j + 2));
+        norm = hessenberg.norm();
         if (original(j + 1, j) <= nothing_new * original.col(j).norm()) // the space is exhausted
           {
             original(j + 1, j) =
@@ -131,11 +120,7 @@ namespace signorini
     if (j == 0)
       return 0;
 
-    take(j,
-         original.topLeftCorner(j + 1, j),
-         H.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(g.head(j)),
-         correction,
-         residual);
+    take(j, original.topLeftCorner(j + 1, j), hessenberg.solution(), correction, residual);
     return j;
   }
 

@@ -33,9 +33,9 @@ namespace signorini
                                  const LinearOperator &matrix,
                                  Vector               &solution,
                                  Vector               &residual,
-                                 const Limits         &limits_for)
+                                 const LimitsFor      &limits_for)
   {
-    correction.reinit(solution);
+    correction.reinit(solution, true);
     product.reinit(solution, true);
     LinearReport report;
     double       norm = underestimate * rough_solver.start(residual), lambda = 1.;

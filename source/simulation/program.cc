@@ -1,50 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/build_information.h>
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
 #include <signorini/base/start_of_mpi.h>
 #include <signorini/base/user_error.h>
-#include <signorini/prm/new_scene.h>
-#include <signorini/prm/plugins.h>
-#include <signorini/scene/explain_key.h>
-#include <signorini/scene/read_scene.h>
-#include <signorini/schemes/scheme_table.h>
+#include <signorini/simulation/print_information.h>
 #include <signorini/simulation/program.h>
 #include <signorini/simulation/run_program.h>
 
 #include <deal.II/base/mpi.h>
 
-#include <iostream>
 #include <optional>
 
 namespace signorini
 {
   namespace
   {
-    void print_information(const CommandLine &options)
-    {
-      load_plugins(options.scene_file.empty()
-                     ? plugins_without_a_scene(options.overrides)
-                     : read_scene_text(options.scene_file, options.overrides));
-      if (options.help)
-        std::cout << help();
-      else if (options.version)
-        std::cout << version_and_commit();
-      else if (options.new_scene)
-        std::cout << write_new_scene(*options.new_scene);
-      else if (!options.explain.empty())
-        explain_key(options.explain, std::cout);
-      else if (options.print_parameters)
-        print_parameters(std::cout);
-      else if (options.print_schemes)
-        (options.as_json ? print_schemes_as_json : print_schemes)(std::cout);
-      else
-        std::cout << short_help();
-    }
-
-
     /**
      * What needs no MPI, whose start takes longer, is printed without, by the first process.
      * @return the exit status; none: that is for all processes together
@@ -60,7 +32,7 @@ namespace signorini
         {
           return {};
         }
-      if (!options.scene_file.empty() && !options.asks_for_information_only())
+      if (options.runs_a_scene())
         return {};
       const std::string rank = launched_rank();
       if (!rank.empty() && rank != "0")

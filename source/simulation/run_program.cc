@@ -3,16 +3,12 @@
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
-#include <signorini/prm/new_scene.h>
-#include <signorini/prm/plugins.h>
-#include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
+#include <signorini/simulation/print_information.h>
 #include <signorini/simulation/run_program.h>
 #include <signorini/simulation/run_scene.h>
 
 #include <deal.II/base/exceptions.h>
-
-#include <iostream>
 
 namespace signorini
 {
@@ -26,15 +22,12 @@ namespace signorini
     unsigned int dimension = 0;
     const int    status    = reporter.separately([&] {
       options = parse_command_line(arguments);
-      if (options.scene_file.empty())
-        load_plugins(plugins_without_a_scene(options.overrides));
-      if (options.new_scene) // written without MPI, unless that is not possible
-        write_new_scene(*options.new_scene);
-      if (!options.explain.empty()) // it is printed without MPI, unless there is no such key
-        explain_key(options.explain, std::cout);
-      dimension = read_dimension(options.scene_file, options.overrides);
+      if (options.runs_a_scene())
+        dimension = read_dimension(options.scene_file, options.overrides);
+      else if (dealii::Utilities::MPI::this_mpi_process(comm) == 0)
+        print_information(options);
     });
-    if (status != 0)
+    if (status != 0 || !options.runs_a_scene())
       return status;
     return dimension == 2 ? run_scene<2>(options, comm, reporter)
                           : run_scene<3>(options, comm, reporter);

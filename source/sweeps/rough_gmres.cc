@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/linear_algebra/hessenberg.h>
 #include <signorini/sweeps/rough_gmres.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -91,38 +90,27 @@ namespace signorini
     if (start > 0.)
       scale_in_single(1. / start, basis[0]);
 
-    Eigen::MatrixXd                            triangle = Eigen::MatrixXd::Zero(most + 1, most);
-    Eigen::VectorXd                            left     = Eigen::VectorXd::Zero(most + 1);
-    std::vector<Eigen::JacobiRotation<double>> rotations;
-    left[0]        = start;
-    unsigned int j = 0;
-    while (j < most && std::abs(left[j]) > reduction * start)
+    Hessenberg hessenberg(start, most);
+    while (hessenberg.n_columns() < most && hessenberg.norm() > reduction * start)
       {
-        if (basis.size() < j + 2)
-          basis.emplace_back(right_hand_side.size());
-        basis[j + 1].resize(right_hand_side.size());
-        matrix(basis[j], basis[j + 1]);
-        const Eigen::VectorXd column = orthogonalise(basis, j + 1, communicator);
-        triangle.col(j).head(j + 2)  = column;
-        for (unsigned int i = 0; i < j; ++i)
-          triangle.col(j).applyOnTheLeft(i, i + 1, rotations[i].adjoint());
-        rotations.emplace_back();
-        rotations.back().makeGivens(triangle(j, j), triangle(j + 1, j));
-        triangle.col(j).applyOnTheLeft(j, j + 1, rotations.back().adjoint());
-        left.applyOnTheLeft(j, j + 1, rotations.back().adjoint());
-        ++j;
+        const unsigned int j = hessenberg.n_columns() + 1;
+        if (basis.size() <= j)
+          basis.emplace_back();
+        basis[j].resize(right_hand_side.size());
+        matrix(basis[j - 1], basis[j]);
+        const Eigen::VectorXd column = orthogonalise(basis, j, communicator);
+        hessenberg.add(column);
         if (!(column[j] > exhausted * column.norm()))
-          break; // the space is exhausted
+          break;
         scale_in_single(1. / column[j], basis[j]);
       }
-    const Eigen::VectorXd factors =
-      triangle.topLeftCorner(j, j).triangularView<Eigen::Upper>().solve(left.head(j));
+    const Eigen::VectorXd factors = hessenberg.solution();
     solution.assign(right_hand_side.size(), 0.f);
-    for (unsigned int i = 0; i < j; ++i)
+    for (unsigned int i = 0; i < factors.size(); ++i)
       add_in_single(factors[i], basis[i], solution);
     RoughSolver::Report report;
-    report.iterations = j;
-    report.reached    = std::abs(left[j]) <= reduction * start;
+    report.iterations = hessenberg.n_columns();
+    report.reached    = hessenberg.norm() <= reduction * start;
     return report;
   }
 } // namespace signorini

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/linear_algebra/slip_scaling.h>
 #include <signorini/linear_algebra/small_blocks.h>
 #include <signorini/sweeps/special_positions.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
@@ -34,22 +33,19 @@ namespace signorini
       return result;
     }
 
-    /** (I + sym Q)^(-1/2), where negative curvature is left out. */
+    /** S */
     template <int dim>
     Tensor<2, dim> scaling_of(const Tensor<2, dim> &stiffness)
     {
-      Eigen::Matrix<double, dim, dim> symmetric;
+      Eigen::Matrix<double, dim, dim> Q;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
-          symmetric(i, j) = 0.5 * (stiffness[i][j] + stiffness[j][i]);
-      const Eigen::SelfAdjointEigenSolver<decltype(symmetric)> eigen(symmetric);
-      const Eigen::Matrix<double, dim, 1>                      scales =
-        (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
-      symmetric = eigen.eigenvectors() * scales.asDiagonal() * eigen.eigenvectors().transpose();
+          Q(i, j) = stiffness[i][j];
+      const auto     S = slip_scaling<dim>(Q);
       Tensor<2, dim> result;
       for (unsigned int i = 0; i < dim; ++i)
         for (unsigned int j = 0; j < dim; ++j)
-          result[i][j] = symmetric(i, j);
+          result[i][j] = S(i, j);
       return result;
     }
   } // namespace
@@ -149,8 +145,10 @@ namespace signorini
         slip.position = position;
         slip.scaling  = to_float(scaling);
         slip.turning  = to_float(scaling * turning);
-        slip.coupling = to_lanes<dim>(scaling * free * root * node.coupling);
-        slip.normal   = to_lanes<dim>(transpose(invert(root)) * node.normal);
+        // Only their product counts; without the common scale each is within single precision.
+        const Tensor<2, dim> scaled_root = root / matrix.root_scale;
+        slip.coupling = to_lanes<dim>(scaling * free * scaled_root * node.coupling);
+        slip.normal   = to_lanes<dim>(transpose(invert(scaled_root)) * node.normal);
         slipping.push_back(slip);
       }
     slips =
@@ -175,16 +173,12 @@ namespace signorini
                                                        const Lanes<float> of_p,
                                                        const Lanes<float> sum)
   {
-    const Special &node    = special(position);
-    const auto     project = [&](const Lanes<float> lanes) {
-      return without_spare_lanes<dim, float>(
-        block_product<dim, float>(node.projector.data(), lanes));
-    };
+    const Special &node = special(position);
     if (node.slip < 0)
-      return project(of_p - sum);
+      return node.free_part(of_p - sum);
     Slip &slip = slipping[node.slip];
     slip.upper = sum;
-    slip.t     = project(of_p - block_product<dim, float>(slip.scaling.data(), sum));
+    slip.t     = node.free_part(of_p - block_product<dim, float>(slip.scaling.data(), sum));
     return without_spare_lanes<dim, float>(block_product<dim, float>(slip.scaling.data(), slip.t));
   }
 
@@ -197,13 +191,9 @@ namespace signorini
                                                         Lanes<float>             &of_t,
                                                         Lanes<float>             &of_y)
   {
-    const Special &node    = special(position);
-    const auto     project = [&](const Lanes<float> lanes) {
-      return without_spare_lanes<dim, float>(
-        block_product<dim, float>(node.projector.data(), lanes));
-    };
+    const Special &node = special(position);
     if (node.slip < 0)
-      return of_y = project(of_p - of_t + sum);
+      return of_y = node.free_part(of_p - of_t + sum);
     Slip        &slip = slipping[node.slip];
     Lanes<float> row  = of_t + slip.upper + slip.lower_ghosts; // of K t
     for (unsigned int a = matrix.row_start[position]; a < matrix.row_start[position + 1]; ++a)
@@ -212,7 +202,7 @@ namespace signorini
                                  - slip.coupling * product_of<dim>(slip.normal, row);
     of_t = slip.t;
     of_y = slip.y =
-      project(of_p - of_t + of_slip + block_product<dim, float>(slip.scaling.data(), sum));
+      node.free_part(of_p - of_t + of_slip + block_product<dim, float>(slip.scaling.data(), sum));
     return without_spare_lanes<dim, float>(block_product<dim, float>(slip.scaling.data(), of_y));
   }
 

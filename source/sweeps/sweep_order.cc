@@ -110,8 +110,8 @@ namespace signorini
 
     const std::vector<char>   is_interface = coupled_with_ghosts(pattern);
     std::vector<unsigned int> interface;
-    for (const unsigned int node : cuthill_mckee(pattern))
-      if (node < pattern.n_owned && is_interface[node])
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      if (is_interface[node])
         interface.push_back(node);
     for (const unsigned int node : cuthill_mckee(pattern, interface))
       if (node < pattern.n_owned && !is_interface[node])

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/linear_algebra/slip_scaling.h>
 #include <signorini/variational_inequality/slip_system.h>
 
 #include <deal.II/base/mpi.h>
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 
 namespace signorini
 {
-  namespace
-  {
-    /** (I + sym(Q)/c)^(-1/2), where negative curvature is left out. */
-    TangentMatrix scaling_of(const TangentMatrix &slip_stiffness, const double stiffness)
-    {
-      const Eigen::SelfAdjointEigenSolver<TangentMatrix> eigen(
-        (slip_stiffness + slip_stiffness.transpose()) / (2. * stiffness));
-      const TangentVector scales = (eigen.eigenvalues().array().max(0.) + 1.).rsqrt();
-      return eigen.eigenvectors() * scales.asDiagonal() * eigen.eigenvectors().transpose();
-    }
-  } // namespace
-
-
   TangentVector tangential_entries(const FrictionNode &node, const Vector &vector)
   {
     TangentVector values = TangentVector::Zero();
@@ -49,7 +35,8 @@ namespace signorini
     Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
     Assert(node.entries.size() == 1 || node.entries.size() == 2,
            dealii::ExcMessage("A node that slips has one tangential entry or two."));
-    slipping.push_back({normal, &node, condition, scaling_of(condition.stiffness, stiffness)});
+    slipping.push_back(
+      {normal, &node, condition, slip_scaling<2>(condition.stiffness / stiffness)});
   }
 
 
@@ -147,7 +134,7 @@ namespace signorini
   LinearReport SlipSystem::solve(const ConstrainedProblem &problem,
                                  Vector                   &residual,
                                  Vector                   &correction,
-                                 const Refinement::Limits &limits)
+                                 const LimitsFor          &limits_for)
   {
     const Jacobian jacobian(problem.matrix, slipping);
     unbalance(residual);
@@ -157,21 +144,19 @@ namespace signorini
     if (is_refined)
       {
         correction.reinit(residual);
-        report = refinement.solve(*rough_solver, jacobian, correction, unbalanced, limits);
+        report = refinement.solve(*rough_solver, jacobian, correction, unbalanced, limits_for);
       }
     else
       {
         const Preconditioner preconditioner(problem.preconditioner, slipping);
-        unsigned int         maximum_iterations = limits(0.).maximum_iterations;
-        report                                  = gmres.solve(
+        report = gmres.solve(
           [&](Vector &destination, const Vector &source) { jacobian.vmult(destination, source); },
           [&](Vector &destination, const Vector &source) {
             preconditioner.vmult(destination, source);
           },
           correction,
           unbalanced,
-          [&](const double norm) { return SolverGoal(norm, limits(norm)).accepted; },
-          maximum_iterations);
+          limits_for);
       }
     balance(correction, residual);
     return report;

@@ -82,9 +82,9 @@ namespace
       return result;
     }
 
-    ConjugateGradients::Report solve(const double       tolerance,
-                                     const double       reduction          = 0.,
-                                     const unsigned int maximum_iterations = 200)
+    LinearReport solve(const double       tolerance,
+                       const double       reduction          = 0.,
+                       const unsigned int maximum_iterations = 200)
     {
       return ConjugateGradients().solve(
         matrix, preconditioner, solution, residual, tolerance, reduction, maximum_iterations);

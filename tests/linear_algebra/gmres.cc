@@ -54,8 +54,9 @@ namespace
 
     Gmres      gmres;
     Vector     x(n), residual = to_vector(b);
-    const auto report = gmres.solve(
-      apply, precondition, x, residual, [&](double) { return 1e-13 * scale; }, 1000);
+    const auto report = gmres.solve(apply, precondition, x, residual, [&](double) {
+      return SolverLimits{1e-13 * scale, 0., 1000, false};
+    });
     EXPECT_TRUE(report.converged);
     EXPECT_LT((eigen_of(x) - expected).lpNorm<Eigen::Infinity>(), 1e-11 * scale);
     EXPECT_LT((eigen_of(residual) - (b - J * eigen_of(x))).lpNorm<Eigen::Infinity>(),
@@ -109,16 +110,10 @@ TEST(Gmres, StopsAtItsGoal)
   Gmres                 gmres;
   Vector                x(40), residual = to_vector(Eigen::VectorXd::Ones(40));
   double                initial = 0.;
-  const auto            report  = gmres.solve(
-    apply,
-    precondition,
-    x,
-    residual,
-    [&](const double norm) {
-      initial = norm;
-      return 0.1 * norm;
-    },
-    100);
+  const auto report = gmres.solve(apply, precondition, x, residual, [&](const double norm) {
+    initial = norm;
+    return SolverLimits{0., 0.1, 100, false};
+  });
   EXPECT_TRUE(report.converged);
   EXPECT_DOUBLE_EQ(initial, std::sqrt(40.));
   EXPECT_LE(residual.l2_norm(), 0.1 * initial);
@@ -153,8 +148,9 @@ TEST(Gmres, RoundOffOfTheResidualIsKnown)
     {
       Gmres      gmres;
       Vector     x(n), residual = to_vector(b);
-      const auto report = gmres.solve(
-        apply, precondition, x, residual, [&](const double start) { return goal * start; }, 200);
+      const auto report = gmres.solve(apply, precondition, x, residual, [&](double) {
+        return SolverLimits{0., goal, 200, false};
+      });
       EXPECT_TRUE(report.converged) << goal;
       EXPECT_LT(report.iterations, 60u) << goal;
       const double lost = norm(eigen_of(residual) - (b - J * eigen_of(x)));
@@ -173,8 +169,9 @@ TEST(Gmres, ANegativePreconditionerIsNoConvergence)
       y *= factor;
     };
     Vector     x(12), residual = to_vector(size * Eigen::VectorXd::Ones(12));
-    const auto report = Gmres().solve(
-      apply, precondition, x, residual, [](double) { return 1e-12; }, 100);
+    const auto report = Gmres().solve(apply, precondition, x, residual, [](double) {
+      return SolverLimits{1e-12, 0., 100, false};
+    });
     EXPECT_EQ(x.linfty_norm() > 0., report.iterations > 0);
     return report.converged;
   };

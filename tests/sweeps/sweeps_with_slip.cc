@@ -132,9 +132,12 @@ namespace
 
   /** Refined to ten digits. @return iterations */
   template <int dim>
-  unsigned int expect_solution(const double turning, const double coupling)
+  unsigned int expect_solution(const double turning, const double coupling, const double unit = 1.)
   {
-    const SmallBody<dim>           body(make_boxes<dim>(1, 3), MPI_COMM_WORLD);
+    Scene<dim> scene                        = make_boxes<dim>(1, 3);
+    scene.bodies[0].material.youngs_modulus = 3. * unit;
+    scene.bodies[0].material.density        = 2. * unit;
+    const SmallBody<dim>           body(scene, MPI_COMM_WORLD);
     const MatrixSum                sum{1., 0.01};
     const SlippingFace<dim>        face(body, sum, turning, coupling);
     const SlipMatrix<dim>          matrix(body, sum, face.slipping);
@@ -182,6 +185,14 @@ TYPED_TEST(SweepsWithSlip, SolveTheSystemOfTheLinearisedLaw)
   for (const unsigned int n : {with_friction, about_to_turn, negative_parts})
     EXPECT_LT(n, 2 * without) << "with friction an iteration is worth as much";
   expect_solution<dim>(0., 2.);
+}
+
+TYPED_TEST(SweepsWithSlip, UnitsDoNotMatter)
+{
+  constexpr int      dim    = TypeParam::value;
+  const unsigned int before = expect_solution<dim>(10., 0.3);
+  for (const double unit : {1e-140, 1e140})
+    EXPECT_NEAR((expect_solution<dim>(10., 0.3, unit)), before, 1.);
 }
 
 TYPED_TEST(SweepsWithSlip, NothingSlipsAnyMoreOnceOthersAreHeld)

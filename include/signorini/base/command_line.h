@@ -32,6 +32,8 @@ namespace signorini
     {
       return help || version || print_parameters || print_schemes || !explain.empty() || new_scene;
     }
+    /** Or checks it. */
+    bool runs_a_scene() const { return !scene_file.empty() && !asks_for_information_only(); }
   };
 
   /**

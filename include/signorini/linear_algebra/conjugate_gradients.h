@@ -23,8 +23,6 @@ namespace signorini
   class ConjugateGradients
   {
   public:
-    using Report = LinearReport;
-
     /**
      * @param solution  on entry a guess, on exit the solution; held entries are not changed
      * @param residual  b - K x of all entries, on entry and on exit
@@ -40,23 +38,23 @@ namespace signorini
      *                  hundredth of the tolerance, whatever `reduction` says. One that is not is
      *                  solved like any other
      */
-    Report solve(const LinearOperator       &matrix,
-                 const MaskedPreconditioner &preconditioner,
-                 Vector                     &solution,
-                 Vector                     &residual,
-                 double                      tolerance,
-                 double                      reduction,
-                 unsigned int                maximum_iterations,
-                 bool                        is_guess = false);
-
-  private:
-    Report     iterate(const LinearOperator       &matrix,
+    LinearReport solve(const LinearOperator       &matrix,
                        const MaskedPreconditioner &preconditioner,
                        Vector                     &solution,
                        Vector                     &residual,
-                       const SolverLimits         &limits);
-    Refinement refinement;
-    Vector     preconditioned, direction, product;
+                       double                      tolerance,
+                       double                      reduction,
+                       unsigned int                maximum_iterations,
+                       bool                        is_guess = false);
+
+  private:
+    LinearReport iterate(const LinearOperator       &matrix,
+                         const MaskedPreconditioner &preconditioner,
+                         Vector                     &solution,
+                         Vector                     &residual,
+                         const SolverLimits         &limits);
+    Refinement   refinement;
+    Vector       preconditioned, direction, product;
   };
 } // namespace signorini
 

@@ -27,19 +27,17 @@ namespace signorini
   {
   public:
     using Operator = std::function<void(Vector &destination, const Vector &source)>;
-    using Goal     = std::function<double(double initial_norm)>;
 
     /**
      * @param correction     on exit the solution of J x = residual, started from zero
      * @param residual       on entry the right-hand side, on exit the residual in all entries
-     * @param goal           the accepted norm of the residual, given the norm at the start
+     * @param limits_for     what is accepted, given the norm of the residual at the start
      */
-    ConjugateGradients::Report solve(const Operator &matrix,
-                                     const Operator &inverse_of_preconditioner,
-                                     Vector         &correction,
-                                     Vector         &residual,
-                                     const Goal     &goal,
-                                     unsigned int    maximum_iterations);
+    LinearReport solve(const Operator  &matrix,
+                       const Operator  &inverse_of_preconditioner,
+                       Vector          &correction,
+                       Vector          &residual,
+                       const LimitsFor &limits_for);
 
     /** The norm of the residual at the start of the last solve. */
     double initial_norm() const { return norm_at_start; }

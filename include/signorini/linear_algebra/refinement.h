@@ -5,20 +5,12 @@
 #define signorini_linear_algebra_refinement_h
 
 #include <signorini/linear_algebra/linear_operator.h>
+#include <signorini/linear_algebra/linear_report.h>
 #include <signorini/linear_algebra/solver_goal.h>
-
-#include <functional>
 
 namespace signorini
 {
   class RoughSolver;
-
-  /** Of a linear solver. */
-  struct LinearReport
-  {
-    unsigned int iterations = 0;
-    bool         converged  = false;
-  };
 
   /**
    * Iterative refinement: a RoughSolver finds corrections in single precision, and residuals in
@@ -27,9 +19,6 @@ namespace signorini
   class Refinement
   {
   public:
-    /** What is asked for, given the norm of the residual at the start. */
-    using Limits = std::function<SolverLimits(double norm)>;
-
     /**
      * @param matrix   what the rough solver solves with
      * @param solution on entry a guess, on exit the solution
@@ -40,7 +29,7 @@ namespace signorini
                        const LinearOperator &matrix,
                        Vector               &solution,
                        Vector               &residual,
-                       const Limits         &limits_for);
+                       const LimitsFor      &limits_for);
 
     /** The norm of the residual at the start of the last solve. */
     double initial_norm() const { return norm_at_start; }

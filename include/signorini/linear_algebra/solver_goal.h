@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace signorini
 {
@@ -19,6 +20,9 @@ namespace signorini
     unsigned int maximum_iterations;
     bool         is_guess;
   };
+
+  /** What is asked for, given the norm of the residual at the start. */
+  using LimitsFor = std::function<SolverLimits(double norm)>;
 
   /** The norms of the residual that follow, once that at the start is known. */
   struct SolverGoal

@@ -65,13 +65,18 @@ namespace signorini
       int                                         slip;      ///< its place below; negative: none
       Numbers                                     projector; ///< onto its free directions
       [[maybe_unused]] std::array<float, 4 - dim> spare;     ///< see Lanes
+
+      Lanes<float> free_part(const Lanes<float> lanes) const
+      {
+        return without_spare_lanes<dim, float>(block_product<dim, float>(projector.data(), lanes));
+      }
     };
     struct Slip
     {
       unsigned int position;
       Numbers      scaling;          ///< S
       Numbers      turning;          ///< S (Q + I - S^-2)
-      Lanes<float> coupling, normal; ///< S C^-1 q and C'n
+      Lanes<float> coupling, normal; ///< S C^-1 q and C'n, but for a common scale
       Lanes<float> t, y;             ///< in the scaled coordinates
       Lanes<float> upper;            ///< (L't) of the row
       Lanes<float> lower_ghosts;     ///< the part of (L t) from other processes

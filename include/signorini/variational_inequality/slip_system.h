@@ -48,12 +48,12 @@ namespace signorini
     /**
      * Solve for the correction dx, in the free entries of the problem's preconditioner.
      * @param residual   b - K x on entry, b - K (x + dx) on exit
-     * @param limits     given the norm of what is unbalanced at the start
+     * @param limits_for given the norm of what is unbalanced at the start
      */
     LinearReport solve(const ConstrainedProblem &problem,
                        Vector                   &residual,
                        Vector                   &correction,
-                       const Refinement::Limits &limits);
+                       const LimitsFor          &limits_for);
 
     /**
      * The same where no law depends on the normal force (q = 0) and Q is symmetric and has no
