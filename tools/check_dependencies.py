@@ -54,6 +54,7 @@ MAY_USE["setup"] = MAY_USE["output"] | {"output"}
 MAY_USE["fclib"] = MAY_USE["system"] | MAY_USE["output"] | {"system", "output"}
 MAY_USE["checkpoint"] = MAY_USE["adaptivity"] | MAY_USE["output"] | {"adaptivity", "output", "prm"}
 MAY_USE["simulation"] = set(MAY_USE)
+MAY_USE["program"] = MAY_USE["simulation"] | {"simulation"}
 
 HOLDS = {
     "base": "types, errors, spelling, expressions, the command line",
@@ -90,6 +91,7 @@ HOLDS = {
     "fclib": "problems of steps in the format of the Frictional Contact Library",
     "checkpoint": "mesh and state on the disk, and which checkpoint is whole",
     "simulation": "the order of verbs, nothing else",
+    "program": "what the command line asks for: a scene, a question; the status at the end",
 }
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]signorini/(\w+)/', re.MULTILINE)

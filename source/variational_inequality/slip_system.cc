@@ -138,13 +138,13 @@ namespace signorini
   {
     const Jacobian jacobian(problem.matrix, slipping);
     unbalance(residual);
-    LinearReport       report;
-    const RoughSolver *rough_solver = problem.preconditioner.rough_solver_with(rows());
-    is_refined                      = rough_solver != nullptr;
-    if (is_refined)
+    LinearReport report;
+    if (const RoughSolver *rough_solver = problem.preconditioner.rough_solver_with(rows()))
       {
         correction.reinit(residual);
         report = refinement.solve(*rough_solver, jacobian, correction, unbalanced, limits_for);
+        norm_at_start = refinement.initial_norm();
+        lost          = 0.; // residuals are computed anew
       }
     else
       {
@@ -157,6 +157,8 @@ namespace signorini
           correction,
           unbalanced,
           limits_for);
+        norm_at_start = gmres.initial_norm();
+        lost          = gmres.round_off();
       }
     balance(correction, residual);
     return report;

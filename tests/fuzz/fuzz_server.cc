@@ -10,7 +10,7 @@
 // after each). The output of the run goes to the files `out` and `err` there, and the answer is a
 // line with the status as the shell would give it: 128 and more after a signal.
 
-#include <signorini/simulation/run_program.h>
+#include <signorini/program/run_program.h>
 
 #include <fcntl.h>
 #include <sys/resource.h>

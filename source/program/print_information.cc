@@ -7,7 +7,7 @@
 #include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
-#include <signorini/simulation/print_information.h>
+#include <signorini/program/print_information.h>
 
 #include <iostream>
 

@@ -4,9 +4,9 @@
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
 #include <signorini/scene/read_scene.h>
-#include <signorini/simulation/print_information.h>
-#include <signorini/simulation/run_program.h>
-#include <signorini/simulation/run_scene.h>
+#include <signorini/program/print_information.h>
+#include <signorini/program/run_program.h>
+#include <signorini/program/run_scene.h>
 
 #include <deal.II/base/exceptions.h>
 

@@ -5,9 +5,9 @@
 #include <signorini/base/failure.h>
 #include <signorini/base/start_of_mpi.h>
 #include <signorini/base/user_error.h>
-#include <signorini/simulation/print_information.h>
-#include <signorini/simulation/program.h>
-#include <signorini/simulation/run_program.h>
+#include <signorini/program/print_information.h>
+#include <signorini/program/program.h>
+#include <signorini/program/run_program.h>
 
 #include <deal.II/base/mpi.h>
 

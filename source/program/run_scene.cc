@@ -4,7 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/scene/output_directory.h>
 #include <signorini/scene/read_scene.h>
-#include <signorini/simulation/run_scene.h>
+#include <signorini/program/run_scene.h>
 #include <signorini/simulation/simulation.h>
 
 #include <iostream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_simulation_run_scene_h
-#define signorini_simulation_run_scene_h
+#ifndef signorini_program_run_scene_h
+#define signorini_program_run_scene_h
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
