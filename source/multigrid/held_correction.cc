@@ -31,6 +31,7 @@ namespace signorini
                                               const double                   scale)
     : hierarchy(hierarchy)
     , scale(scale)
+    , any_partners(coordinates.coupling().any())
     , rows(hierarchy.matrices(hierarchy.n_levels() - 1), coordinates, sum)
     , levels(hierarchy.n_levels() - 1)
   {

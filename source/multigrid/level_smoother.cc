@@ -15,10 +15,11 @@ namespace signorini
 {
   namespace
   {
-    constexpr unsigned int degree          = 2;
-    constexpr double       smoothing_range = 10.; ///< of the eigenvalues that are smoothed
-    constexpr unsigned int n_lanczos_steps = 8;   ///< for the largest one
-    constexpr double       safety          = 1.1; ///< of the estimate of the largest one
+    constexpr unsigned int degree             = 2;
+    constexpr double       smoothing_range    = 10.; ///< of the eigenvalues that are smoothed
+    constexpr unsigned int n_lanczos_steps    = 8;   ///< for the largest one
+    constexpr unsigned int n_steps_at_changed = 4;   ///< for the largest one at a few nodes
+    constexpr double       safety             = 1.1; ///< of the estimate of the largest one
 
     /** Directions of a node in which less than this of its stiffness is left count as held. */
     constexpr double least_stiffness = 1e-2;
@@ -50,7 +51,7 @@ namespace signorini
   {
     for (const unsigned int node : matrix.smoothed_nodes())
       set_inverse(node, matrix.diagonal(node).inverse());
-    estimate_largest_eigenvalue();
+    largest = safety * largest_eigenvalue(matrix.smoothed_nodes(), n_lanczos_steps);
   }
 
 
@@ -97,6 +98,21 @@ namespace signorini
         set_inverse(node, inverse_of_change(matrix.diagonal(node), change));
         changed.push_back(node);
       }
+    if (correction->has_partners())
+      weaken_changed();
+  }
+
+
+  template <int dim, typename Number>
+  void LevelSmoother<dim, Number>::weaken_changed()
+  {
+    // Nodes that carry a much stiffer body are coupled to each other by it. Their blocks do not
+    // show that, and where the smoother amplifies, the preconditioner is indefinite.
+    const double here = safety * largest_eigenvalue(changed, n_steps_at_changed);
+    if (here > largest)
+      for (const unsigned int node : changed)
+        for (Number &value : inverse[node])
+          value *= largest / here;
   }
 
 
@@ -168,7 +184,8 @@ namespace signorini
 
 
   template <int dim, typename Number>
-  void LevelSmoother<dim, Number>::estimate_largest_eigenvalue()
+  double LevelSmoother<dim, Number>::largest_eigenvalue(const std::vector<unsigned int> &start,
+                                                        const unsigned int n_steps) const
   {
     const auto &nodes = matrix.smoothed_nodes();
     const auto  dot   = [&](const LevelVector<Number> &a, const LevelVector<Number> &b) {
@@ -186,14 +203,14 @@ namespace signorini
     // Conjugate gradients from a force of all frequencies.
     LevelVector<Number> residual(direction.size()), product(direction.size()),
       next(direction.size());
-    for (const unsigned int node : nodes)
+    for (const unsigned int node : start)
       for (unsigned int c = 0; c < dim; ++c)
         residual[4 * node + c] =
           std::cos(1. + 37. * ((dim * (matrix.first_owned() + node) + c) % 1009));
     LanczosMatrix lanczos;
     direction.fill(Number(0));
     double last = 0., alpha = 0.;
-    for (unsigned int n = 0; n <= n_lanczos_steps; ++n)
+    for (unsigned int n = 0; n <= n_steps; ++n)
       {
         for (const unsigned int node : nodes)
           set_value(next,
@@ -207,15 +224,15 @@ namespace signorini
         add(beta, direction, next);
         std::swap(direction, next);
         product.fill(Number(0));
-        matrix.subtract_product(direction, product);
+        subtract_product(direction, product);
         const double curvature = -dot(direction, product);
         if (!(curvature > 0.))
           break; // converged: there are few nodes
         alpha = square / curvature;
         add(alpha, product, residual);
       }
-    largest = safety * lanczos.largest_eigenvalue();
     direction.fill(Number(0));
+    return lanczos.largest_eigenvalue();
   }
 
 

@@ -47,6 +47,9 @@ namespace signorini
 
     double matrix_scale() const { return scale; }
 
+    /** Whether nodes of one body carry those of another along, on any process. */
+    bool has_partners() const { return any_partners; }
+
     /** Call action(r_e, s_e), without that scale, rows of such parts, for the held entries of this
      * process. */
     template <typename Action>
@@ -77,6 +80,7 @@ namespace signorini
     };
     const LevelHierarchy<dim> &hierarchy;
     const double               scale;
+    const bool                 any_partners;
     HeldRows<dim>              rows;   ///< of the finest level
     std::vector<Level>         levels; ///< all but the finest
     std::vector<unsigned int>  held;   ///< owned entries, by number in the rows

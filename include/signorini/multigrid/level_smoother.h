@@ -53,7 +53,9 @@ namespace signorini
 
     void set_inverse(unsigned int node, const Block &block);
     void reset_changed();
-    void estimate_largest_eigenvalue();
+    /** Of D^-1 K, as Lanczos' method finds it from a force on some nodes. Collective. */
+    double largest_eigenvalue(const std::vector<unsigned int> &start, unsigned int n_steps) const;
+    void   weaken_changed();
     /** direction = factor D^-1 r + kept direction, in the free space. */
     void step(double factor, double kept, LevelVector<Number> &residual) const;
     void iterate(LevelVector<Number> &residual,
