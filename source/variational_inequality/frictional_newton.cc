@@ -28,11 +28,12 @@ namespace signorini
       }
 
       /** @param lost of the residual, on the way there */
-      void add(const Vector &iterate, const double lost, const bool is_first)
+      void add(const Vector &iterate, const double lost)
       {
         now      = iterate.l2_norm();
         largest  = std::max(largest, now);
         at_start = is_first ? largest : at_start;
+        is_first = false;
         all_lost += lost;
       }
 
@@ -47,8 +48,9 @@ namespace signorini
       }
 
     private:
-      const double tolerance;
-      double       at_start, now, largest, all_lost = 0.;
+      double tolerance;
+      double at_start, now, largest, all_lost = 0.;
+      bool   is_first = true;
     };
 
 
@@ -110,12 +112,19 @@ namespace signorini
         report.linear_iterations += linear.iterations;
         if (!linear.converged)
           break;
-        sizes.add(solution, slip.round_off(), report.active_set_iterations == 1);
+        sizes.add(solution, slip.round_off());
         if (sizes.went_astray())
           {
             solution = 0.;
+            residual = problem.right_hand_side;
             status   = at_start;
-            break;
+            if (precision == Precision::full)
+              break;
+            precision = Precision::full;
+            record.forget();
+            start(problem, status, solution, residual);
+            sizes = IterateSizes(solution, tolerance);
+            continue;
           }
         if (update(problem, status, solution, residual) == 0)
           {
