@@ -148,25 +148,38 @@ namespace signorini
 
     /** Beyond it the coarse levels keep more of what is held than a soft body has. */
     constexpr double most_for_multigrid = 1e6;
-
-    /** Of the stiffest node and the softest. Collective. */
-    template <int dim>
-    double ratio_of_stiffness(const ElasticMatrices<dim> &matrices)
-    {
-      const NodePattern &pattern = matrices.pattern;
-      double             largest = 0., smallest = std::numeric_limits<double>::max();
-      for (unsigned int node = 0; node < pattern.n_owned; ++node)
-        if (!pattern.is_empty(node))
-          {
-            const double stiffness = matrices.stiffness[pattern.row_start[node]][0];
-            largest                = std::max(largest, stiffness);
-            smallest               = std::min(smallest, stiffness);
-          }
-      const MPI_Comm communicator = pattern.partitioner->get_mpi_communicator();
-      return dealii::Utilities::MPI::max(largest, communicator)
-             / dealii::Utilities::MPI::min(smallest, communicator);
-    }
   } // namespace
+
+
+  template <int dim>
+  double ratio_of_stiffness(const ElasticMatrices<dim> &matrices)
+  {
+    const NodePattern &pattern = matrices.pattern;
+    double             largest = 0., smallest = std::numeric_limits<double>::max();
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      if (!pattern.is_empty(node))
+        {
+          const double stiffness = matrices.stiffness[pattern.row_start[node]][0];
+          largest                = std::max(largest, stiffness);
+          smallest               = std::min(smallest, stiffness);
+        }
+    const MPI_Comm communicator = pattern.partitioner->get_mpi_communicator();
+    return dealii::Utilities::MPI::max(largest, communicator)
+           / dealii::Utilities::MPI::min(smallest, communicator);
+  }
+
+
+  template <int dim>
+  bool needs_double_precision(const Discretization<dim> &discretization, const double step_size)
+  {
+    constexpr double longest_step = 3000., most_of_stiffness = 3e4;
+    const double     courant_number = discretization.mesh().courant_number(step_size);
+    if (courant_number > longest_step)
+      return true;
+    // Mass makes stiff bodies and soft ones alike in short steps.
+    return courant_number * courant_number > most_of_stiffness
+           && ratio_of_stiffness(discretization.matrices()) > most_of_stiffness;
+  }
 
 
   PreconditionerKind choose_preconditioner(const StepCost &cost)
@@ -180,8 +193,10 @@ namespace signorini
         const double too_large       = std::min(100., 50. * (1. + 5000. / cost.n_dofs));
         const bool   too_many =
           cost.iterations > 0. ? cost.iterations > most_iterations : courant_number > too_large;
-        return too_many ? PreconditionerKind::multigrid
-                        : PreconditionerKind::symmetric_gauss_seidel;
+        if (!too_many)
+          return PreconditionerKind::symmetric_gauss_seidel;
+        return cost.stiffness_ratio > most_for_multigrid ? PreconditionerKind::incomplete_cholesky
+                                                         : PreconditionerKind::multigrid;
       }
     // A factor costs about as much as it saves in 40 steps at Courant number 1, in 8 at 5. Where
     // the stiffness rules the diagonal is too poor in any case: the accuracy of a solution is
@@ -192,8 +207,9 @@ namespace signorini
     // With the incomplete factor iterations grow with the Courant number, with multigrid they do
     // not, but each is dearer, and most on small meshes.
     const double multigrid_pays = std::min(100., 12. * (1. + 30000. / cost.n_dofs));
-    return courant_number > multigrid_pays ? PreconditionerKind::multigrid
-                                           : PreconditionerKind::incomplete_cholesky;
+    return courant_number > multigrid_pays && cost.stiffness_ratio <= most_for_multigrid
+             ? PreconditionerKind::multigrid
+             : PreconditionerKind::incomplete_cholesky;
   }
 
 
@@ -253,6 +269,8 @@ namespace signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
+  template double ratio_of_stiffness(const ElasticMatrices<dim> &);                                \
+  template bool   needs_double_precision(const Discretization<dim> &, double);                     \
   template std::unique_ptr<MaskedPreconditioner> make_preconditioner(                              \
     PreconditionerKind,                                                                            \
     const ElasticMatrices<dim> &,                                                                  \

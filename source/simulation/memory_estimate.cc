@@ -48,6 +48,7 @@ namespace signorini
       cost.courant_number   = meshed.discretization.mesh().courant_number(scene.time.step_size);
       cost.n_dofs           = meshed.discretization.dof_handler().n_dofs();
       cost.matrix_life_time = scene.time.n_steps();
+      cost.stiffness_ratio  = ratio_of_stiffness(meshed.discretization.matrices());
       cost.solves_roughly   = true;
       return choose_preconditioner(cost) == PreconditionerKind::multigrid;
     }

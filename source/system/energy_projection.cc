@@ -66,7 +66,7 @@ namespace signorini
         discretization,
         coordinates,
         std::vector<double>(discretization.mesh().bodies().size(), frequency * frequency),
-        needs_double_precision(discretization.mesh(), 2. / frequency));
+        needs_double_precision(discretization, 2. / frequency));
       PrimalDualActiveSet solver(limits);
       Vector              correction = discretization.make_vector(), residual = correction;
       // Of a body without deformation both sizes are round-off; then the larger one is the measure.

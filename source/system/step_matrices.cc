@@ -83,6 +83,7 @@ namespace signorini
         // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
         // again.
         cost.matrix_life_time = std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses);
+        cost.stiffness_ratio  = ratio_of_stiffness(discretization.matrices());
         cost.solves_roughly   = preconditioner.solves_roughly;
         cost.with_friction    = preconditioner.with_friction;
         if (matrix.kind == PreconditionerKind::multigrid)
@@ -103,7 +104,7 @@ namespace signorini
           make_geometric_multigrid(hierarchy,
                                    coordinates,
                                    matrix.sum,
-                                   needs_double_precision(discretization.mesh(), step_size));
+                                   needs_double_precision(discretization, step_size));
       }
     else
       matrix.preconditioner =

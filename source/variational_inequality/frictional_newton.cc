@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace signorini
 {
@@ -93,19 +94,17 @@ namespace signorini
   {
     check_sizes(problem, status, solution, residual);
     AssertDimension(problem.friction.size(), status.size());
-    SolveReport  report;
-    StatusRecord record(solution);
-    Precision    precision = Precision::rough;
-    double       last_norm = 0.;
-
-    const ActiveSet at_start = status;
-    stiffness                = node_stiffness(problem);
+    SolveReport     report;
+    StatusRecord    record(solution);
+    Precision       precision = Precision::rough;
+    double          last_norm = 0.;
+    const ActiveSet at_start  = status;
+    stiffness                 = node_stiffness(problem);
     start(problem, status, solution, residual);
     IterateSizes sizes(solution, tolerance);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
-        set_mask(problem, status);
         linearise(problem, status, solution, residual);
         const bool is_guess = report.linear_iterations == 0 && !problem.continues;
         const auto linear   = step(problem, solution, residual, precision, last_norm, is_guess);
@@ -117,13 +116,10 @@ namespace signorini
           {
             solution = 0.;
             residual = problem.right_hand_side;
-            status   = at_start;
-            if (precision == Precision::full)
-              break;
-            precision = Precision::full;
-            record.forget();
-            start(problem, status, solution, residual);
+            start(problem, status = at_start, solution, residual);
             sizes = IterateSizes(solution, tolerance);
+            if (!may_be_for_want_of_accuracy(record, precision))
+              break;
             continue;
           }
         if (update(problem, status, solution, residual) == 0)
@@ -139,8 +135,7 @@ namespace signorini
                 compute_residual(problem, solution, residual);
                 sizes.forget();
               }
-            if (precision == Precision::rough)
-              precision = Precision::settled;
+            precision = std::max(precision, Precision::settled);
           }
         else if (is_cycle(record, status, precision))
           break;
@@ -154,16 +149,18 @@ namespace signorini
   }
 
 
+  bool FrictionalNewton::may_be_for_want_of_accuracy(StatusRecord &record, Precision &precision)
+  {
+    record.forget();
+    return std::exchange(precision, Precision::full) != Precision::full;
+  }
+
+
   bool
   FrictionalNewton::is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision)
   {
     if (!record.is_new(status))
-      {
-        if (precision == Precision::full)
-          return true; // not for want of accuracy
-        precision = Precision::full;
-        record.forget();
-      }
+      return !may_be_for_want_of_accuracy(record, precision);
     if (precision == Precision::settled)
       precision = Precision::rough;
     return false;
@@ -273,6 +270,7 @@ namespace signorini
                                    const Vector             &solution,
                                    const Vector             &residual)
   {
+    set_mask(problem, status);
     slip.clear();
     slipping.clear();
     for (std::size_t k = 0; k < status.size(); ++k)

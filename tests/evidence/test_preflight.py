@@ -196,6 +196,14 @@ class Preflight(check_history.SceneTest):
             self.assertNotIn("no pair meets", warning)
             self.assertNotIn("Step size", warning)
 
+    def test_stiff_body_first(self):
+        """Long steps with the stiffer body first are noted, and only they."""
+        scene = check_history.scene_file("two_bars")
+        stiff, long = "Bodies/left/Young's modulus=1e5", "Time/Step size=0.5"
+        for overrides, expected in (([stiff, long], True), ([stiff], False), ([long], False)):
+            notes = self.forecast(scene, *overrides)["notes"]
+            self.assertEqual(any("the other way round" in note for note in notes), expected)
+
     def test_unknown_form(self):
         done = validate(check_history.scene_file("bar_2d"), form="--validate=xml")
         self.assertEqual(done.returncode, 2)

@@ -93,6 +93,27 @@ namespace signorini::tests
     return scene;
   }
 
+  /** A stiff ball on a soft block: what carries it are few nodes of the block. */
+  template <int dim>
+  Scene<dim> ball_on_soft_block(const double stiffness_ratio)
+  {
+    dealii::Point<dim>            low, high;
+    std::array<unsigned int, dim> cells;
+    cells.fill(8);
+    for (unsigned int d = 0; d < dim; ++d)
+      {
+        low[d]  = -2.;
+        high[d] = d == dim - 1 ? 0. : 2.;
+      }
+    BodyDescription<dim> upper = ball<dim>(3), lower = block<dim>("lower", low, high, cells);
+    upper.name        = "upper";
+    lower.refinements = 2;
+    lower.material.youngs_modulus /= stiffness_ratio;
+    Scene<dim> scene                  = stacked<dim>(upper, lower);
+    scene.pairs[0].slave_boundary_ids = {};
+    return scene;
+  }
+
   /** A cantilever of one mesh without coarser cells. */
   template <int dim>
   Scene<dim> unrefined_cantilever(const unsigned int length)

@@ -25,7 +25,8 @@ namespace
   PreconditionerKind
   of_sweeps(const double courant_number, const double iterations, const bool with_friction = false)
   {
-    return choose_preconditioner({courant_number, 100000, 100, true, iterations, with_friction});
+    return choose_preconditioner(
+      {courant_number, 100000, 100, 1., true, iterations, with_friction});
   }
 } // namespace
 
@@ -65,4 +66,13 @@ TEST(PreconditionerChoice, SweepsUntilTheyTakeTooManyIterations)
   EXPECT_EQ(of_sweeps(10., 25.), PreconditionerKind::symmetric_gauss_seidel);
   EXPECT_EQ(of_sweeps(10., 25., true), PreconditionerKind::multigrid)
     << "with friction there are more linear systems, and each asks for less";
+}
+
+TEST(PreconditionerChoice, KeepsMultigridFromBodiesThatDifferTooMuch)
+{
+  StepCost cost{1000., 100000, 10000, 1e7};
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::incomplete_cholesky);
+  cost.solves_roughly = true;
+  cost.iterations     = 80.;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::incomplete_cholesky);
 }

@@ -75,6 +75,8 @@ namespace signorini
       settled,
       full
     };
+    /** @return whether rough solutions may be the cause of what went wrong; from now on none are */
+    static bool may_be_for_want_of_accuracy(StatusRecord &record, Precision &precision);
     /** Statuses have changed: how accurate to be from now on. @return whether they go in a circle
      */
     static bool is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision);
