@@ -36,16 +36,6 @@ namespace signorini
       return Utilities::MPI::sum(part, triangulation.get_communicator());
     }
 
-    template <int dim>
-    void clear_flags(parallel::distributed::Triangulation<dim> &triangulation)
-    {
-      for (const auto &cell : triangulation.active_cell_iterators())
-        {
-          cell->clear_refine_flag();
-          cell->clear_coarsen_flag();
-        }
-    }
-
     /**
      * Let all processes know which of their ghost cells are going to be refined: by
      * active_cell_index.
@@ -148,7 +138,8 @@ namespace signorini
     MarkingThresholds choose_thresholds(const Mesh<dim>             &mesh,
                                         const AdaptivityParameters  &parameters,
                                         const IndicatorDistribution &distribution,
-                                        CellWishes                  &wishes)
+                                        CellWishes                  &wishes,
+                                        MeshChange                  &change)
     {
       const auto         marking   = make_marking<dim>(parameters);
       MarkingThresholds  threshold = marking->thresholds(distribution);
@@ -165,11 +156,15 @@ namespace signorini
           threshold.refine =
             std::max(threshold.refine, distribution.threshold_of_number(room / more));
         }
-      if (marking->weighs_parts()
-          && refinable_part(
-               mesh.triangulation(), wishes.squares, wishes.refinable, threshold.refine)
-               < parameters.hysteresis * distribution.total())
-        threshold.refine = std::numeric_limits<double>::infinity();
+      change.is_urgent = !marking->weighs_parts();
+      if (marking->weighs_parts() && distribution.total() > 0.)
+        {
+          change.error_part =
+            refinable_part(mesh.triangulation(), wishes.squares, wishes.refinable, threshold.refine)
+            / distribution.total();
+          if (change.error_part < parameters.hysteresis)
+            threshold.refine = std::numeric_limits<double>::infinity();
+        }
       return threshold;
     }
 
@@ -179,7 +174,6 @@ namespace signorini
                    const CellWishes                          &wishes,
                    const MarkingThresholds                   &threshold)
     {
-      clear_flags(triangulation);
       for (const auto &cell : triangulation.active_cell_iterators())
         if (cell->is_locally_owned())
           {
@@ -195,18 +189,31 @@ namespace signorini
 
 
   template <int dim>
+  void clear_flags(Mesh<dim> &mesh)
+  {
+    for (const auto &cell : mesh.triangulation().active_cell_iterators())
+      {
+        cell->clear_refine_flag();
+        cell->clear_coarsen_flag();
+      }
+  }
+
+
+  template <int dim>
   MeshChange mark_cells(Mesh<dim>                    &mesh,
                         const AdaptivityParameters   &parameters,
                         const dealii::Vector<double> &indicator,
                         const std::vector<bool>      &not_to_coarsen,
                         const std::vector<bool>      &to_refine)
   {
-    auto      &triangulation = mesh.triangulation();
+    auto &triangulation = mesh.triangulation();
+    clear_flags(mesh);
+    MeshChange change;
     CellWishes wishes = collect_wishes(mesh, parameters, indicator, not_to_coarsen, to_refine);
     const IndicatorDistribution distribution(triangulation, wishes.squares, wishes.refinable);
-    const MarkingThresholds threshold = choose_thresholds(mesh, parameters, distribution, wishes);
+    const MarkingThresholds     threshold =
+      choose_thresholds(mesh, parameters, distribution, wishes, change);
     set_flags(triangulation, wishes, threshold);
-    MeshChange change;
     change.estimate = std::sqrt(distribution.total());
     count_flags(triangulation, change);
     if (!change.any())
@@ -216,9 +223,17 @@ namespace signorini
     count_flags(triangulation, change);
     if (!change.refines() && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
       {
-        clear_flags(triangulation);
+        clear_flags(mesh);
         change.n_to_coarsen = 0;
       }
+    constexpr double of_a_family = 1. - 1. / (1 << dim);
+    change.spared_part           = of_a_family * change.n_to_coarsen / distribution.n_cells();
+    change.is_urgent =
+      change.refines()
+      && (change.is_urgent
+          || Utilities::MPI::sum(std::count(wishes.wanted.begin(), wishes.wanted.end(), true),
+                                 mesh.communicator())
+               > 0);
     return change;
   }
 
@@ -262,6 +277,7 @@ namespace signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
+  template void              clear_flags(Mesh<dim> &);                                             \
   template MeshChange        mark_cells(Mesh<dim> &,                                               \
                                         const AdaptivityParameters &,                              \
                                         const dealii::Vector<double> &,                            \

@@ -30,7 +30,7 @@ namespace signorini
       {"Maximum level", "0"},
       {"Minimum level", "0"},
       {"Maximum cells", "0"},
-      {"Steps between remeshings", "1"},
+      {"Steps between remeshings", "0"},
       {"Repetitions", "0"},
       {"Distance", "0"}};
 
@@ -217,7 +217,8 @@ namespace signorini
       declare(prm,
               "Steps between remeshings",
               Integer(),
-              "The mesh may change after every so many steps.");
+              "The mesh is judged, and may change, after every so many steps. 0: it changes when "
+              "what steps have lost on it amounts to the cost of a change.");
       declare(prm,
               "Repetitions",
               Integer(),
@@ -270,7 +271,7 @@ namespace signorini
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
     adaptivity.minimum_level = in.integer("Minimum level", 0, highest_level);
     adaptivity.maximum_cells = in.integer("Maximum cells", 0, SectionReader::unlimited);
-    adaptivity.steps_between = in.integer("Steps between remeshings", 1, SectionReader::unlimited);
+    adaptivity.steps_between = in.integer("Steps between remeshings", 0, SectionReader::unlimited);
     adaptivity.repetitions   = in.integer("Repetitions", 0, 20);
     if (!adaptivity.any())
       return adaptivity;

@@ -15,6 +15,7 @@ namespace signorini
     : mesh(mesh)
     , parameters(parameters)
     , time(time)
+    , rule(parameters)
     , life_time(n_steps)
   {
   }
@@ -39,8 +40,7 @@ namespace signorini
     if (!indicator)
       indicator =
         make_error_indicator(parameters, time, discretization, meshed.surface, meshed.dirichlet);
-    latest         = indicator->evaluate(step);
-    last_judgement = step.end.step;
+    latest = indicator->evaluate(step);
 
     std::vector<bool> to_keep =
                         cells_in_contact(discretization, meshed.surface, step.end.contact_force),
@@ -59,7 +59,11 @@ namespace signorini
             to_refine[cell] = closeness(cell) >= DistanceIndicator<dim>::too_close;
           }
       }
-    return mark_cells(mesh, parameters, latest, to_keep, to_refine);
+    const MeshChange change = mark_cells(mesh, parameters, latest, to_keep, to_refine);
+    if (rule.pays(change, step.end.step))
+      return change;
+    clear_flags(mesh);
+    return MeshChange();
   }
 
 
@@ -68,6 +72,7 @@ namespace signorini
   {
     life_time   = std::max(parameters.steps_between, step - last_change);
     last_change = step;
+    rule.mesh_changes(step);
     mesh_is_made_anew();
   }
 

@@ -76,7 +76,9 @@ namespace
 
 TEST(Distance, SeesWhatIsCloseOrWillBe)
 {
-  const ContactProblem<2> problem(disc_above_floor(0.02));
+  Scene<2> scene                 = disc_above_floor(0.02);
+  scene.adaptivity.steps_between = 1;
+  const ContactProblem<2> problem(scene);
   const auto              indicator =
     indicator_of(problem.scene, problem.discretization, problem.surface, problem.dirichlet);
   const auto at = [&](const double height, const double speed) {
@@ -91,6 +93,20 @@ TEST(Distance, SeesWhatIsCloseOrWillBe)
   EXPECT_EQ(at(1., -49.).second, 0u);
   EXPECT_GE(at(1., -50.).second, 2u); // two steps of 0.01
   EXPECT_NEAR(at(0., -2.).first, 4., 1e-10);
+}
+
+TEST(Distance, LooksAsFarAheadAsTheMeshMayHaveToServe)
+{
+  // Until it is judged again, and one step more: three steps of 0.01.
+  const ContactProblem<2> problem(disc_above_floor(0.02));
+  const auto              indicator =
+    indicator_of(problem.scene, problem.discretization, problem.surface, problem.dirichlet);
+  const auto n_close = [&](const double speed) {
+    const State state = moving(problem.discretization, 1., speed);
+    return look(problem.discretization, indicator->evaluate({state, state, 0.}), 0).second;
+  };
+  EXPECT_EQ(n_close(-32.5), 0u);
+  EXPECT_GE(n_close(-33.5), 2u);
 }
 
 TEST(Distance, BothBodiesOfAPair)

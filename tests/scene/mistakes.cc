@@ -281,7 +281,7 @@ TEST(Mistakes, Adaptivity)
   expect("Maximum level", "0", {"nothing to refine", "Bodies/box/Refinements"});
   expect("Maximum level", "99", {"between 0 and 15"});
   expect("Minimum level", "4", {"smaller than `Maximum level` = 4"});
-  expect("Steps between remeshings", "0", {"between 1 and"});
+  expect("Steps between remeshings", "-1", {"between 0 and"});
   expect("Repetitions", "100", {"between 0 and 20"});
   expect(
     "Distance", "-0.1", {"must not be negative"}, assignment("Adaptivity/Indicator", "distance"));

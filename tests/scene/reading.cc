@@ -258,7 +258,7 @@ TEST(Reading, Adaptivity)
   EXPECT_DOUBLE_EQ(scene.adaptivity.hysteresis, 0.1);
   EXPECT_EQ(scene.adaptivity.maximum_level, 5u);
   EXPECT_EQ(scene.adaptivity.minimum_level, 0u);
-  EXPECT_EQ(scene.adaptivity.steps_between, 1u);
+  EXPECT_EQ(scene.adaptivity.steps_between, 0u);
   EXPECT_EQ(scene.adaptivity.repetitions, 2u);
   const TemporaryFile all(scene.all_parameters); // lists all keys, those that have no effect, too
   EXPECT_EQ(read_scene<3>(all.name, {}).adaptivity.tolerance, 0.3);

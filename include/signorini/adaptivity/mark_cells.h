@@ -12,9 +12,12 @@ namespace signorini
   /** What marking has decided, the same on all processes. */
   struct MeshChange
   {
-    double       estimate     = 0.; ///< root of the sum of squared indicators
-    unsigned int n_to_refine  = 0;  ///< cells with a refine flag, on all processes
-    unsigned int n_to_coarsen = 0;  ///< cells with a coarsen flag, on all processes
+    double       estimate     = 0.;    ///< root of the sum of squared indicators
+    unsigned int n_to_refine  = 0;     ///< cells with a refine flag, on all processes
+    unsigned int n_to_coarsen = 0;     ///< cells with a coarsen flag, on all processes
+    double       error_part   = 0.;    ///< of the squared estimate, in cells that it wants refined
+    double       spared_part  = 0.;    ///< of the cells, by coarsening
+    bool         is_urgent    = false; ///< contact is about to meet coarse cells
 
     bool refines() const { return n_to_refine > 0; }
     bool coarsens() const { return n_to_coarsen > 0; }
@@ -43,6 +46,10 @@ namespace signorini
                         const dealii::Vector<double> &indicator,
                         const std::vector<bool>      &not_to_coarsen = {},
                         const std::vector<bool>      &to_refine      = {});
+
+  /** No cell of this process is to be changed. */
+  template <int dim>
+  void clear_flags(Mesh<dim> &mesh);
 
   /**
    * The cells of this process with a closed contact node, or with a node that one presses on.

@@ -61,10 +61,13 @@ namespace signorini
     /** Cells of this level are not coarsened, nor those of the initial mesh. */
     unsigned int minimum_level = 0;
     unsigned int maximum_cells = 0; ///< about; 0: no limit
-    unsigned int steps_between = 1; ///< the mesh may change after every so many steps
+    unsigned int steps_between = 0; ///< the mesh may change after so many steps; 0: when it pays
     unsigned int repetitions   = 0; ///< of a step on a refined mesh, before it is accepted
     /** Of the indicator; 0: three times the size of each cell. Of others: see refines_contact(). */
     double distance = 0.;
+
+    /** Steps until the mesh is judged again, at most, if it changes when that pays. */
+    static constexpr unsigned int longest_wait = 2;
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != IndicatorKind::none; }

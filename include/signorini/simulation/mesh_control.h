@@ -6,6 +6,7 @@
 
 #include <signorini/adaptivity/error_indicator.h>
 #include <signorini/adaptivity/mark_cells.h>
+#include <signorini/adaptivity/remeshing_rule.h>
 #include <signorini/base/archive.h>
 #include <signorini/simulation/meshed_scene.h>
 
@@ -35,10 +36,7 @@ namespace signorini
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
     /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
-    bool is_due(unsigned int step) const
-    {
-      return any() && step >= last_judgement + parameters.steps_between;
-    }
+    bool is_due(unsigned int step) const { return any() && rule.is_due(step); }
 
     /** How often a step may be repeated on a refined mesh. */
     unsigned int repetitions() const { return any() ? parameters.repetitions : 0; }
@@ -53,7 +51,11 @@ namespace signorini
     void mesh_is_made_anew();
 
     /** When the mesh was judged and changed. */
-    void archive(Archive &archive) { archive(life_time, last_change, last_judgement); }
+    void archive(Archive &archive)
+    {
+      archive(life_time, last_change);
+      rule.archive(archive);
+    }
 
     /** Number of steps that will probably be made on the mesh that is built next. */
     unsigned int mesh_life_time() const { return life_time; }
@@ -65,10 +67,11 @@ namespace signorini
     Mesh<dim>                           &mesh;
     const AdaptivityParameters           parameters;
     const TimeIntegration                time;
+    RemeshingRule                        rule;
     unsigned int                         life_time;
     std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
     dealii::Vector<double>               latest;
-    unsigned int                         last_change = 0, last_judgement = 0; ///< after which step
+    unsigned int                         last_change = 0; ///< after which step
   };
 } // namespace signorini
 
