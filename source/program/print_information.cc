@@ -4,10 +4,10 @@
 #include <signorini/base/build_information.h>
 #include <signorini/prm/new_scene.h>
 #include <signorini/prm/plugins.h>
+#include <signorini/program/print_information.h>
 #include <signorini/scene/explain_key.h>
 #include <signorini/scene/read_scene.h>
 #include <signorini/schemes/scheme_table.h>
-#include <signorini/program/print_information.h>
 
 #include <iostream>
 

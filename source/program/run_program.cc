@@ -3,10 +3,10 @@
 
 #include <signorini/base/command_line.h>
 #include <signorini/base/failure.h>
-#include <signorini/scene/read_scene.h>
 #include <signorini/program/print_information.h>
 #include <signorini/program/run_program.h>
 #include <signorini/program/run_scene.h>
+#include <signorini/scene/read_scene.h>
 
 #include <deal.II/base/exceptions.h>
 

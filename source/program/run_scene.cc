@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/user_error.h>
+#include <signorini/program/run_scene.h>
 #include <signorini/scene/output_directory.h>
 #include <signorini/scene/read_scene.h>
-#include <signorini/program/run_scene.h>
 #include <signorini/simulation/simulation.h>
 
 #include <iostream>

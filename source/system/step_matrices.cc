@@ -100,11 +100,8 @@ namespace signorini
       {
         if (!hierarchy)
           hierarchy = std::make_shared<const LevelHierarchy<dim>>(discretization);
-        matrix.preconditioner =
-          make_geometric_multigrid(hierarchy,
-                                   coordinates,
-                                   matrix.sum,
-                                   needs_double_precision(discretization, step_size));
+        matrix.preconditioner = make_geometric_multigrid(
+          hierarchy, coordinates, matrix.sum, needs_double_precision(discretization, step_size));
       }
     else
       matrix.preconditioner =
