@@ -7,6 +7,7 @@
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/slip_system.h>
 #include <signorini/variational_inequality/status_record.h>
+#include <signorini/variational_inequality/tresca_friction.h>
 #include <signorini/variational_inequality/tresca_minimisation.h>
 
 #include <deal.II/base/mpi.h>
@@ -30,8 +31,8 @@ namespace signorini
     /** What is accepted at least, in what round-off leaves of a residual. */
     constexpr double beyond_round_off = 10.;
 
-    /** Parts of a bound of friction that are none. */
-    constexpr double round_off = 1e-13;
+    /** Of the length of a step. */
+    constexpr double resolution = 1e-14;
 
     /** The method at a point x with the residual b - K x. */
     class Descent
@@ -51,6 +52,7 @@ namespace signorini
         , direction(solution)
         , product(solution)
         , is_fixed(solution.locally_owned_size(), 0)
+        , friction(problem, bounds, solution, residual)
       {
         problem.matrix.diagonal(diagonal);
         for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
@@ -80,15 +82,15 @@ namespace signorini
         for (std::size_t k = 0; k < bounds.size(); ++k)
           {
             clip_normal(k);
-            if (!has_friction(k))
+            if (!friction.acts(k))
               continue;
-            const NodeForces    node = forces(k);
+            const NodeForces    node = friction.forces(k);
             const TangentVector free = node.slip + node.tangential / stiffness[k];
             const double        size = free.norm(), lost = bounds[k] / stiffness[k];
-            set_slip(target,
-                     k,
-                     size > lost ? TangentVector((1. - lost / size) * free)
-                                 : TangentVector(TangentVector::Zero()));
+            friction.set_slip(target,
+                              k,
+                              size > lost ? TangentVector((1. - lost / size) * free)
+                                          : TangentVector(TangentVector::Zero()));
           }
         move();
       }
@@ -99,42 +101,21 @@ namespace signorini
        */
       unsigned int newton_step(const ActiveSet &status)
       {
-        Mask mask = is_fixed;
-        slip.clear();
-        for (std::size_t k = 0; k < bounds.size(); ++k)
+        Mask mask = held(status);
+        // A node that has come to its bound or to rest, and would go on beyond, is held: it would
+        // not let any other one move.
+        unsigned int n_iterations = 0;
+        bool         goes_on      = true;
+        while (goes_on)
           {
-            if (contact_status::is_closed(status[k]))
-              mask[problem.bounded_entries[k]] = 1;
-            if (!has_friction(k))
-              continue;
-            if (rests(k))
-              for (const unsigned int i : problem.friction[k].entries)
-                mask[i] = 1;
-            else
-              slip.add(problem.bounded_entries[k], problem.friction[k], condition(k), stiffness[k]);
+            n_iterations += solve_linearised(mask);
+            if (n_iterations == 0)
+              return 0;
+            target = solution;
+            target += direction;
+            goes_on = hold_blocked(mask) || move_to_first_bound() || hold_resting(mask);
           }
-        slip.finish(solution.get_mpi_communicator());
-        problem.preconditioner.set_mask(mask);
-        product           = residual;
-        const auto report = slip.solve_symmetric(
-          problem,
-          product,
-          direction,
-          std::max(problem.tolerance, beyond_round_off * attainable_norm(problem, solution)),
-          1e-2,
-          maximum_linear_iterations);
-        if (report.iterations == 0 && !report.converged)
-          throw StepError("The preconditioner is indefinite. Choose another `Preconditioner`.");
-        if (report.iterations == 0)
-          return 0;
-        target = solution;
-        target += direction;
-        if (move_to_first_bound())
-          {
-            bend_target();
-            move();
-          }
-        return report.iterations;
+        return n_iterations;
       }
 
       /**
@@ -149,11 +130,11 @@ namespace signorini
             const unsigned int i      = problem.bounded_entries[k];
             const bool         closed = solution.local_element(i) >= problem.upper_bounds[k]
                                 && residual.local_element(i) >= 0.;
-            if (has_friction(k) && rests(k))
+            if (friction.acts(k) && friction.rests(k))
               status[k] = closed ? contact_status::stick : contact_status::hang;
             else
               status[k] = closed ? contact_status::slip : contact_status::open;
-            wrong += has_friction(k) && forces(k).slip.norm() == 0. && !rests(k);
+            wrong += friction.acts(k) && friction.forces(k).slip.norm() == 0. && !friction.rests(k);
           }
         return sum(wrong, solution.get_mpi_communicator()) > 0;
       }
@@ -166,85 +147,81 @@ namespace signorini
       Vector                     diagonal, target, direction, product;
       Mask                       is_fixed;
       SlipSystem                 slip;
+      const TrescaFriction       friction;
 
-      bool has_friction(const std::size_t k) const
+      /** What statuses hold. */
+      Mask held(const ActiveSet &status) const
       {
-        return bounds[k] > 0. && !problem.friction[k].entries.empty();
+        Mask mask = is_fixed;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            if (contact_status::is_closed(status[k]))
+              mask[problem.bounded_entries[k]] = 1;
+            if (friction.acts(k) && friction.rests(k))
+              for (const unsigned int i : problem.friction[k].entries)
+                mask[i] = 1;
+          }
+        return mask;
       }
 
-      NodeForces forces(const std::size_t k) const
+      /** The direction to the minimum of the entries that a mask leaves. @return iterations */
+      unsigned int solve_linearised(const Mask &mask)
       {
-        return node_forces(
-          problem.friction[k], problem.bounded_entries[k], true, solution, residual);
+        slip.clear();
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          if (friction.acts(k) && !mask[problem.friction[k].entries.front()])
+            slip.add(
+              problem.bounded_entries[k], problem.friction[k], friction.condition(k), stiffness[k]);
+        slip.finish(solution.get_mpi_communicator());
+        problem.preconditioner.set_mask(mask);
+        product           = residual;
+        const auto report = slip.solve_symmetric(
+          problem,
+          product,
+          direction,
+          std::max(problem.tolerance, beyond_round_off * attainable_norm(problem, solution)),
+          1e-2,
+          maximum_linear_iterations);
+        if (report.iterations == 0 && !report.converged)
+          throw StepError("The preconditioner is indefinite. Choose another `Preconditioner`.");
+        return report.iterations;
       }
 
-      /** Whether the node has no slip and its force is not beyond the bound. */
-      bool rests(const std::size_t k) const
+      /** Hold entries at their bounds whose target is beyond. @return whether any, anywhere */
+      bool hold_blocked(Mask &mask) const
       {
-        const NodeForces node = forces(k);
-        return node.slip.norm() == 0. && node.tangential.norm() <= bounds[k] * (1. + round_off);
+        unsigned int n = 0;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          {
+            const unsigned int i = problem.bounded_entries[k];
+            if (!mask[i] && solution.local_element(i) >= problem.upper_bounds[k]
+                && target.local_element(i) > problem.upper_bounds[k])
+              {
+                mask[i] = 1;
+                ++n;
+              }
+          }
+        return sum(n, solution.get_mpi_communicator()) > 0;
       }
 
-      /**
-       * Force and stiffness of the term b |slip|; at a kink that the node wants to leave, the
-       * direction is that of its force.
-       */
-      SlipCondition condition(const std::size_t k) const
+      /** Hold nodes that have come to rest. @return whether any, anywhere */
+      bool hold_resting(Mask &mask) const
       {
-        const NodeForces    node      = forces(k);
-        const double        size      = node.slip.norm();
-        const TangentVector along     = size > 0. ? node.slip : node.tangential;
-        const TangentVector unit      = along / along.norm();
-        TangentMatrix       curvature = TangentMatrix::Zero();
-        if (size > 0. && problem.friction[k].entries.size() > 1)
-          curvature = bounds[k] / size * (TangentMatrix::Identity() - unit * unit.transpose());
-        return {bounds[k] * unit, curvature, TangentVector::Zero()};
+        unsigned int n = 0;
+        for (std::size_t k = 0; k < bounds.size(); ++k)
+          if (friction.acts(k) && !mask[problem.friction[k].entries.front()] && friction.rests(k))
+            {
+              for (const unsigned int i : problem.friction[k].entries)
+                mask[i] = 1;
+              ++n;
+            }
+        return sum(n, solution.get_mpi_communicator()) > 0;
       }
 
       void clip_normal(const std::size_t k)
       {
         double &normal = target.local_element(problem.bounded_entries[k]);
         normal         = std::min(normal, problem.upper_bounds[k]);
-      }
-
-      void set_slip(Vector &point, const std::size_t k, const TangentVector &value) const
-      {
-        const FrictionNode &node = problem.friction[k];
-        for (unsigned int j = 0; j < node.entries.size(); ++j)
-          point.local_element(node.entries[j]) = value[j] - node.past[j];
-      }
-
-      /** What friction bears at x: its bound along the slip; without slip what it has to. */
-      TangentVector force_of_friction(const std::size_t k) const
-      {
-        const NodeForces    node  = forces(k);
-        const TangentVector along = node.slip.norm() > 0. ? node.slip : node.tangential;
-        const double        size  = along.norm();
-        if (node.slip.norm() == 0. && size <= bounds[k])
-          return node.tangential;
-        return bounds[k] / size * along;
-      }
-
-      /**
-       * From x a part of the way: the force of friction times the direction, without what it bears
-       * at x.
-       */
-      double change_of_friction(const std::size_t k, const double length) const
-      {
-        const TangentVector change = tangential_entries(problem.friction[k], direction);
-        const TangentVector before = forces(k).slip;
-        const double        size = before.norm(), change_size = change.norm();
-        if (change_size == 0.)
-          return 0.;
-        if (size == 0.)
-          return bounds[k] * change_size - force_of_friction(k).dot(change);
-        const double after = (before + length * change).norm(), along = before.dot(change);
-        if (after == 0.)
-          return -bounds[k] * (change_size + along / size);
-        // (after / |after| - before / |before|) . change, without cancellation
-        return bounds[k] * length / (after * size)
-               * (size * change_size * change_size
-                  - along * (2. * along + length * change_size * change_size) / (size + after));
       }
 
       /**
@@ -297,23 +274,6 @@ namespace signorini
         return length == first && first < 1.;
       }
 
-      /**
-       * The target within its bounds, and with slip no further than to the kink of |slip|: whether
-       * to go beyond is for the proximal step to say.
-       */
-      void bend_target()
-      {
-        for (std::size_t k = 0; k < bounds.size(); ++k)
-          {
-            clip_normal(k);
-            if (!has_friction(k) || rests(k))
-              continue;
-            const FrictionNode &node = problem.friction[k];
-            if (forces(k).slip.dot(node.past + tangential_entries(node, target)) < 0.)
-              set_slip(target, k, TangentVector::Zero());
-          }
-      }
-
       void update_residual()
       {
         problem.matrix.vmult(residual, solution);
@@ -328,8 +288,14 @@ namespace signorini
       void stop_slip_of_round_off()
       {
         for (std::size_t k = 0; k < bounds.size(); ++k)
-          if (has_friction(k) && stiffness[k] * forces(k).slip.norm() <= round_off * bounds[k])
-            set_slip(solution, k, TangentVector::Zero());
+          if (friction.acts(k))
+            {
+              const double slipped = friction.forces(k).slip.norm();
+              const double change  = tangential_entries(problem.friction[k], direction).norm();
+              if (stiffness[k] * slipped <= TrescaFriction::round_off * bounds[k]
+                  || slipped <= resolution * change)
+                friction.set_slip(solution, k, TangentVector::Zero());
+            }
       }
 
       /**
@@ -342,15 +308,15 @@ namespace signorini
         Vector &unbalanced = product;
         unbalanced         = residual;
         for (std::size_t k = 0; k < bounds.size(); ++k)
-          if (has_friction(k))
-            add_to_tangential_entries(problem.friction[k], -force_of_friction(k), unbalanced);
+          if (friction.acts(k))
+            add_to_tangential_entries(problem.friction[k], -friction.force(k), unbalanced);
         const double linear     = dot(unbalanced, direction);
         const auto   derivative = [&](const double length) {
-          double friction = 0.;
+          double change = 0.;
           for (std::size_t k = 0; k < bounds.size(); ++k)
-            if (has_friction(k))
-              friction += change_of_friction(k, length);
-          return length * curvature - linear + sum(friction, solution.get_mpi_communicator());
+            if (friction.acts(k))
+              change += friction.change(k, direction, length);
+          return length * curvature - linear + sum(change, solution.get_mpi_communicator());
         };
         if (derivative(longest) <= 0.)
           return longest;

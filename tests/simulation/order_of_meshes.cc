@@ -24,6 +24,7 @@ namespace
     return {{"Adaptivity/Indicator", "distance"},
             {"Adaptivity/Maximum level", "3"},
             {"Adaptivity/Distance", distance},
+            {"Adaptivity/Steps between remeshings", "1"},
             {"Adaptivity/Repetitions", repetitions}};
   }
 

@@ -206,6 +206,47 @@ TEST(TrescaMinimisation, StepsThatEndNextToTheKink)
   EXPECT_GT(n_stick, 1000u);
 }
 
+TEST(TrescaMinimisation, NodesThatBlockEachOther)
+{
+  // A stiff strip on soft springs is pulled down to a rough floor: where one node is held the
+  // others turn about it, and meet the floor or come to rest one after the other.
+  constexpr unsigned int n = 40;
+  FrictionalProblem      problem;
+  Eigen::MatrixXd        bend = Eigen::MatrixXd::Zero(n, n), stretch = bend;
+  for (unsigned int k = 0; k + 1 < n; ++k)
+    {
+      Eigen::VectorXd change(Eigen::VectorXd::Zero(n));
+      change[k]     = -1.;
+      change[k + 1] = 1.;
+      stretch += change * change.transpose();
+      if (k > 0)
+        {
+          change[k - 1] = 1.;
+          change[k]     = -2.;
+          bend += change * change.transpose();
+        }
+    }
+  problem.matrix          = Eigen::MatrixXd::Identity(2 * n, 2 * n);
+  problem.right_hand_side = Eigen::VectorXd::Zero(2 * n);
+  for (unsigned int i = 0; i < n; ++i)
+    {
+      for (unsigned int j = 0; j < n; ++j)
+        {
+          problem.matrix(2 * i, 2 * j) += 1e4 * bend(i, j);
+          problem.matrix(2 * i + 1, 2 * j + 1) += 1e4 * stretch(i, j);
+        }
+      problem.bounded_entries.push_back(2 * i);
+      problem.upper_bounds.push_back(0.5 + 0.5 * std::cos(0.4 * i));
+      problem.friction.push_back({{2 * i + 1}, {}});
+      problem.right_hand_side[2 * i]     = 2e3;
+      problem.right_hand_side[2 * i + 1] = 5. * std::cos(0.3 * i);
+    }
+  const std::vector<double> bounds(n, 3.);
+  const auto                answer = minimise(problem, bounds, Eigen::VectorXd::Zero(2 * n));
+  EXPECT_GT(expect_minimum(problem, bounds, answer), 3u);
+  EXPECT_LE(answer.report.active_set_iterations, 30u);
+}
+
 TEST(TrescaMinimisation, TolerancesBelowRoundOff)
 {
   constexpr double factor  = 1e6;
