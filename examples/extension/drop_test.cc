@@ -6,7 +6,7 @@
 
 #include "parts.h"
 
-#include <signorini/simulation/run_program.h>
+#include <signorini/program/run_program.h>
 
 #include <deal.II/base/mpi.h>
 

@@ -38,6 +38,11 @@ namespace signorini
         next_judgement = step + steps_between;
         return change.any();
       }
+    if (step == 0) // no step has been made: a change costs nothing, and the estimate is none
+      {
+        next_judgement = 1;
+        return change.any();
+      }
     if (is_new)
       squared_estimate_of_new_mesh = change.estimate * change.estimate;
     is_new            = false;

@@ -21,6 +21,9 @@ namespace signorini
     constexpr unsigned int n_steps_at_changed = 4;   ///< for the largest one at a few nodes
     constexpr double       safety             = 1.1; ///< of the estimate of the largest one
 
+    /** Modes may be shared with nodes that have not changed. */
+    constexpr unsigned int most_weakenings = 3;
+
     /** Directions of a node in which less than this of its stiffness is left count as held. */
     constexpr double least_stiffness = 1e-2;
 
@@ -108,11 +111,15 @@ namespace signorini
   {
     // Nodes that carry a much stiffer body are coupled to each other by it. Their blocks do not
     // show that, and where the smoother amplifies, the preconditioner is indefinite.
-    const double here = safety * largest_eigenvalue(changed, n_steps_at_changed);
-    if (here > largest)
-      for (const unsigned int node : changed)
-        for (Number &value : inverse[node])
-          value *= largest / here;
+    for (unsigned int n = 0; n < most_weakenings; ++n)
+      {
+        const double here = safety * largest_eigenvalue(changed, n_steps_at_changed);
+        if (here <= largest)
+          return;
+        for (const unsigned int node : changed)
+          for (Number &value : inverse[node])
+            value *= largest / here;
+      }
   }
 
 

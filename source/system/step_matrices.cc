@@ -86,7 +86,8 @@ namespace signorini
         cost.stiffness_ratio  = ratio_of_stiffness(discretization.matrices());
         cost.solves_roughly   = preconditioner.solves_roughly;
         cost.with_friction    = preconditioner.with_friction;
-        if (matrix.kind == PreconditionerKind::multigrid)
+        if (matrix.kind == PreconditionerKind::multigrid
+            || (cost.solves_roughly && matrix.kind == PreconditionerKind::incomplete_cholesky))
           return; // what it was taken for does not go away
         if (matrix.effort.active_set_iterations > 0)
           cost.iterations = static_cast<double>(matrix.effort.linear_iterations)

@@ -48,8 +48,9 @@ namespace signorini
         all_lost = 0.;
       }
 
-    private:
       double tolerance;
+
+    private:
       double at_start, now, largest, all_lost = 0.;
       bool   is_first = true;
     };
@@ -117,7 +118,7 @@ namespace signorini
             solution = 0.;
             residual = problem.right_hand_side;
             start(problem, status = at_start, solution, residual);
-            sizes = IterateSizes(solution, tolerance);
+            sizes = IterateSizes(solution, tolerance = std::max(tolerance, sizes.tolerance));
             if (!may_be_for_want_of_accuracy(record, precision))
               break;
             continue;

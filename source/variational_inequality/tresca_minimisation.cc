@@ -31,8 +31,11 @@ namespace signorini
     /** What is accepted at least, in what round-off leaves of a residual. */
     constexpr double beyond_round_off = 10.;
 
-    /** Of the length of a step. */
+    /** Of the length of a step, in its longest one. */
     constexpr double resolution = 1e-14;
+
+    /** Of nodes in one Newton step; then a proximal step may release some of them. */
+    constexpr unsigned int maximum_holdings = 50;
 
     /** The method at a point x with the residual b - K x. */
     class Descent
@@ -65,7 +68,7 @@ namespace signorini
             double &normal = solution.local_element(problem.bounded_entries[k]);
             normal         = std::min(normal, problem.upper_bounds[k]);
           }
-        stop_slip_of_round_off(); // of the guess
+        stop_slip_of_round_off(0.); // of the guess
         update_residual();
       }
 
@@ -106,14 +109,17 @@ namespace signorini
         // not let any other one move.
         unsigned int n_iterations = 0;
         bool         goes_on      = true;
-        while (goes_on)
+        for (unsigned int n = 0; n < maximum_holdings && goes_on; ++n)
           {
             n_iterations += solve_linearised(mask);
             if (n_iterations == 0)
               return 0;
             target = solution;
             target += direction;
-            goes_on = hold_blocked(mask) || move_to_first_bound() || hold_resting(mask);
+            if (hold_blocked(mask))
+              continue;
+            const bool is_blocked = move_to_first_bound() && hold_blocked(mask);
+            goes_on               = hold_resting(mask) || is_blocked;
           }
         return n_iterations;
       }
@@ -238,7 +244,7 @@ namespace signorini
           solution = target;
         else
           solution.add(length, direction);
-        stop_slip_of_round_off();
+        stop_slip_of_round_off(1.);
         update_residual();
       }
 
@@ -269,7 +275,7 @@ namespace signorini
         for (std::size_t k = 0; k < bounds.size(); ++k)
           if (distances[k] <= length)
             solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
-        stop_slip_of_round_off();
+        stop_slip_of_round_off(first);
         update_residual();
         return length == first && first < 1.;
       }
@@ -281,11 +287,13 @@ namespace signorini
       }
 
       /**
+       * @param longest of the lengths that the last step could have had
+       *
        * A step that ends just short of a kink leaves a part of 1e-15 of the slip, and the next one
        * a part of that. The node would count as slipping, with all the force of its bound: the
        * curvature of |slip| hides it from Newton's method.
        */
-      void stop_slip_of_round_off()
+      void stop_slip_of_round_off(const double longest)
       {
         for (std::size_t k = 0; k < bounds.size(); ++k)
           if (friction.acts(k))
@@ -293,7 +301,7 @@ namespace signorini
               const double slipped = friction.forces(k).slip.norm();
               const double change  = tangential_entries(problem.friction[k], direction).norm();
               if (stiffness[k] * slipped <= TrescaFriction::round_off * bounds[k]
-                  || slipped <= resolution * change)
+                  || slipped <= resolution * longest * change)
                 friction.set_slip(solution, k, TangentVector::Zero());
             }
       }

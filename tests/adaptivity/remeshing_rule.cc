@@ -120,3 +120,13 @@ TEST(RemeshingRule, JudgesEachStepThatMayBeRepeated)
   parameters.repetitions = 2;
   EXPECT_EQ(first_change(RemeshingRule(parameters), refinement(1e-3)), 1u);
 }
+
+TEST(RemeshingRule, ChangesTheMeshBeforeTheFirstStepAtNoCost)
+{
+  RemeshingRule rule = automatic();
+  EXPECT_TRUE(rule.pays(refinement(0.2, 0.), 0));
+  rule.mesh_changes(0);
+  EXPECT_FALSE(rule.pays(MeshChange(), 0));
+  EXPECT_TRUE(rule.is_due(1)) << "its estimate is the first one";
+  EXPECT_FALSE(rule.pays(refinement(0.2), 1)) << "and no growth";
+}
