@@ -144,19 +144,20 @@ namespace signorini
       const auto         marking   = make_marking<dim>(parameters);
       MarkingThresholds  threshold = marking->thresholds(distribution);
       constexpr unsigned more      = (1 << dim) - 1; // cells by one refinement
+      double             n_wanted  = Utilities::MPI::sum(
+        std::count(wishes.wanted.begin(), wishes.wanted.end(), true), mesh.communicator());
       if (parameters.maximum_cells > 0)
         {
-          const double n_wanted = Utilities::MPI::sum(
-            std::count(wishes.wanted.begin(), wishes.wanted.end(), true), mesh.communicator());
-          double room = double(parameters.maximum_cells) - distribution.n_cells();
-          if (n_wanted * more <= room)
-            room -= n_wanted * more;
-          else // all or none, lest contact be fine in parts
-            wishes.wanted.assign(wishes.wanted.size(), false);
+          const double room = double(parameters.maximum_cells) - distribution.n_cells();
+          if (n_wanted * more > room) // all or none, lest contact be fine in parts
+            {
+              wishes.wanted.assign(wishes.wanted.size(), false);
+              n_wanted = 0.;
+            }
           threshold.refine =
-            std::max(threshold.refine, distribution.threshold_of_number(room / more));
+            std::max(threshold.refine, distribution.threshold_of_number(room / more - n_wanted));
         }
-      change.is_urgent = !marking->weighs_parts();
+      change.is_urgent = n_wanted > 0. || !marking->weighs_parts();
       if (marking->weighs_parts() && distribution.total() > 0.)
         {
           change.error_part =
@@ -228,12 +229,6 @@ namespace signorini
       }
     constexpr double of_a_family = 1. - 1. / (1 << dim);
     change.spared_part           = of_a_family * change.n_to_coarsen / distribution.n_cells();
-    change.is_urgent =
-      change.refines()
-      && (change.is_urgent
-          || Utilities::MPI::sum(std::count(wishes.wanted.begin(), wishes.wanted.end(), true),
-                                 mesh.communicator())
-               > 0);
     return change;
   }
 

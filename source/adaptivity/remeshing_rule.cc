@@ -50,7 +50,7 @@ namespace signorini
     lost += n_steps * loss;
     const double left = steps_per_change - lost - of_sums;
     next_judgement    = step + 1;
-    if (change.any() && (change.is_urgent || left <= 0.))
+    if ((change.refines() && change.is_urgent) || (change.any() && left <= 0.))
       return true;
     if (left > loss)
       next_judgement =

@@ -118,8 +118,9 @@ namespace signorini
             target += direction;
             if (hold_blocked(mask))
               continue;
-            const bool is_blocked = move_to_first_bound() && hold_blocked(mask);
-            goes_on               = hold_resting(mask) || is_blocked;
+            move_to_first_bound();
+            const bool is_blocked = hold_blocked(mask), rests = hold_resting(mask);
+            goes_on = is_blocked || rests;
           }
         return n_iterations;
       }
@@ -164,8 +165,7 @@ namespace signorini
             if (contact_status::is_closed(status[k]))
               mask[problem.bounded_entries[k]] = 1;
             if (friction.acts(k) && friction.rests(k))
-              for (const unsigned int i : problem.friction[k].entries)
-                mask[i] = 1;
+              hold_tangentially(k, mask);
           }
         return mask;
       }
@@ -175,7 +175,7 @@ namespace signorini
       {
         slip.clear();
         for (std::size_t k = 0; k < bounds.size(); ++k)
-          if (friction.acts(k) && !mask[problem.friction[k].entries.front()])
+          if (moves(k, mask))
             slip.add(
               problem.bounded_entries[k], problem.friction[k], friction.condition(k), stiffness[k]);
         slip.finish(solution.get_mpi_communicator());
@@ -193,7 +193,10 @@ namespace signorini
         return report.iterations;
       }
 
-      /** Hold entries at their bounds whose target is beyond. @return whether any, anywhere */
+      /**
+       * Hold entries at their bounds whose target is beyond, and nodes without slip whose target is
+       * against the force that is to make them slip. @return whether any, anywhere
+       */
       bool hold_blocked(Mask &mask) const
       {
         unsigned int n = 0;
@@ -206,6 +209,9 @@ namespace signorini
                 mask[i] = 1;
                 ++n;
               }
+            if (moves(k, mask) && friction.forces(k).slip.norm() == 0.
+                && friction.forces(k).tangential.dot(target_slip(k)) < 0.)
+              n += hold_tangentially(k, mask);
           }
         return sum(n, solution.get_mpi_communicator()) > 0;
       }
@@ -215,13 +221,28 @@ namespace signorini
       {
         unsigned int n = 0;
         for (std::size_t k = 0; k < bounds.size(); ++k)
-          if (friction.acts(k) && !mask[problem.friction[k].entries.front()] && friction.rests(k))
-            {
-              for (const unsigned int i : problem.friction[k].entries)
-                mask[i] = 1;
-              ++n;
-            }
+          if (moves(k, mask) && friction.rests(k))
+            n += hold_tangentially(k, mask);
         return sum(n, solution.get_mpi_communicator()) > 0;
+      }
+
+      /** Whether there is friction, and the node is not held against it. */
+      bool moves(const std::size_t k, const Mask &mask) const
+      {
+        return friction.acts(k) && !mask[problem.friction[k].entries.front()];
+      }
+
+      /** @return 1, the number of nodes */
+      unsigned int hold_tangentially(const std::size_t k, Mask &mask) const
+      {
+        for (const unsigned int i : problem.friction[k].entries)
+          mask[i] = 1;
+        return 1;
+      }
+
+      TangentVector target_slip(const std::size_t k) const
+      {
+        return problem.friction[k].past + tangential_entries(problem.friction[k], target);
       }
 
       void clip_normal(const std::size_t k)
@@ -252,9 +273,8 @@ namespace signorini
        * Straight to the minimum of J on the way to the target, but no further than to the first
        * bound, where the node is exactly then. (Towards a target with all bounds and kinks taken
        * into account, which is no smooth displacement any more, J hardly falls.)
-       * @return whether J goes on falling there
        */
-      bool move_to_first_bound()
+      void move_to_first_bound()
       {
         direction = target;
         direction -= solution;
@@ -277,7 +297,6 @@ namespace signorini
             solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
         stop_slip_of_round_off(first);
         update_residual();
-        return length == first && first < 1.;
       }
 
       void update_residual()
@@ -300,8 +319,9 @@ namespace signorini
             {
               const double slipped = friction.forces(k).slip.norm();
               const double change  = tangential_entries(problem.friction[k], direction).norm();
-              if (stiffness[k] * slipped <= TrescaFriction::round_off * bounds[k]
-                  || slipped <= resolution * longest * change)
+              if (slipped > 0.
+                  && (stiffness[k] * slipped <= TrescaFriction::round_off * bounds[k]
+                      || slipped <= resolution * longest * change))
                 friction.set_slip(solution, k, TangentVector::Zero());
             }
       }

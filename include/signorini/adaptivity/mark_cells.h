@@ -17,7 +17,7 @@ namespace signorini
     unsigned int n_to_coarsen = 0;     ///< cells with a coarsen flag, on all processes
     double       error_part   = 0.;    ///< of the squared estimate, in cells that it wants refined
     double       spared_part  = 0.;    ///< of the cells, by coarsening
-    bool         is_urgent    = false; ///< contact is about to meet coarse cells
+    bool         is_urgent    = false; ///< refinement, as contact is about to meet coarse cells
 
     bool refines() const { return n_to_refine > 0; }
     bool coarsens() const { return n_to_coarsen > 0; }
