@@ -67,7 +67,7 @@ namespace signorini
     // The mesh made now serves the steps until the next change, and one to be sure.
     const double step_size = step.step_size > 0. ? step.step_size : first_step_size;
     const double n_steps =
-      parameters.steps_between > 0 ? parameters.steps_between : AdaptivityParameters::longest_wait;
+      parameters.steps_between > 0 ? parameters.steps_between : parameters.longest_wait();
     const double ahead = (n_steps + 1.) * step_size;
     Vector       soon  = step.end.displacement;
     soon.add(ahead, step.end.velocity);

@@ -18,7 +18,8 @@ namespace signorini
                        const DirichletConditions<dim> &dirichlet)
   {
     if (parameters.indicator == IndicatorKind::residual)
-      return std::make_unique<ResidualIndicator<dim>>(discretization, surface, dirichlet, time);
+      return std::make_unique<ResidualIndicator<dim>>(
+        discretization, surface, dirichlet, time, parameters.goal);
     if (parameters.indicator == IndicatorKind::kelly)
       return std::make_unique<KellyIndicator<dim>>(discretization);
     if (parameters.indicator == IndicatorKind::distance)

@@ -222,9 +222,11 @@ namespace signorini
     keep_families_beside_finer_cells(triangulation);
     triangulation.prepare_coarsening_and_refinement(); // may add flags and remove some
     count_flags(triangulation, change);
-    if (!change.refines() && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
+    // Refinement alone needs no projection of the state; a few cells to be coarsened can wait.
+    if (change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
       {
-        clear_flags(mesh);
+        for (const auto &cell : triangulation.active_cell_iterators())
+          cell->clear_coarsen_flag();
         change.n_to_coarsen = 0;
       }
     constexpr double of_a_family = 1. - 1. / (1 << dim);

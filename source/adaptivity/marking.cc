@@ -16,16 +16,10 @@ namespace signorini
     constexpr double out_of_reach = std::numeric_limits<double>::infinity();
 
 
-    /**
-     * The part of the threshold of refinement below which cells may be coarsened. By default what a
-     * smooth solution allows: a cell that replaces its 2^dim children has about 4 * 2^dim times the
-     * square of one of them (linear elements, error in the energy norm), and this is to stay below
-     * half of the threshold. Behind a front the error is not smooth, and no such law holds.
-     */
     template <int dim>
     double coarsen_ratio(const AdaptivityParameters &parameters)
     {
-      return parameters.coarsen_ratio > 0. ? parameters.coarsen_ratio : 1. / (8. * (1 << dim));
+      return parameters.coarsen_ratio > 0. ? parameters.coarsen_ratio : smooth_coarsen_ratio<dim>();
     }
 
     /** Bulk criterion of Doerfler (1996). */
@@ -59,12 +53,13 @@ namespace signorini
       explicit EqualShare(const AdaptivityParameters &parameters)
         : tolerance(parameters.tolerance)
         , ratio(coarsen_ratio<dim>(parameters))
+        , zero_is_good(parameters.aims_at_force())
       {
       }
 
       MarkingThresholds thresholds(const IndicatorDistribution &distribution) const override
       {
-        if (distribution.total() == 0.)
+        if (distribution.total() == 0. && !zero_is_good)
           return {out_of_reach, 0.};
         const double share   = tolerance * tolerance / distribution.n_cells();
         const bool   is_good = std::sqrt(distribution.total()) <= tolerance;
@@ -73,6 +68,7 @@ namespace signorini
 
     private:
       const double tolerance, ratio;
+      const bool   zero_is_good; ///< that nothing is to be seen tells that nothing matters
     };
 
     /** Of DistanceIndicator, which is no estimate. */
@@ -96,7 +92,7 @@ namespace signorini
   {
     if (parameters.indicator == IndicatorKind::distance)
       return std::make_unique<FixedThresholds<dim>>();
-    if (parameters.marking == MarkingKind::tolerance)
+    if (parameters.marking == MarkingKind::tolerance || parameters.aims_at_force())
       return std::make_unique<EqualShare<dim>>(parameters);
     return std::make_unique<FixedFraction<dim>>(parameters);
   }

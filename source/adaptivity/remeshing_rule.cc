@@ -24,6 +24,7 @@ namespace signorini
   RemeshingRule::RemeshingRule(const AdaptivityParameters &parameters)
     : steps_between(parameters.repetitions > 0 ? std::max(parameters.steps_between, 1u)
                                                : parameters.steps_between)
+    , longest_wait(parameters.longest_wait())
     , next_judgement(std::max(steps_between, 1u))
   {
   }
@@ -56,7 +57,7 @@ namespace signorini
       next_judgement =
         step
         + static_cast<unsigned int>(
-          std::min(left / std::max(loss, of_sums), double(AdaptivityParameters::longest_wait)));
+          std::min(left / std::max(loss, of_sums), double(longest_wait)));
     return false;
   }
 

@@ -11,10 +11,12 @@ namespace signorini
   ResidualIndicator<dim>::ResidualIndicator(const Discretization<dim>      &discretization,
                                             const ContactSurface<dim>      &surface,
                                             const DirichletConditions<dim> &dirichlet,
-                                            const TimeIntegration          &time)
+                                            const TimeIntegration          &time,
+                                            const GoalKind                  goal)
     : discretization(discretization)
     , surface(surface)
     , time(time)
+    , goal(goal)
     , estimate(discretization, surface, dirichlet)
     , body_force(discretization)
   {
@@ -24,11 +26,14 @@ namespace signorini
   template <int dim>
   dealii::Vector<double> ResidualIndicator<dim>::evaluate(const StepRecord &step) const
   {
-    if (step.step_size == 0.)
+    const bool is_start = step.step_size == 0., is_weighed = goal == GoalKind::energy;
+    if (is_start && (is_weighed || !time.starts_at_rest))
       return dealii::Vector<double>(discretization.mesh().triangulation().n_active_cells());
-    dealii::Vector<double> result =
-      estimate.squares(balance_of_step(discretization, surface, step, time, body_force),
-                       ResidualWeights{step.step_size});
+    dealii::Vector<double> result = estimate.squares(
+      is_start ? balance_at_rest(
+        discretization, surface, step.end.displacement, step.end.contact_force, step.end.time)
+               : balance_of_step(discretization, surface, step, time, body_force),
+      ResidualWeights{is_weighed ? step.step_size : 0.});
     for (double &value : result)
       value = std::sqrt(value);
     remove_round_off(step.end, result);

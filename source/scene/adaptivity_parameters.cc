@@ -21,6 +21,8 @@ namespace signorini
      * value: `parameters.prm` lists all keys and must be read without complaint.
      */
     const std::vector<std::pair<std::string, std::string>> defaults = {
+      {"Goal", name_of(GoalKind::energy)},
+      {"Target error", "0"},
       {"Marking", name_of(MarkingKind::fixed_fraction)},
       {"Refine fraction", "0.5"},
       {"Coarsen fraction", "0.02"},
@@ -81,14 +83,37 @@ namespace signorini
       if (adaptivity.indicator == IndicatorKind::distance)
         refuse_if_given(
           in,
-          {"Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
+          {"Goal", "Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
           "belongs to indicators that estimate an error, but Indicator = distance refines by "
           "`Distance` alone. Remove this key.");
+      if (adaptivity.aims_at_force())
+        refuse_if_given(in,
+                        {"Marking", "Refine fraction", "Coarsen fraction", "Tolerance"},
+                        "belongs to `Goal = energy`; with Goal = contact force cells get equal "
+                        "shares of `Target error`. Remove this key.");
+      else
+        refuse_if_given(in,
+                        {"Target error"},
+                        "is relative to the contact force, but Goal = energy. Set `Goal = contact "
+                        "force`, or remove this key.");
       if (adaptivity.marking == MarkingKind::tolerance)
         refuse_if_given(in,
                         {"Refine fraction", "Coarsen fraction"},
                         "belongs to `Marking = fixed fraction`, but Marking = tolerance compares "
                         "with `Tolerance`. Remove this key.");
+    }
+
+    void check_goal(const SectionReader &in, const AdaptivityParameters &adaptivity)
+    {
+      if (!adaptivity.aims_at_force())
+        return;
+      if (adaptivity.indicator != IndicatorKind::residual)
+        in.fail("Goal",
+                "needs the estimate of `Indicator = residual`. Set it, or remove this key.");
+      if (adaptivity.target_error == 0.)
+        in.fail("Target error",
+                "is missing, but Goal = contact force refines until it is met. Give for example "
+                "0.01.");
     }
 
     template <int dim>
@@ -100,7 +125,10 @@ namespace signorini
         *std::min_element(bodies.begin(), bodies.end(), [](const auto &a, const auto &b) {
           return a.refinements < b.refinements;
         });
-      if (adaptivity.maximum_level <= coarsest.refinements)
+      // With a target the error of any mesh can be looked at, uniform ones included.
+      if (adaptivity.aims_at_force() && adaptivity.maximum_level > 0
+            ? adaptivity.maximum_level < coarsest.refinements
+            : adaptivity.maximum_level <= coarsest.refinements)
         in.fail("Maximum level",
                 "leaves nothing to refine: the initial mesh has level "
                   + std::to_string(coarsest.refinements) + " (`Bodies/" + coarsest.name
@@ -155,6 +183,17 @@ namespace signorini
                         "jumps of the stress alone. distance: no estimate; cells of contact "
                         "surfaces are refined that are, or soon will be, closer than `Distance` to "
                         "the other side.");
+      declare(prm,
+              "Goal",
+              choices_of<GoalKind>(),
+              "Of residual: what the mesh is made for. energy: the error of the motion in the "
+              "energy norm. contact force: the error of the sum of the contact forces, down to "
+              "`Target error`; what no contact force will feel is left coarse.");
+      declare(prm,
+              "Target error",
+              Double(),
+              "Of Goal = contact force: the error that the mesh may cause, relative to the largest "
+              "force so far (no unit), between 0 and 1. Estimated; cells get equal shares of it.");
       declare(
         prm,
         "Marking",
@@ -251,6 +290,7 @@ namespace signorini
   {
     AdaptivityParameters adaptivity;
     adaptivity.indicator = in.choice<IndicatorKind>("Indicator");
+    adaptivity.goal      = in.choice<GoalKind>("Goal");
     adaptivity.marking   = in.choice<MarkingKind>("Marking");
     if (adaptivity.any())
       check_that_keys_fit(in, adaptivity);
@@ -266,6 +306,8 @@ namespace signorini
       "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
     adaptivity.hysteresis = fraction(
       in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
+    adaptivity.target_error =
+      fraction(in, "Target error", 1., "it is a part of the contact force. Give for example 0.01.");
     adaptivity.tolerance = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
     adaptivity.distance  = not_negative(in, "Distance", "Give a length, or 0 for the default.");
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
@@ -278,6 +320,7 @@ namespace signorini
     if (adaptivity.marking == MarkingKind::tolerance && adaptivity.tolerance == 0.)
       in.fail("Tolerance",
               "is missing, but Marking = tolerance compares with it. Give a positive number.");
+    check_goal(in, adaptivity);
     check_levels(in, adaptivity, bodies);
     return adaptivity;
   }

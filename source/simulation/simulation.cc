@@ -60,8 +60,10 @@ namespace signorini
     {
       const SchemeInfo &info   = scheme_info(time.scheme);
       const double      radius = parameters.spectral_radius.value_or(1.);
-      return {
-        info.balance, time.step_size, info.trapezoidal_rule ? TrapezoidalRule(radius).damping : 0.};
+      return {info.balance,
+              time.step_size,
+              info.trapezoidal_rule ? TrapezoidalRule(radius).damping : 0.,
+              time.start == StartKind::equilibrium};
     }
   } // namespace
 
@@ -245,7 +247,8 @@ namespace signorini
   std::string Simulation<dim>::summary(const TimeStepping     &stepping,
                                        const Observation<dim> &observation) const
   {
-    return stepping.summary() + observation.summary() + meshed->system.cost_summary();
+    return stepping.summary() + observation.summary() + mesh_control.summary()
+           + meshed->system.cost_summary();
   }
 
 
@@ -292,7 +295,7 @@ namespace signorini
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
           flags = mesh_control.judge(*meshed, {start, state, report.step_size});
         }
-        if (!flags.refines() || repetition == mesh_control.repetitions())
+        if (!mesh_control.repeats_step(flags, repetition))
           return report;
         rejected = report.rejected_steps + 1;
         state    = start;

@@ -38,7 +38,7 @@ namespace
     for (unsigned int step = 1, last = 0; step < never; ++step)
       if (rule.is_due(step))
         {
-          EXPECT_LE(step, last + AdaptivityParameters::longest_wait);
+          EXPECT_LE(step, last + AdaptivityParameters().longest_wait());
           last = step;
           if (rule.pays(change, step))
             return step;

@@ -17,6 +17,7 @@ namespace signorini
     double      step_size = 0.;                  ///< of the first step
     /** Of the scheme: its elastic forces are those of the mean displacement + this (u_new - u). */
     double stiffness_damping = 0.;
+    bool   starts_at_rest    = false; ///< in equilibrium with its contact forces
   };
 
   /**

@@ -20,6 +20,18 @@ namespace signorini
     double refine, coarsen;
   };
 
+  /**
+   * The part of the threshold of refinement below which cells may be coarsened where the solution
+   * is smooth: a cell that replaces its 2^dim children has about 4 * 2^dim times the square of one
+   * of them (linear elements, error in the energy norm), and this is to stay below half of the
+   * threshold. Behind a front the error is not smooth, and no such law holds.
+   */
+  template <int dim>
+  constexpr double smooth_coarsen_ratio()
+  {
+    return 1. / (8. * (1 << dim));
+  }
+
   /** Which cells should be refined or coarsened if there were no limits. */
   class Marking
   {

@@ -43,6 +43,7 @@ namespace signorini
 
   private:
     unsigned int steps_between; ///< 0: when it pays
+    unsigned int longest_wait;  ///< until the next judgement
     double       lost                         = 0.;
     double       squared_estimate_of_new_mesh = 0.;
     unsigned int last_judgement = 0, next_judgement = 0;

@@ -26,6 +26,20 @@ namespace signorini
                                                         {IndicatorKind::distance, "distance"}};
   };
 
+  /** What the mesh is made for. */
+  enum class GoalKind
+  {
+    energy,       ///< the error of the motion in the energy norm, everywhere
+    contact_force ///< the error of the sum of the contact forces
+  };
+
+  template <>
+  struct EnumNames<GoalKind>
+  {
+    static constexpr EnumName<GoalKind> table[] = {{GoalKind::energy, "energy"},
+                                                   {GoalKind::contact_force, "contact force"}};
+  };
+
   /** Which cells an estimate of the error has changed; of no use with the indicator `distance`. */
   enum class MarkingKind
   {
@@ -48,7 +62,11 @@ namespace signorini
   struct AdaptivityParameters
   {
     IndicatorKind indicator = IndicatorKind::none;
+    GoalKind      goal      = GoalKind::energy;
     MarkingKind   marking   = MarkingKind::fixed_fraction;
+
+    /** Relative, of the goal, which is not the energy then: cells get equal shares of it. */
+    double target_error = 0.;
 
     double refine_fraction  = 0.5;  ///< of the squared estimate, fixed fraction
     double coarsen_fraction = 0.02; ///< of the squared estimate, fixed fraction
@@ -67,10 +85,13 @@ namespace signorini
     double distance = 0.;
 
     /** Steps until the mesh is judged again, at most, if it changes when that pays. */
-    static constexpr unsigned int longest_wait = 2;
+    unsigned int longest_wait() const { return goal == GoalKind::contact_force ? 5 : 2; }
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != IndicatorKind::none; }
+
+    /** Whether cells matter by what they do to the contact force. */
+    bool aims_at_force() const { return any() && goal == GoalKind::contact_force; }
 
     /**
      * Whether cells closer to contact than `distance` are refined whatever the estimate of an

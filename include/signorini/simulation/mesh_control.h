@@ -4,7 +4,9 @@
 #ifndef signorini_simulation_mesh_control_h
 #define signorini_simulation_mesh_control_h
 
+#include <signorini/adaptivity/base_levels.h>
 #include <signorini/adaptivity/error_indicator.h>
+#include <signorini/adaptivity/force_error.h>
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/remeshing_rule.h>
 #include <signorini/base/archive.h>
@@ -38,8 +40,11 @@ namespace signorini
     /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
     bool is_due(unsigned int step) const { return any() && rule.is_due(step); }
 
-    /** How often a step may be repeated on a refined mesh. */
-    unsigned int repetitions() const { return any() ? parameters.repetitions : 0; }
+    /**
+     * Whether the step that was judged is to be repeated on the mesh that its change makes: as
+     * often as the scene allows, and while it is far from what the mesh aims at.
+     */
+    bool repeats_step(const MeshChange &change, unsigned int repetition) const;
 
     /**
      * The mesh is going to change after a step. What is built on the next one is told to expect
@@ -55,6 +60,8 @@ namespace signorini
     {
       archive(life_time, last_change);
       rule.archive(archive);
+      force_error.archive(archive);
+      base_levels.archive(archive);
     }
 
     /** Number of steps that will probably be made on the mesh that is built next. */
@@ -63,15 +70,31 @@ namespace signorini
     /** The latest indicators by active_cell_index; empty on a mesh that was not yet judged. */
     const dealii::Vector<double> &indicators() const { return latest; }
 
+    /** Of the goal of the mesh, for the end of the run; empty if there is none. */
+    std::string summary() const;
+
   private:
     Mesh<dim>                           &mesh;
     const AdaptivityParameters           parameters;
     const TimeIntegration                time;
     RemeshingRule                        rule;
+    ForceError                           force_error; ///< if the mesh aims at the force
+    BaseLevels<dim>                      base_levels; ///< if the mesh aims at the force
     unsigned int                         life_time;
     std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
     dealii::Vector<double>               latest;
-    unsigned int                         last_change = 0; ///< after which step
+    unsigned int                         last_change = 0;     ///< after which step
+    bool                                 is_far_off  = false; ///< the latest step from the goal
+
+    /** Cells by what contact is, or is about to be. */
+    struct ContactWishes
+    {
+      std::vector<bool> to_keep, to_refine;
+    };
+    ContactWishes contact_wishes(const MeshedScene<dim> &meshed, const StepRecord &step) const;
+
+    /** Nothing but what the contact force feels remains of the indicators. */
+    void weigh_by_force(const MeshedScene<dim> &meshed, const StepRecord &step);
   };
 } // namespace signorini
 

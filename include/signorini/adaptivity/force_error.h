@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_force_error_h
+#define signorini_adaptivity_force_error_h
+
+#include <signorini/base/archive.h>
+#include <signorini/contact/contact_surface.h>
+#include <signorini/time/state.h>
+
+#include <string>
+
+namespace signorini
+{
+  /** What the error of the contact force in one step is estimated from. */
+  struct ForceReading
+  {
+    double time            = 0.;
+    double force           = 0.; ///< sum of normal contact forces, positive
+    double elastic_energy  = 0.; ///< of all bodies
+    double squared_error   = 0.; ///< sum of squared indicators: of the error in the energy norm
+    double at_limit        = 0.; ///< the part of the cells that may not become finer
+    double of_uniform_mesh = 0.; ///< the same if all cells had level 0
+    double n_cells         = 0.;
+    double n_coarsest      = 0.; ///< cells of level 0
+  };
+
+  /**
+   * Of the state at the end of a step and the indicators of the step, by active_cell_index.
+   * Collective; the same on all processes. @param maximum_level of cells
+   */
+  template <int dim>
+  ForceReading force_reading(const Discretization<dim>    &discretization,
+                             const ContactSurface<dim>    &surface,
+                             const State                  &state,
+                             const dealii::Vector<double> &indicator,
+                             unsigned int                  maximum_level);
+
+  /**
+   * What the mesh does to the contact force of a run.
+   *
+   * The force is the derivative of the elastic energy E by the approach of the bodies, and E of a
+   * solution with finite elements is wrong by half the squared error in the energy norm. Relative
+   * errors of both are of one size, so that the force of a step has about the error
+   *
+   *   |error of F| = F eta^2 / (effectivity 2 E),
+   *
+   * where eta^2 is the squared estimate *at rest* of the balance of the step: with inertia as a
+   * load that is known, as for the elliptic reconstruction of Makridakis and Nochetto (SIAM J.
+   * Numer. Anal. 41, 2003). The constant was measured (doc/adaptivity.md).
+   */
+  class ForceError
+  {
+  public:
+    ForceError(double target, unsigned int dim);
+
+    /** A step was judged; a repeated one replaces what was seen of the same time. */
+    void see(const ForceReading &reading);
+
+    /**
+     * The root of the energy that the estimate of the latest step must not exceed, so that its
+     * error is the target in units of the largest force so far; but what cells that may not become
+     * finer make may come from others, too. Without contact it is the largest one so far, and
+     * without any beyond bounds.
+     */
+    double tolerance() const;
+
+    /**
+     * The part of the squared tolerance that was the least since contact began, between 1/16 and 1:
+     * it follows the elastic energy, which in an impact rises and falls again. What is coarsened
+     * should not be missed then.
+     */
+    double least_part_of_tolerance() const;
+
+    /** Whether the force is more than half of the largest one so far. */
+    bool is_high() const { return latest.force > 0.5 * largest_force; }
+
+    /** Estimated error of the force relative to the force, both L2 in time. 0 without contact. */
+    double relative_error() const;
+
+    /** The level of a uniform mesh with this error, and how many cells it would have. */
+    double uniform_level() const;
+    double uniform_cells() const;
+
+    /** The mean while there was contact. */
+    double mean_cells() const;
+
+    /** For the end of the run: an entry of the summary. */
+    std::string summary() const;
+
+    void archive(Archive &archive)
+    {
+      archive(latest, largest_force, largest_tolerance, least_tolerance, sums, earlier, interval);
+    }
+
+  private:
+    double       target;
+    unsigned int dim;
+    ForceReading latest;
+    double       largest_force = 0., largest_tolerance = 0., least_tolerance = 0.,
+           interval = 0.; ///< interval: of steps
+
+    struct Sums
+    {
+      double force = 0., error = 0., of_uniform_mesh = 0.; ///< squared, over time
+      double time = 0., cells = 0., n_coarsest = 0.;       ///< cells: times the time
+    };
+    Sums sums, earlier; ///< earlier: before the latest step
+
+    double effectivity() const { return dim == 2 ? 15. : 65.; }
+  };
+} // namespace signorini
+
+#endif

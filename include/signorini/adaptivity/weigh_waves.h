@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_weigh_waves_h
+#define signorini_adaptivity_weigh_waves_h
+
+#include <signorini/discretization/discretization.h>
+
+namespace signorini
+{
+  /**
+   * Raise the indicators of cells that are farther from the contact of their body than a few times
+   * its size. Near contact the body is deformed as at rest, and the error of the force is of second
+   * order: half the squared error of the displacement. Farther away there are waves. They bring
+   * their errors back to the contact, with all that their way has added. Collective.
+   * @param in_contact cells of this process by active_cell_index
+   * @param indicator  eta_T by active_cell_index
+   */
+  template <int dim>
+  void weigh_waves(const Discretization<dim> &discretization,
+                   const std::vector<bool>   &in_contact,
+                   dealii::Vector<double>    &indicator);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/force_error.h>
+#include <signorini/contact/own_forces.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Its square can be computed. */
+    constexpr double beyond_bounds = 1e150;
+  } // namespace
+
+
+  template <int dim>
+  ForceReading force_reading(const Discretization<dim>    &discretization,
+                             const ContactSurface<dim>    &surface,
+                             const State                  &state,
+                             const dealii::Vector<double> &indicator,
+                             const unsigned int            maximum_level)
+  {
+    const auto  &cells = discretization.mesh().triangulation();
+    ForceReading reading;
+    reading.time           = state.time;
+    reading.elastic_energy = 0.5 * (state.displacement * state.internal_force);
+    const Vector own       = own_forces(surface, state.contact_force);
+    for (const ContactNode<dim> &node : surface.nodes())
+      reading.force += node.transmission * std::abs(node.normal_force(own));
+    for (const auto &cell : discretization.cells())
+      if (cell->is_locally_owned())
+        {
+          const double square = std::pow(indicator(cell->active_cell_index()), 2);
+          reading.squared_error += square;
+          if (static_cast<unsigned int>(cell->level()) >= maximum_level)
+            reading.at_limit += square;
+          reading.of_uniform_mesh += std::exp2(2 * cell->level()) * square;
+        }
+    for (double *sum :
+         {&reading.force, &reading.squared_error, &reading.at_limit, &reading.of_uniform_mesh})
+      *sum = dealii::Utilities::MPI::sum(*sum, discretization.communicator());
+    reading.n_cells    = cells.n_global_active_cells();
+    reading.n_coarsest = cells.n_cells(0);
+    return reading;
+  }
+
+
+  ForceError::ForceError(const double target, const unsigned int dim)
+    : target(target)
+    , dim(dim)
+  {
+  }
+
+
+  void ForceError::see(const ForceReading &reading)
+  {
+    if (reading.time > latest.time)
+      {
+        earlier  = sums;
+        interval = reading.time - latest.time;
+      }
+    sums = earlier;
+    if (latest.force <= 0.)
+      least_tolerance = beyond_bounds;
+    latest        = reading;
+    largest_force = std::max(largest_force, reading.force);
+    if (reading.force <= 0. || reading.elastic_energy <= 0.)
+      return;
+    const double force_per_error = reading.force / (effectivity() * 2. * reading.elastic_energy);
+    sums.force += interval * std::pow(reading.force, 2);
+    sums.error += interval * std::pow(force_per_error * reading.squared_error, 2);
+    sums.of_uniform_mesh += interval * std::pow(force_per_error * reading.of_uniform_mesh, 2);
+    sums.time += interval;
+    sums.cells += interval * reading.n_cells;
+    sums.n_coarsest   = reading.n_coarsest;
+    largest_tolerance = std::max(largest_tolerance, tolerance());
+    least_tolerance   = std::min(least_tolerance, tolerance());
+  }
+
+
+  double ForceError::tolerance() const
+  {
+    if (latest.force <= 0.)
+      return largest_tolerance > 0. ? largest_tolerance : beyond_bounds;
+    const double of_target =
+      target * effectivity() * 2. * latest.elastic_energy * largest_force / latest.force;
+    return std::sqrt(std::max(of_target, 2. * latest.at_limit));
+  }
+
+
+  double ForceError::least_part_of_tolerance() const
+  {
+    constexpr double least = 1. / 16.;
+    return latest.force > 0. ? std::clamp(std::pow(least_tolerance / tolerance(), 2), least, 1.)
+                             : 1.;
+  }
+
+
+  double ForceError::relative_error() const
+  {
+    return sums.force > 0. ? std::sqrt(sums.error / sums.force) : 0.;
+  }
+
+
+  double ForceError::uniform_level() const
+  {
+    // Squared errors of linear elements are divided by 4 from level to level.
+    return sums.error > 0.
+             ? std::max(0., 0.5 * std::log2(std::sqrt(sums.of_uniform_mesh / sums.error)))
+             : 0.;
+  }
+
+
+  double ForceError::uniform_cells() const
+  {
+    return sums.n_coarsest * std::exp2(dim * uniform_level());
+  }
+
+
+  double ForceError::mean_cells() const
+  {
+    return sums.time > 0. ? sums.cells / sums.time : 0.;
+  }
+
+
+  std::string ForceError::summary() const
+  {
+    if (sums.force == 0.)
+      return "";
+    std::ostringstream text;
+    text.precision(2);
+    text << "  error of force    about " << 100. * relative_error()
+         << " % by the mesh (estimated; L2 in time)\n                    a uniform mesh of level "
+         << uniform_level() << " would have it with " << uniform_cells() / mean_cells()
+         << " times the cells\n";
+    if (relative_error() > 1.5 * target)
+      text << "                    the target was " << 100. * target
+           << " %: give a larger `Adaptivity/Maximum level` or `Maximum cells`, or finer "
+              "bodies to begin with\n";
+    return text.str();
+  }
+
+
+  template ForceReading force_reading(const Discretization<2> &,
+                                      const ContactSurface<2> &,
+                                      const State &,
+                                      const dealii::Vector<double> &,
+                                      unsigned int);
+  template ForceReading force_reading(const Discretization<3> &,
+                                      const ContactSurface<3> &,
+                                      const State &,
+                                      const dealii::Vector<double> &,
+                                      unsigned int);
+} // namespace signorini
