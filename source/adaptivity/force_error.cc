@@ -78,6 +78,8 @@ namespace signorini
     sums.of_uniform_mesh += interval * std::pow(force_per_error * reading.of_uniform_mesh, 2);
     sums.time += interval;
     sums.cells += interval * reading.n_cells;
+    sums.near += interval * reading.n_near;
+    sums.free += interval * reading.n_free;
     sums.n_coarsest   = reading.n_coarsest;
     largest_tolerance = std::max(largest_tolerance, tolerance());
     least_tolerance   = std::min(least_tolerance, tolerance());
@@ -133,12 +135,17 @@ namespace signorini
   {
     if (sums.force == 0.)
       return "";
+    const auto percent = [this](const double number) {
+      return std::lround(100. * number / sums.cells);
+    };
     std::ostringstream text;
     text.precision(2);
     text << "  error of force    about " << 100. * relative_error()
          << " % by the mesh (estimated; L2 in time)\n                    a uniform mesh of level "
          << uniform_level() << " would have it with " << uniform_cells() / mean_cells()
-         << " times the cells\n";
+         << " times the cells\n                    cells in contact: " << percent(sums.near)
+         << " % near it, " << percent(sums.cells - sums.near - sums.free) << " % for waves, "
+         << percent(sums.free) << " % in bodies that touch nothing\n";
     if (relative_error() > 1.5 * target)
       text << "                    the target was " << 100. * target
            << " %: give a larger `Adaptivity/Maximum level` or `Maximum cells`, or finer "

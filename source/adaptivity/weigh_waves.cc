@@ -19,9 +19,9 @@ namespace signorini
 
 
   template <int dim>
-  void weigh_waves(const Discretization<dim> &discretization,
-                   const std::vector<bool>   &in_contact,
-                   dealii::Vector<double>    &indicator)
+  double weigh_waves(const Discretization<dim> &discretization,
+                     const std::vector<bool>   &in_contact,
+                     dealii::Vector<double>    &indicator)
   {
     const Mesh<dim>    &mesh         = discretization.mesh();
     const MPI_Comm      communicator = discretization.communicator();
@@ -50,18 +50,24 @@ namespace signorini
           size         = std::max(size, distance(cell));
         }
     dealii::Utilities::MPI::max(sizes, communicator, sizes);
+    unsigned int n_near = 0;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
         {
           const unsigned int body = cell->material_id();
-          if (centres[(dim + 1) * body + dim] > 0. && distance(cell) > far_away * sizes[body])
+          if (centres[(dim + 1) * body + dim] == 0.)
+            continue;
+          if (distance(cell) > far_away * sizes[body])
             indicator(cell->active_cell_index()) *= std::sqrt(weight);
+          else
+            ++n_near;
         }
+    return dealii::Utilities::MPI::sum(n_near, communicator);
   }
 
 
-  template void
+  template double
   weigh_waves(const Discretization<2> &, const std::vector<bool> &, dealii::Vector<double> &);
-  template void
+  template double
   weigh_waves(const Discretization<3> &, const std::vector<bool> &, dealii::Vector<double> &);
 } // namespace signorini

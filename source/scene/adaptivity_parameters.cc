@@ -170,6 +170,23 @@ namespace signorini
     }
 
 
+    void declare_goal(dealii::ParameterHandler &prm)
+    {
+      using namespace dealii::Patterns;
+      declare(prm,
+              "Goal",
+              choices_of<GoalKind>(),
+              "Of residual: what the mesh is made for. energy: the error of the motion in the "
+              "energy norm. contact force: the error of the sum of the contact forces, down to "
+              "`Target error`; what no contact force will feel is left coarse.");
+      declare(prm,
+              "Target error",
+              Double(),
+              "Of Goal = contact force: the error that the mesh may cause, relative to the largest "
+              "force so far (no unit), between 0 and 1. Estimated; cells get equal shares of it.");
+    }
+
+
     void declare_marking(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
@@ -183,17 +200,6 @@ namespace signorini
                         "jumps of the stress alone. distance: no estimate; cells of contact "
                         "surfaces are refined that are, or soon will be, closer than `Distance` to "
                         "the other side.");
-      declare(prm,
-              "Goal",
-              choices_of<GoalKind>(),
-              "Of residual: what the mesh is made for. energy: the error of the motion in the "
-              "energy norm. contact force: the error of the sum of the contact forces, down to "
-              "`Target error`; what no contact force will feel is left coarse.");
-      declare(prm,
-              "Target error",
-              Double(),
-              "Of Goal = contact force: the error that the mesh may cause, relative to the largest "
-              "force so far (no unit), between 0 and 1. Estimated; cells get equal shares of it.");
       declare(
         prm,
         "Marking",
@@ -278,6 +284,7 @@ namespace signorini
 
   void declare_adaptivity(dealii::ParameterHandler &prm)
   {
+    declare_goal(prm);
     declare_marking(prm);
     declare_limits(prm);
   }

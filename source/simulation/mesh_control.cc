@@ -1,53 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/bodies_in_touch.h>
 #include <signorini/adaptivity/distance_indicator.h>
-#include <signorini/adaptivity/marking.h>
-#include <signorini/adaptivity/weigh_waves.h>
 #include <signorini/base/user_error.h>
 #include <signorini/simulation/mesh_control.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
 
 namespace signorini
 {
   namespace
   {
-    /** Times the tolerance: the next step must not begin with this error. */
-    constexpr double far_off = 2.;
-
-    /** Of the indicators of bodies that touch nothing: their vibration should not be lost. */
-    constexpr double of_free_bodies = 1. / 4.;
-
     /** Of a step that is far off. */
     constexpr unsigned int most_attempts = 8;
 
-    /**
-     * For each body the level of its finest cells among those in contact, 0 if there are none.
-     * Collective.
-     * @param distance receives a quarter of the size of the finest of all; 0 if there are none
-     */
-    template <int dim>
-    std::vector<unsigned int>
-    finest_levels(const Mesh<dim> &mesh, const std::vector<bool> &in_contact, double &distance)
-    {
-      std::vector<unsigned int> levels(mesh.bodies().size(), 0);
-      double                    smallest = std::numeric_limits<double>::max();
-      for (const auto &cell : mesh.active_cells())
-        if (cell->is_locally_owned() && in_contact[cell->active_cell_index()])
-          {
-            unsigned int &level = levels[cell->material_id()];
-            level               = std::max(level, static_cast<unsigned int>(cell->level()));
-            smallest            = std::min(smallest, cell->diameter() / std::sqrt(double(dim)));
-          }
-      dealii::Utilities::MPI::max(levels, mesh.communicator(), levels);
-      smallest = dealii::Utilities::MPI::min(smallest, mesh.communicator());
-      distance = smallest < std::numeric_limits<double>::max() ? 0.25 * smallest : 0.;
-      return levels;
-    }
+    /** Of the finest cell in contact: what is closer is about to touch. */
+    constexpr double near = 0.25;
   } // namespace
 
 
@@ -60,10 +26,10 @@ namespace signorini
     , parameters(parameters)
     , time(time)
     , rule(parameters)
-    , force_error(parameters.target_error, dim)
-    , base_levels(mesh)
     , life_time(n_steps)
   {
+    if (parameters.aims_at_force())
+      goal.emplace(mesh, parameters, time);
   }
 
 
@@ -85,20 +51,15 @@ namespace signorini
     if (!indicator)
       indicator = make_error_indicator(
         parameters, time, meshed.discretization, meshed.surface, meshed.dirichlet);
-    AdaptivityParameters now = parameters;
-    if (parameters.aims_at_force())
-      {
-        weigh_by_force(meshed, step);
-        now.tolerance = force_error.tolerance();
-        if (now.coarsen_ratio == 0.)
-          now.coarsen_ratio = force_error.least_part_of_tolerance() * smooth_coarsen_ratio<dim>();
-      }
-    else
-      latest = indicator->evaluate(step);
-    const ContactWishes wishes = contact_wishes(meshed, step);
-    MeshChange          change = mark_cells(mesh, now, latest, wishes.to_keep, wishes.to_refine);
-    is_far_off =
-      parameters.aims_at_force() && change.refines() && change.estimate > far_off * now.tolerance;
+    latest = indicator->evaluate(step);
+    const std::vector<bool> in_contact =
+      cells_in_contact(meshed.discretization, meshed.surface, step.end.contact_force);
+    if (goal)
+      goal->see(meshed.discretization, meshed.surface, step, in_contact, latest);
+    const ContactWishes wishes = contact_wishes(meshed, step, in_contact);
+    MeshChange          change = mark_cells(
+      mesh, goal ? goal->marking() : parameters, latest, wishes.to_keep, wishes.to_refine);
+    is_far_off       = goal && goal->is_far_off(change);
     change.is_urgent = change.is_urgent || is_far_off;
     if (rule.pays(change, step.end.step))
       return change;
@@ -115,58 +76,37 @@ namespace signorini
 
 
   template <int dim>
-  void MeshControl<dim>::weigh_by_force(const MeshedScene<dim> &meshed, const StepRecord &step)
-  {
-    const std::vector<bool> matters =
-      bodies_in_touch(meshed.discretization, meshed.surface, step.end);
-    latest = indicator->evaluate(step);
-    for (const auto &cell : mesh.active_cells())
-      if (cell->is_locally_owned() && !matters[cell->material_id()])
-        latest(cell->active_cell_index()) *= of_free_bodies;
-    weigh_waves(meshed.discretization,
-                cells_in_contact(meshed.discretization, meshed.surface, step.end.contact_force),
-                latest);
-    if (step.step_size > 0. || time.starts_at_rest)
-      force_error.see(force_reading(
-        meshed.discretization, meshed.surface, step.end, latest, parameters.maximum_level));
-    // A contact that is about to end is not worth a finer body.
-    base_levels.see(latest,
-                    force_error.is_high() ? std::pow(force_error.tolerance(), 2)
-                                          : std::numeric_limits<double>::infinity(),
-                    matters);
-  }
-
-
-  template <int dim>
   typename MeshControl<dim>::ContactWishes
-  MeshControl<dim>::contact_wishes(const MeshedScene<dim> &meshed, const StepRecord &step) const
+  MeshControl<dim>::contact_wishes(const MeshedScene<dim>  &meshed,
+                                   const StepRecord        &step,
+                                   const std::vector<bool> &in_contact) const
   {
-    const Discretization<dim> &discretization = meshed.discretization;
-    ContactWishes              wishes;
-    wishes.to_keep = cells_in_contact(discretization, meshed.surface, step.end.contact_force);
-    AdaptivityParameters      near = parameters;
+    ContactWishes             wishes{in_contact, std::vector<bool>(in_contact.size(), false)};
+    AdaptivityParameters      closeness_of = parameters;
     std::vector<unsigned int> finest(mesh.bodies().size(), parameters.maximum_level);
-    if (parameters.aims_at_force())
+    if (goal)
       {
         if (parameters.distance == 0.)
-          finest = finest_levels(mesh, wishes.to_keep, near.distance);
-        wishes.to_refine.resize(wishes.to_keep.size());
+          {
+            finest = finest_levels_in_contact(mesh, in_contact, closeness_of.distance);
+            closeness_of.distance *= near;
+          }
         for (const auto &cell : mesh.active_cells())
           if (cell->is_locally_owned())
             {
-              const unsigned int base = base_levels[cell->material_id()], level = cell->level();
-              const unsigned int i = cell->active_cell_index();
-              wishes.to_keep[i]    = wishes.to_keep[i] || level <= base;
-              wishes.to_refine[i]  = level < base;
+              const unsigned int base = goal->base_level(cell->material_id());
+              const unsigned int i = cell->active_cell_index(), level = cell->level();
+              wishes.to_keep[i]   = wishes.to_keep[i] || level <= base;
+              wishes.to_refine[i] = level < base;
             }
       }
-    if (!near.refines_contact())
+    if (!closeness_of.refines_contact())
       return wishes;
     // An estimate sees contact when it is there; nodes that come into contact on coarse cells
     // would give a blow.
     const auto closeness =
-      DistanceIndicator<dim>(discretization, meshed.surface, near, time.step_size).evaluate(step);
-    wishes.to_refine.resize(wishes.to_keep.size());
+      DistanceIndicator<dim>(meshed.discretization, meshed.surface, closeness_of, time.step_size)
+        .evaluate(step);
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
         {
@@ -185,7 +125,7 @@ namespace signorini
   template <int dim>
   std::string MeshControl<dim>::summary() const
   {
-    return force_error.summary();
+    return goal ? goal->summary() : "";
   }
 
 

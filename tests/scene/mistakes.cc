@@ -303,39 +303,6 @@ TEST(Mistakes, Adaptivity)
          assignment("Time/Scheme", "khenous-laborde-renard"));
 }
 
-TEST(Mistakes, AdaptivityWithAGoal)
-{
-  const std::string adaptive =
-    assignment("Adaptivity/Indicator", "residual") + assignment("Adaptivity/Goal", "contact force")
-    + assignment("Adaptivity/Target error", "0.01") + assignment("Adaptivity/Maximum level", "4");
-  EXPECT_EQ(refusal(TemporaryFile(correct_scene() + adaptive).name), "");
-  const auto expect =
-    [&](const std::string &key, const std::string &value, const std::vector<std::string> &words) {
-      const std::string path = "Adaptivity/" + key;
-      SCOPED_TRACE(path + " = " + value);
-      const ChangedScene changed(correct_scene() + adaptive, assignment(path, value));
-      const std::string  message = refusal(changed.file.name);
-      expect_words(message, {changed.file.name + ", line ", path, value});
-      expect_words(message, words);
-    };
-  expect("Goal", "force", {"Valid: energy, contact force"});
-  expect("Target error", "0", {"is missing", "Give for example"});
-  expect("Target error", "1.5", {"between 0 and 1"});
-  expect("Target error", "-0.1", {"between 0 and 1"});
-  expect("Maximum level", "0", {"Give a larger number"});
-  const std::string of_energy = "belongs to `Goal = energy`";
-  expect("Marking", "tolerance", {of_energy, "Remove"});
-  expect("Refine fraction", "0.3", {of_energy, "Remove"});
-  expect("Tolerance", "1", {of_energy, "Remove"});
-  const auto refusal_with = [&](const std::string &path, const std::string &value) {
-    const ChangedScene changed(correct_scene() + adaptive, assignment("Adaptivity/" + path, value));
-    return refusal(changed.file.name);
-  };
-  expect_words(refusal_with("Indicator", "kelly"), {"Goal", "needs", "Indicator = residual"});
-  expect_words(refusal_with("Indicator", "distance"), {"Goal", "Indicator = distance", "Remove"});
-  expect_words(refusal_with("Goal", "energy"), {"Target error", "Goal = contact force"});
-}
-
 TEST(Mistakes, TheEqualShareNeedsATolerance)
 {
   const TemporaryFile file(correct_scene() + assignment("Adaptivity/Indicator", "kelly")

@@ -288,7 +288,10 @@ class Adaptivity(check_history.SceneTest):
 
     def run_disc(self, name, overrides, processes=1):
         return check_history.Run(
-            check_history.PARAMETERS / "disc_2d.prm", f"adaptivity-disc-{name}", overrides, processes
+            check_history.PARAMETERS / "disc_2d.prm",
+            f"adaptivity-disc-{name}",
+            overrides,
+            processes,
         )
 
     def estimated_error(self, run):
@@ -324,7 +327,7 @@ class Adaptivity(check_history.SceneTest):
         self.assertEqual(n_meshes(run), 1)
 
     def test_waves_make_uniform_meshes(self):
-        """A fast impact: waves are everywhere, and the whole disc becomes finer while it touches."""
+        """A fast impact: waves are everywhere; all of the disc becomes finer while it touches."""
         aims = [
             "Mapping=curved",
             "Bodies/disc/Refinements=3",

@@ -11,7 +11,14 @@ from . import adaptive_figures, adaptive_measures as measures, tables
 from .case import Case as TimedCase, text
 
 #: Study files. The variants of the group "uniform" are what the others are compared with.
-CASES = ("adaptive_bar", "adaptive_geometry_a", "adaptive_geometry_b", "adaptive_sliding_block")
+CASES = (
+    "adaptive_bar",
+    "adaptive_disc_oblique",
+    "adaptive_disc_slow",
+    "adaptive_geometry_a",
+    "adaptive_geometry_b",
+    "adaptive_sliding_block",
+)
 UNIFORM = "uniform"
 
 
@@ -50,9 +57,16 @@ def errors_of(case):
     ]
 
 
+def is_estimated(case):
+    """Whether any run says how good its force is."""
+    return any(not math.isnan(numbers["estimate"]) for numbers in case.numbers)
+
+
 def table(case):
     """One line for each run."""
-    names = ["dofs", "largest_dofs", "steps", "changes", "seconds", *errors_of(case), "roughness"]
+    estimate = ["estimate"] if is_estimated(case) else []
+    names = ["dofs", "largest_dofs", "steps", "changes", "seconds"]
+    names += [*errors_of(case), *estimate, "roughness"]
     rows = [["run", *(measures.HEADINGS[name] for name in names)]]
     return rows + [
         [variant.name, *(text(numbers[name]) for name in names)]

@@ -81,6 +81,13 @@ def pressure_error(result, reference, times):
     )
 
 
+def estimated_force(result):
+    """What a mesh that is made for the force says of it at the end, in per cent."""
+    text = (result.folder / "log.txt").read_text(encoding="utf-8")
+    found = re.search(r"error of force +about (\S+) %", text)
+    return float(found[1]) if found else math.nan
+
+
 def measure(result, reference):
     """All numbers of a run by name; nan if it failed. reference: None if the solution is known."""
     if not result:
@@ -95,6 +102,7 @@ def measure(result, reference):
         "seconds": seconds(result),
         "wall_time": result["wall_time"][-1],
         "force": distance(force_curve(result, times), exact_force(result, reference, times)),
+        "estimate": estimated_force(result),
         "pressure": pressure_error(result, reference, times),
         "energy": energy_norm(result, reference, times),
         "displacement": 100 * result["relative_displacement_error"][-1] if known else math.nan,
@@ -110,6 +118,7 @@ HEADINGS = {
     "seconds": "processor s",
     "wall_time": "wall s",
     "force": "force, %",
+    "estimate": "estimate, %",
     "pressure": "pressure, %",
     "energy": "energy norm, %",
     "displacement": "displacement, %",

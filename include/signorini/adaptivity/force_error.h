@@ -22,6 +22,8 @@ namespace signorini
     double at_limit        = 0.; ///< the part of the cells that may not become finer
     double of_uniform_mesh = 0.; ///< the same if all cells had level 0
     double n_cells         = 0.;
+    double n_near          = 0.; ///< cells near the contact of their body
+    double n_free          = 0.; ///< cells of bodies that touch nothing
     double n_coarsest      = 0.; ///< cells of level 0
   };
 
@@ -103,7 +105,8 @@ namespace signorini
     struct Sums
     {
       double force = 0., error = 0., of_uniform_mesh = 0.; ///< squared, over time
-      double time = 0., cells = 0., n_coarsest = 0.;       ///< cells: times the time
+      double time = 0., n_coarsest = 0.;
+      double cells = 0., near = 0., free = 0.; ///< numbers times the time
     };
     Sums sums, earlier; ///< earlier: before the latest step
 

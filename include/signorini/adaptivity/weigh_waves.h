@@ -15,11 +15,12 @@ namespace signorini
    * their errors back to the contact, with all that their way has added. Collective.
    * @param in_contact cells of this process by active_cell_index
    * @param indicator  eta_T by active_cell_index
+   * @return the number of cells near the contact of their body, on all processes
    */
   template <int dim>
-  void weigh_waves(const Discretization<dim> &discretization,
-                   const std::vector<bool>   &in_contact,
-                   dealii::Vector<double>    &indicator);
+  double weigh_waves(const Discretization<dim> &discretization,
+                     const std::vector<bool>   &in_contact,
+                     dealii::Vector<double>    &indicator);
 } // namespace signorini
 
 #endif

@@ -4,9 +4,8 @@
 #ifndef signorini_simulation_mesh_control_h
 #define signorini_simulation_mesh_control_h
 
-#include <signorini/adaptivity/base_levels.h>
 #include <signorini/adaptivity/error_indicator.h>
-#include <signorini/adaptivity/force_error.h>
+#include <signorini/adaptivity/force_goal.h>
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/remeshing_rule.h>
 #include <signorini/base/archive.h>
@@ -60,8 +59,8 @@ namespace signorini
     {
       archive(life_time, last_change);
       rule.archive(archive);
-      force_error.archive(archive);
-      base_levels.archive(archive);
+      if (goal)
+        goal->archive(archive);
     }
 
     /** Number of steps that will probably be made on the mesh that is built next. */
@@ -78,8 +77,7 @@ namespace signorini
     const AdaptivityParameters           parameters;
     const TimeIntegration                time;
     RemeshingRule                        rule;
-    ForceError                           force_error; ///< if the mesh aims at the force
-    BaseLevels<dim>                      base_levels; ///< if the mesh aims at the force
+    std::optional<ForceGoal<dim>>        goal; ///< if there is one
     unsigned int                         life_time;
     std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
     dealii::Vector<double>               latest;
@@ -91,10 +89,9 @@ namespace signorini
     {
       std::vector<bool> to_keep, to_refine;
     };
-    ContactWishes contact_wishes(const MeshedScene<dim> &meshed, const StepRecord &step) const;
-
-    /** Nothing but what the contact force feels remains of the indicators. */
-    void weigh_by_force(const MeshedScene<dim> &meshed, const StepRecord &step);
+    ContactWishes contact_wishes(const MeshedScene<dim>  &meshed,
+                                 const StepRecord        &step,
+                                 const std::vector<bool> &in_contact) const;
   };
 } // namespace signorini
 

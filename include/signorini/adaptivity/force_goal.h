@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_adaptivity_force_goal_h
+#define signorini_adaptivity_force_goal_h
+
+#include <signorini/adaptivity/base_levels.h>
+#include <signorini/adaptivity/error_indicator.h>
+#include <signorini/adaptivity/force_error.h>
+#include <signorini/adaptivity/mark_cells.h>
+
+namespace signorini
+{
+  /**
+   * `Goal = contact force`: the mesh is as fine as the target for the error of the contact force
+   * needs, where it needs it. Weighs the indicators of a step by what the force feels of them, says
+   * what is tolerated, which cells have to be finer whatever their indicator is, and whether a step
+   * has to be repeated.
+   */
+  template <int dim>
+  class ForceGoal
+  {
+  public:
+    ForceGoal(const Mesh<dim>            &mesh,
+              const AdaptivityParameters &parameters,
+              const TimeIntegration      &time);
+
+    /**
+     * A step is judged. Collective.
+     * @param in_contact cells of this process by active_cell_index
+     * @param indicator  at rest (ResidualIndicator with this goal), becomes the weighed one
+     */
+    void see(const Discretization<dim> &discretization,
+             const ContactSurface<dim> &surface,
+             const StepRecord          &step,
+             const std::vector<bool>   &in_contact,
+             dealii::Vector<double>    &indicator);
+
+    /** For mark_cells() after the step that was seen. */
+    AdaptivityParameters marking() const;
+
+    /** Cells below have to be refined, cells of it must not be coarsened. */
+    unsigned int base_level(const unsigned int body) const { return base_levels[body]; }
+
+    /** Whether the step that was seen is so far from the target that it should be repeated. */
+    bool is_far_off(const MeshChange &change) const;
+
+    /** For the end of the run: entries of the summary. */
+    std::string summary() const { return force_error.summary(); }
+
+    void archive(Archive &archive)
+    {
+      force_error.archive(archive);
+      base_levels.archive(archive);
+    }
+
+  private:
+    const Mesh<dim>           &mesh;
+    const AdaptivityParameters parameters;
+    const bool                 starts_at_rest;
+    ForceError                 force_error;
+    BaseLevels<dim>            base_levels;
+  };
+
+  /**
+   * For each body the level of its finest cells among those in contact, 0 if there are none.
+   * Collective.
+   * @param in_contact cells of this process by active_cell_index
+   * @param size       receives that of the finest cell of all; 0 if there are none
+   */
+  template <int dim>
+  std::vector<unsigned int> finest_levels_in_contact(const Mesh<dim>         &mesh,
+                                                     const std::vector<bool> &in_contact,
+                                                     double                  &size);
+} // namespace signorini
+
+#endif

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/adaptivity/bodies_in_touch.h>
+#include <signorini/adaptivity/force_goal.h>
+#include <signorini/adaptivity/marking.h>
+#include <signorini/adaptivity/weigh_waves.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Times the tolerance: the next step must not begin with this error. */
+    constexpr double far_off = 2.;
+
+    /** Of the indicators of bodies that touch nothing: their vibration should not be lost. */
+    constexpr double of_free_bodies = 1. / 4.;
+  } // namespace
+
+
+  template <int dim>
+  ForceGoal<dim>::ForceGoal(const Mesh<dim>            &mesh,
+                            const AdaptivityParameters &parameters,
+                            const TimeIntegration      &time)
+    : mesh(mesh)
+    , parameters(parameters)
+    , starts_at_rest(time.starts_at_rest)
+    , force_error(parameters.target_error, dim)
+    , base_levels(mesh)
+  {
+  }
+
+
+  template <int dim>
+  void ForceGoal<dim>::see(const Discretization<dim> &discretization,
+                           const ContactSurface<dim> &surface,
+                           const StepRecord          &step,
+                           const std::vector<bool>   &in_contact,
+                           dealii::Vector<double>    &indicator)
+  {
+    const std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end);
+    unsigned int            n_free  = 0;
+    for (const auto &cell : mesh.active_cells())
+      if (cell->is_locally_owned() && !matters[cell->material_id()])
+        {
+          indicator(cell->active_cell_index()) *= of_free_bodies;
+          ++n_free;
+        }
+    const double n_near = weigh_waves(discretization, in_contact, indicator);
+    if (step.step_size > 0. || starts_at_rest)
+      {
+        ForceReading reading =
+          force_reading(discretization, surface, step.end, indicator, parameters.maximum_level);
+        reading.n_near = n_near;
+        reading.n_free = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
+        force_error.see(reading);
+      }
+    // A contact that is about to end is not worth a finer body.
+    const double tolerated = force_error.is_high() ? std::pow(force_error.tolerance(), 2)
+                                                   : std::numeric_limits<double>::infinity();
+    base_levels.see(indicator, tolerated, matters);
+  }
+
+
+  template <int dim>
+  AdaptivityParameters ForceGoal<dim>::marking() const
+  {
+    AdaptivityParameters now = parameters;
+    now.tolerance            = force_error.tolerance();
+    if (now.coarsen_ratio == 0.)
+      now.coarsen_ratio = force_error.least_part_of_tolerance() * smooth_coarsen_ratio<dim>();
+    return now;
+  }
+
+
+  template <int dim>
+  bool ForceGoal<dim>::is_far_off(const MeshChange &change) const
+  {
+    return change.refines() && change.estimate > far_off * force_error.tolerance();
+  }
+
+
+  template <int dim>
+  std::vector<unsigned int>
+  finest_levels_in_contact(const Mesh<dim> &mesh, const std::vector<bool> &in_contact, double &size)
+  {
+    constexpr double          none = std::numeric_limits<double>::max();
+    std::vector<unsigned int> levels(mesh.bodies().size(), 0);
+    size = none;
+    for (const auto &cell : mesh.active_cells())
+      if (cell->is_locally_owned() && in_contact[cell->active_cell_index()])
+        {
+          unsigned int &level = levels[cell->material_id()];
+          level               = std::max(level, static_cast<unsigned int>(cell->level()));
+          size                = std::min(size, cell->diameter() / std::sqrt(double(dim)));
+        }
+    dealii::Utilities::MPI::max(levels, mesh.communicator(), levels);
+    size = dealii::Utilities::MPI::min(size, mesh.communicator());
+    size = size < none ? size : 0.;
+    return levels;
+  }
+
+
+#define INSTANTIATE(dim)                                                                           \
+  template class ForceGoal<dim>;                                                                   \
+  template std::vector<unsigned int> finest_levels_in_contact(                                     \
+    const Mesh<dim> &, const std::vector<bool> &, double &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
+} // namespace signorini
