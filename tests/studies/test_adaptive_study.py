@@ -87,7 +87,7 @@ class Files(check_history.SceneTest):
         for name in adaptive.CASES:
             for coarse in (False, True):
                 case = adaptive.Case(
-                    check_history.PARAMETERS / "studies" / f"{name}.ini",
+                    check_history.PARAMETERS / "studies" / "adaptive" / f"{name}.ini",
                     coarse,
                     pathlib.Path(check_history.settings["folder"]),
                 )

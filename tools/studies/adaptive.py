@@ -11,22 +11,12 @@ from . import adaptive_figures, adaptive_measures as measures, tables
 from .case import Case as TimedCase, text
 
 #: Study files. The variants of the group "uniform" are what the others are compared with.
-CASES = (
-    "adaptive_bar",
-    "adaptive_disc_oblique",
-    "adaptive_disc_slow",
-    "adaptive_geometry_a",
-    "adaptive_geometry_b",
-    "adaptive_sliding_block",
-)
+CASES = ("bar", "disc_oblique", "disc_slow", "geometry_a", "geometry_b", "sliding_block")
 UNIFORM = "uniform"
 
 
 class Case(TimedCase):
     """A scene with its uniform and its adaptive runs."""
-
-    def __init__(self, path, coarse, folder):
-        super().__init__(path, coarse, folder, "adaptive_")
 
     def groups(self):
         """(variant, numbers) by group, in the order of the file."""
@@ -120,8 +110,9 @@ def adaptive(arguments, root):
     folder = pathlib.Path(arguments.folder or "output/adaptive").resolve()
     folder.mkdir(parents=True, exist_ok=True)
     good, page = True, ""
+    files = root / "parameters" / "studies" / "adaptive"
     for name in CASES:
-        case = Case(root / "parameters" / "studies" / f"{name}.ini", arguments.coarse, folder)
+        case = Case(files / f"{name}.ini", arguments.coarse, folder)
         done, exact = case.run(arguments.executable, arguments.draw_only)
         good = good and bool(done) and all(done)
         if not done:

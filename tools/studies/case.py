@@ -19,15 +19,14 @@ ORIGIN, TIME = "origin.json", "processor_time.txt"
 
 class Case:
     """A study file with its runs. The reference run, if there is one, takes the keys of [scene],
-    [coarse] and [reference], the former win. prefix: of the name of the file,
-    and not of that of its folder."""
+    [coarse] and [reference], the former win."""
 
-    def __init__(self, path, coarse, folder, prefix=""):
+    def __init__(self, path, coarse, folder):
         self.study = Study(path, coarse)
         self.study.variants = [
             variant for variant in self.study.variants if not (coarse and variant.full)
         ]
-        self.folder = folder / self.study.name.removeprefix(prefix)
+        self.folder = folder / self.study.name
         self.folder.mkdir(parents=True, exist_ok=True)
         settings = {"Output/VTU": "false", **self.study.reference, **self.study.common}
         self.reference = self.study.reference and runs.Task(
