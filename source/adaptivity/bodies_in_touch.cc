@@ -14,15 +14,16 @@ namespace signorini
   template <int dim>
   std::vector<bool> bodies_in_touch(const Discretization<dim> &discretization,
                                     const ContactSurface<dim> &surface,
-                                    const State               &state)
+                                    const State               &state,
+                                    const double               soon)
   {
     const Mesh<dim> &mesh  = discretization.mesh();
-    double           ahead = 0.;
+    double           ahead = soon;
     for (unsigned int b = 0; b < mesh.bodies().size(); ++b)
       ahead =
         std::max(ahead, 2. * mesh.body_size(b) / mesh.bodies()[b].material.pressure_wave_speed());
-    Vector soon = state.displacement;
-    soon.add(ahead, state.velocity);
+    Vector then = state.displacement;
+    then.add(ahead, state.velocity);
 
     std::vector<unsigned int> touches(mesh.bodies().size(), 0);
     const auto                note = [&](const unsigned int pair) {
@@ -31,7 +32,7 @@ namespace signorini
         touches[surface.pairs()[pair].master] = 1;
     };
     const double round_off = gap_round_off(mesh.body_size());
-    for (const ContactNode<dim> &node : surface.near_nodes(soon, round_off))
+    for (const ContactNode<dim> &node : surface.near_nodes(then, round_off))
       if (node.gap <= round_off)
         note(node.pair);
     if (state.contact_force.size() > 0)
@@ -47,7 +48,7 @@ namespace signorini
 
 
   template std::vector<bool>
-  bodies_in_touch(const Discretization<2> &, const ContactSurface<2> &, const State &);
+  bodies_in_touch(const Discretization<2> &, const ContactSurface<2> &, const State &, double);
   template std::vector<bool>
-  bodies_in_touch(const Discretization<3> &, const ContactSurface<3> &, const State &);
+  bodies_in_touch(const Discretization<3> &, const ContactSurface<3> &, const State &, double);
 } // namespace signorini

@@ -16,6 +16,9 @@ namespace signorini
   {
     /** Its square can be computed. */
     constexpr double beyond_bounds = 1e150;
+
+    /** Of relative errors. */
+    constexpr double most_credible = 0.3;
   } // namespace
 
 
@@ -62,8 +65,9 @@ namespace signorini
   {
     if (reading.time > latest.time)
       {
-        earlier  = sums;
-        interval = reading.time - latest.time;
+        earlier        = sums;
+        previous_force = latest.force;
+        interval       = reading.time - latest.time;
       }
     sums = earlier;
     if (latest.force <= 0.)
@@ -134,7 +138,7 @@ namespace signorini
   std::string ForceError::summary() const
   {
     if (sums.force == 0.)
-      return "";
+      return "  error of force    none, as there was no contact\n";
     const auto percent = [this](const double number) {
       return std::lround(100. * number / sums.cells);
     };
@@ -146,6 +150,8 @@ namespace signorini
          << " times the cells\n                    cells in contact: " << percent(sums.near)
          << " % near it, " << percent(sums.cells - sums.near - sums.free) << " % for waves, "
          << percent(sums.free) << " % in bodies that touch nothing\n";
+    if (relative_error() > most_credible)
+      text << "                    that is no more than a sign of a mesh that is much too coarse\n";
     if (relative_error() > 1.5 * target)
       text << "                    the target was " << 100. * target
            << " %: give a larger `Adaptivity/Maximum level` or `Maximum cells`, or finer "

@@ -31,6 +31,7 @@ namespace signorini
     : mesh(mesh)
     , parameters(parameters)
     , starts_at_rest(time.starts_at_rest)
+    , step_size(time.step_size)
     , force_error(parameters.target_error, dim)
     , base_levels(mesh)
   {
@@ -44,8 +45,10 @@ namespace signorini
                            const std::vector<bool>   &in_contact,
                            dealii::Vector<double>    &indicator)
   {
-    const std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end);
-    unsigned int            n_free  = 0;
+    const double            soon    = (parameters.longest_wait() + 1) * step_size;
+    const std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end, soon);
+    awaits_contact      = std::find(matters.begin(), matters.end(), true) != matters.end();
+    unsigned int n_free = 0;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned() && !matters[cell->material_id()])
         {

@@ -39,7 +39,7 @@ namespace signorini
   template <int dim>
   PackedState::PackedState(const State &state, const ContactSurface<dim> &surface)
     : everywhere{state.displacement, state.velocity}
-    , at_contact{state.contact_force}
+    , at_contact{state.contact_force, surface.gaps()}
   {
     numbers.step           = state.step;
     numbers.time           = state.time;
@@ -59,7 +59,7 @@ namespace signorini
 
 
   template <int dim>
-  State PackedState::unpack(const ContactSurface<dim> &surface, DynamicalSystem &system) const
+  State PackedState::unpack(ContactSurface<dim> &surface, DynamicalSystem &system) const
   {
     State state        = numbers;
     auto  next         = everywhere.begin();
@@ -76,11 +76,14 @@ namespace signorini
         state.last_step.momentum_change = system.make_vector();
         system.apply_mass(state.last_step.momentum_change, state.last_step.velocity_change);
       }
-    if (MovingContact *contact = system.capabilities().moving_contact)
-      contact->arrive(state.displacement, state.time);
-
     auto value          = at_contact.begin();
     state.contact_force = in_system(*value++, system);
+    if (surface.follows())
+      ++value;
+    else
+      surface.set_gaps(*value++);
+    if (MovingContact *contact = system.capabilities().moving_contact)
+      contact->arrive(state.displacement, state.time);
     if (value == at_contact.end())
       return state;
     state.friction.force            = in_system(*value++, system);
@@ -116,7 +119,7 @@ namespace signorini
 
 #define INSTANTIATE(dim)                                                                           \
   template PackedState::PackedState(const State &, const ContactSurface<dim> &);                   \
-  template State PackedState::unpack(const ContactSurface<dim> &, DynamicalSystem &) const;
+  template State PackedState::unpack(ContactSurface<dim> &, DynamicalSystem &) const;
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -253,6 +253,24 @@ namespace signorini
 
 
   template <int dim>
+  Vector ContactSurface<dim>::gaps() const
+  {
+    Vector result = discretization.make_vector();
+    for (const ContactNode<dim> &node : contact_nodes)
+      result.local_element(node.entry()) = node.gap;
+    return result;
+  }
+
+
+  template <int dim>
+  void ContactSurface<dim>::set_gaps(const Vector &gaps)
+  {
+    for (ContactNode<dim> &node : contact_nodes)
+      node.gap = gaps.local_element(node.entry());
+  }
+
+
+  template <int dim>
   std::vector<double> ContactSurface<dim>::distance(const Vector &displacement) const
   {
     std::vector<double> result = normal_gap(displacement);

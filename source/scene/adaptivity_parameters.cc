@@ -125,14 +125,17 @@ namespace signorini
         *std::min_element(bodies.begin(), bodies.end(), [](const auto &a, const auto &b) {
           return a.refinements < b.refinements;
         });
+      const std::string initial = "the initial mesh has level "
+                                  + std::to_string(coarsest.refinements) + " (`Bodies/"
+                                  + coarsest.name + "/Refinements`) or more. ";
       // With a target the error of any mesh can be looked at, uniform ones included.
-      if (adaptivity.aims_at_force() && adaptivity.maximum_level > 0
-            ? adaptivity.maximum_level < coarsest.refinements
-            : adaptivity.maximum_level <= coarsest.refinements)
+      if (adaptivity.aims_at_force()
+          && adaptivity.maximum_level < std::max(coarsest.refinements, 1u))
         in.fail("Maximum level",
-                "leaves nothing to refine: the initial mesh has level "
-                  + std::to_string(coarsest.refinements) + " (`Bodies/" + coarsest.name
-                  + "/Refinements`) or more. Give a larger number.");
+                "must not be less than the mesh begins with: " + initial
+                  + "Give this number to have the mesh judged only, or a larger one.");
+      if (!adaptivity.aims_at_force() && adaptivity.maximum_level <= coarsest.refinements)
+        in.fail("Maximum level", "leaves nothing to refine: " + initial + "Give a larger number.");
       if (adaptivity.minimum_level >= adaptivity.maximum_level)
         in.fail("Minimum level",
                 "must be smaller than `Maximum level` = " + in.text("Maximum level")
@@ -179,11 +182,13 @@ namespace signorini
               "Of residual: what the mesh is made for. energy: the error of the motion in the "
               "energy norm. contact force: the error of the sum of the contact forces, down to "
               "`Target error`; what no contact force will feel is left coarse.");
-      declare(prm,
-              "Target error",
-              Double(),
-              "Of Goal = contact force: the error that the mesh may cause, relative to the largest "
-              "force so far (no unit), between 0 and 1. Estimated; cells get equal shares of it.");
+      declare(
+        prm,
+        "Target error",
+        Double(),
+        "Of Goal = contact force: the error that the mesh may cause, relative to the force and "
+        "L2 in time (no unit), between 0 and 1. Estimated; cells get equal shares of it in "
+        "units of the largest force so far.");
     }
 
 
@@ -264,11 +269,13 @@ namespace signorini
               Integer(),
               "The mesh is judged, and may change, after every so many steps. 0: it changes when "
               "what steps have lost on it amounts to the cost of a change.");
-      declare(prm,
-              "Repetitions",
-              Integer(),
-              "How often a step may be repeated on a refined mesh before it is accepted, at most "
-              "20. 0: the mesh that a step asks for serves the next one.");
+      declare(
+        prm,
+        "Repetitions",
+        Integer(),
+        "How often a step may be repeated on a refined mesh before it is accepted, at most "
+        "20. 0: the mesh that a step asks for serves the next one. (With Goal = contact force "
+        "steps that are far from the target are repeated anyway.)");
       declare(prm,
               "Distance",
               Double(),

@@ -106,7 +106,7 @@ TEST(ForceGoal, ErrorIsThatOfTheWholeTime)
 TEST(ForceGoal, UniformMeshIsItsOwnMatch)
 {
   ForceError error(0.01, 2);
-  EXPECT_EQ(error.summary(), "");
+  EXPECT_NE(error.summary().find("no contact"), std::string::npos);
   error.see(reading_at(0.1, 2., 0.3));
   EXPECT_NEAR(error.uniform_level(), 4., 1e-12);
   EXPECT_NEAR(error.uniform_cells(), error.mean_cells(), 1e-9);

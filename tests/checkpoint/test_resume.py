@@ -44,6 +44,18 @@ class Resume(check_history.SceneTest):
                 if not any(word in column for word in skipped):
                     self.assertLess(by, OTHER_PROCESSES, (column, before, after))
 
+    def test_contact_that_does_not_follow(self):
+        """Finer meshes admit nodes that penetrate: a checkpoint must not push them out."""
+        linearised = ["Contact/Motion=linearised", "Contact/ball : block/Friction coefficient=0"]
+        runs = []
+        for name, every in (("admitted", 5), ("admitted_without_checkpoints", 1000)):
+            run = InterruptedRun(name, 1, [*linearised, f"Checkpoint/Every steps={every}"]).start()
+            self.assertEqual(run.end(), (0, []))
+            runs.append(run)
+        by = differences(*runs)
+        for column in ("contact_force", "elastic_energy", "total_energy"):
+            self.assertLess(by[f"history/{column}"], OTHER_PROCESSES, column)
+
     def test_what_may_change(self):
         run, _ = self.ended_by_signal("changed")
         run.overrides = ("Bodies/ball/Density=2",)

@@ -236,7 +236,7 @@ TEST(Combinations, OfMeshesAndTheirGoal)
   expect("Target error", "0", {"is missing", "Give for example"});
   expect("Target error", "1.5", {"between 0 and 1"});
   expect("Target error", "-0.1", {"between 0 and 1"});
-  expect("Maximum level", "0", {"Give a larger number"});
+  expect("Maximum level", "0", {"begins with", "a larger one"});
   const std::string of_energy = "belongs to `Goal = energy`";
   expect("Marking", "tolerance", {of_energy, "Remove"});
   expect("Refine fraction", "0.3", {of_energy, "Remove"});

@@ -12,12 +12,13 @@ namespace signorini
   /**
    * For each body, whether what happens in it now can be felt by a contact force: it touches
    * something, or will do so before a pressure wave has run through it and back, at the present
-   * velocity. Collective; the same on all processes.
+   * velocity. Collective; the same on all processes. @param soon a time that is also looked ahead
    */
   template <int dim>
   std::vector<bool> bodies_in_touch(const Discretization<dim> &discretization,
                                     const ContactSurface<dim> &surface,
-                                    const State               &state);
+                                    const State               &state,
+                                    double                     soon = 0.);
 } // namespace signorini
 
 #endif

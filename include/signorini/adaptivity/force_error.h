@@ -74,6 +74,9 @@ namespace signorini
      */
     double least_part_of_tolerance() const;
 
+    /** Whether there is contact, and has been with a like force in the judgement before. */
+    bool is_settled() const { return latest.force > 0. && latest.force < 2. * previous_force; }
+
     /** Whether the force is more than half of the largest one so far. */
     bool is_high() const { return latest.force > 0.5 * largest_force; }
 
@@ -92,13 +95,21 @@ namespace signorini
 
     void archive(Archive &archive)
     {
-      archive(latest, largest_force, largest_tolerance, least_tolerance, sums, earlier, interval);
+      archive(latest,
+              previous_force,
+              largest_force,
+              largest_tolerance,
+              least_tolerance,
+              sums,
+              earlier,
+              interval);
     }
 
   private:
     double       target;
     unsigned int dim;
     ForceReading latest;
+    double       previous_force = 0.; ///< in the judgement before
     double       largest_force = 0., largest_tolerance = 0., least_tolerance = 0.,
            interval = 0.; ///< interval: of steps
 

@@ -45,6 +45,12 @@ namespace signorini
     /** Whether the step that was seen is so far from the target that it should be repeated. */
     bool is_far_off(const MeshChange &change) const;
 
+    /**
+     * Whether the next step has to be judged: there is contact to come, or a force that rises. What
+     * begins on cells that are too coarse is not mended later.
+     */
+    bool is_expectant() const { return awaits_contact && !force_error.is_settled(); }
+
     /** For the end of the run: entries of the summary. */
     std::string summary() const { return force_error.summary(); }
 
@@ -52,14 +58,17 @@ namespace signorini
     {
       force_error.archive(archive);
       base_levels.archive(archive);
+      archive(awaits_contact);
     }
 
   private:
     const Mesh<dim>           &mesh;
     const AdaptivityParameters parameters;
     const bool                 starts_at_rest;
+    const double               step_size; ///< the first one
     ForceError                 force_error;
     BaseLevels<dim>            base_levels;
+    bool                       awaits_contact = true; ///< or has it
   };
 
   /**

@@ -20,7 +20,8 @@ namespace signorini
     State numbers; ///< step and time, and the size of the last step, if it is remembered
     bool  has_acceleration = false;
     std::vector<Vector> everywhere; ///< u, v, and perhaps a and the change of v
-    std::vector<Vector> at_contact; ///< r, and with friction its force, slip, path and status
+    /** r, gaps with what was admitted, and with friction its force, slip, path and status. */
+    std::vector<Vector> at_contact;
 
     template <int dim>
     PackedState(const State &state, const ContactSurface<dim> &surface);
@@ -33,7 +34,7 @@ namespace signorini
      * system, which may be another one on the same mesh. Collective.
      */
     template <int dim>
-    State unpack(const ContactSurface<dim> &surface, DynamicalSystem &system) const;
+    State unpack(ContactSurface<dim> &surface, DynamicalSystem &system) const;
 
     /** All but what is everywhere. Collective, and on the first process in full. */
     void archive(Archive &archive, const Vector &like);

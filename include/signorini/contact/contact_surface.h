@@ -170,6 +170,12 @@ namespace signorini
      */
     void admit(const Vector &displacement);
 
+    /** The gaps of all contact nodes in their entries, with what was admitted. */
+    Vector gaps() const;
+
+    /** Gaps as they were on the same mesh. */
+    void set_gaps(const Vector &gaps);
+
   private:
     const Discretization<dim>          &discretization;
     const std::vector<PairDescription>  descriptions;

@@ -37,7 +37,10 @@ namespace signorini
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
     /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
-    bool is_due(unsigned int step) const { return any() && rule.is_due(step); }
+    bool is_due(unsigned int step) const
+    {
+      return any() && (rule.is_due(step) || (goal && goal->is_expectant()));
+    }
 
     /**
      * Whether the step that was judged is to be repeated on the mesh that its change makes: as
