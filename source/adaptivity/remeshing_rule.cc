@@ -56,8 +56,7 @@ namespace signorini
     if (left > loss)
       next_judgement =
         step
-        + static_cast<unsigned int>(
-          std::min(left / std::max(loss, of_sums), double(longest_wait)));
+        + static_cast<unsigned int>(std::min(left / std::max(loss, of_sums), double(longest_wait)));
     return false;
   }
 
