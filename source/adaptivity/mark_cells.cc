@@ -222,8 +222,10 @@ namespace signorini
     keep_families_beside_finer_cells(triangulation);
     triangulation.prepare_coarsening_and_refinement(); // may add flags and remove some
     count_flags(triangulation, change);
-    // Refinement alone needs no projection of the state; a few cells to be coarsened can wait.
-    if (change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
+    // Refinement alone needs no projection of the state. What the estimate of the energy wants is
+    // coarsened layer by layer, and must not wait; equal shares of a target leave less to coarsen.
+    if ((!change.refines() || parameters.aims_at_force())
+        && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
       {
         for (const auto &cell : triangulation.active_cell_iterators())
           cell->clear_coarsen_flag();

@@ -33,7 +33,7 @@ namespace signorini
    * family is coarsened only if the cell that replaces it would, by the order of the method, be
    * well below the threshold of refinement. Refinement that concerns less than the part
    * `Hysteresis` of the squared estimate is left out, and so is coarsening of less than this part
-   * of the cells.
+   * of the cells, alone or for the goal `contact force`.
    *
    * @param indicator       eta_T by active_cell_index
    * @param not_to_coarsen  protected cells by active_cell_index; empty: none
