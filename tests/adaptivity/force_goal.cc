@@ -103,6 +103,24 @@ TEST(ForceGoal, ErrorIsThatOfTheWholeTime)
   EXPECT_NEAR(error.relative_error(), once * std::sqrt(6.), 1e-12 * once);
 }
 
+TEST(ForceGoal, ForceThatRisesIsNotSettled)
+{
+  ForceError error(0.01, 2);
+  EXPECT_FALSE(error.is_settled());
+  error.see(reading_at(0.1, 2., 1.));
+  EXPECT_FALSE(error.is_settled()); // the first contact
+  error.see(reading_at(0.1, 3., 1.));
+  EXPECT_FALSE(error.is_settled()); // the same step again
+  error.see(reading_at(0.2, 4., 1.));
+  EXPECT_TRUE(error.is_settled());
+  error.see(reading_at(0.3, 9., 1.));
+  EXPECT_FALSE(error.is_settled());
+  error.see(reading_at(0.4, 1., 1.));
+  EXPECT_TRUE(error.is_settled()); // falls
+  error.see(reading_at(0.5, 0., 1.));
+  EXPECT_FALSE(error.is_settled());
+}
+
 TEST(ForceGoal, UniformMeshIsItsOwnMatch)
 {
   ForceError error(0.01, 2);

@@ -9,7 +9,6 @@ makes the same meshes.
 """
 
 import math
-import re
 
 import check_history
 
@@ -34,14 +33,6 @@ RESIDUAL = BALL + [
     "Adaptivity/Maximum level=3",
     "Adaptivity/Repetitions=1",
     "Adaptivity/Maximum cells=1500",
-]
-#: A slow impact, whose contact stays small.
-SLOW_DISC = [
-    "Mapping=curved",
-    "Bodies/disc/Initial velocity=0; -0.06",
-    "Time/Step size=8e-3",
-    "Time/End time=0.48",
-    "Output/VTU=false",
 ]
 #: Without loads and contact.
 DAMPED_FLIGHT = """
@@ -285,64 +276,6 @@ class Adaptivity(check_history.SceneTest):
                 self.assertLessEqual(
                     abs(one[column][row] - two[column][row]), 1e-8 * scale, f"{column} in row {row}"
                 )
-
-    def run_disc(self, name, overrides, processes=1):
-        return check_history.Run(
-            check_history.PARAMETERS / "disc_2d.prm",
-            f"adaptivity-disc-{name}",
-            overrides,
-            processes,
-        )
-
-    def estimated_error(self, run):
-        """Of the contact force, as the summary says."""
-        return 0.01 * float(re.search(r"error of force +about (\S+) %", run.log)[1])
-
-    def test_goal_is_the_contact_force(self):
-        """The target is met, at a part of the unknowns, and the estimate is right but for a factor.
-
-        The reference is a uniform mesh, whose error is a seventh of the largest target.
-        """
-        fine = self.run_disc("fine", SLOW_DISC + ["Bodies/disc/Refinements=6"])
-        for target, levels, dofs in (
-            (0.05, (3, 7), 0.05),
-            (0.01, (3, 7), 0.1),
-            (1.0, (4, 4), 0.1),
-        ):
-            with self.subTest(target=target):
-                aims = [
-                    f"Bodies/disc/Refinements={levels[0]}",
-                    "Adaptivity/Indicator=residual",
-                    "Adaptivity/Goal=contact force",
-                    f"Adaptivity/Target error={target}",
-                    f"Adaptivity/Maximum level={levels[1]}",
-                ]
-                run = self.run_disc(f"target-{target}", SLOW_DISC + aims)
-                self.expect_account(run, 1e-9)
-                error = distance(run["contact_force"], fine["contact_force"])
-                self.assertLess(error, 1.5 * target)
-                self.assertLess(error / 3.0, self.estimated_error(run))
-                self.assertLess(self.estimated_error(run), 3.0 * max(error, 0.3 * target))
-                self.assertLess(sum(run["dofs"]) / len(run), dofs * fine["dofs"][0])
-        self.assertEqual(n_meshes(run), 1)
-
-    def test_waves_make_uniform_meshes(self):
-        """A fast impact: waves are everywhere; all of the disc becomes finer while it touches."""
-        aims = [
-            "Mapping=curved",
-            "Bodies/disc/Refinements=3",
-            "Adaptivity/Indicator=residual",
-            "Adaptivity/Goal=contact force",
-            "Adaptivity/Target error=0.02",
-            "Adaptivity/Maximum level=5",
-            "Output/VTU=false",
-        ]
-        one, two = (self.run_disc(f"waves-{n}", aims, n) for n in (1, 2))
-        uniform = 5 * 4**4
-        cells = [n for n, force in zip(one["cells"], one["contact_force"]) if force > 0.0]
-        self.assertGreater(sum(n >= uniform for n in cells), 0.5 * len(cells))
-        self.assertLess(one["cells"][-1], 0.5 * uniform)
-        self.expect_same_meshes(one, two, "momentum_y")
 
     def test_two_processes(self):
         for name, overrides in (("distance", DISTANCE), ("residual", RESIDUAL)):

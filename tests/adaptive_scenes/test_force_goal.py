@@ -1,0 +1,106 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+# Copyright (C) 2026 by the signorini authors
+
+"""Runs on meshes that are made for the contact force: the target is met at a part of the unknowns of
+a uniform mesh, the estimate at the end is right but for a factor, contact after a flight does not
+begin on coarse cells, waves make the mesh uniform, and two processes make the same meshes.
+"""
+
+import re
+
+import check_history
+import test_adaptivity as mesh_runs
+
+#: A slow impact, whose contact stays small.
+SLOW_DISC = [
+    "Mapping=curved",
+    "Bodies/disc/Initial velocity=0; -0.06",
+    "Time/Step size=8e-3",
+    "Time/End time=0.48",
+    "Output/VTU=false",
+]
+
+
+class ForceGoal(check_history.SceneTest):
+    expect_account = mesh_runs.Adaptivity.expect_account
+    expect_same_meshes = mesh_runs.Adaptivity.expect_same_meshes
+
+    def run_disc(self, name, overrides, processes=1):
+        scene = check_history.PARAMETERS / "disc_2d.prm"
+        return check_history.Run(scene, name, overrides, processes)
+
+    def estimated_error(self, run):
+        """Of the contact force, as the summary says."""
+        return 0.01 * float(re.search(r"error of force +about (\S+) %", run.log)[1])
+
+    def test_goal_is_the_contact_force(self):
+        """The target is met, at a part of the unknowns, and the estimate is right but for a factor.
+
+        The reference is a uniform mesh, whose error is a seventh of the largest target.
+        """
+        fine = self.run_disc("fine", SLOW_DISC + ["Bodies/disc/Refinements=6"])
+        for target, levels, dofs in (
+            (0.05, (3, 7), 0.05),
+            (0.01, (3, 7), 0.1),
+            (1.0, (4, 4), 0.1),
+        ):
+            with self.subTest(target=target):
+                aims = [
+                    f"Bodies/disc/Refinements={levels[0]}",
+                    "Adaptivity/Indicator=residual",
+                    "Adaptivity/Goal=contact force",
+                    f"Adaptivity/Target error={target}",
+                    f"Adaptivity/Maximum level={levels[1]}",
+                ]
+                run = self.run_disc(f"target-{target}", SLOW_DISC + aims)
+                self.expect_account(run, 1e-9)
+                error = mesh_runs.distance(run["contact_force"], fine["contact_force"])
+                self.assertLess(error, 1.5 * target)
+                self.assertLess(error / 3.0, self.estimated_error(run))
+                self.assertLess(self.estimated_error(run), 3.0 * max(error, 0.3 * target))
+                self.assertLess(sum(run["dofs"]) / len(run), dofs * fine["dofs"][0])
+        self.assertEqual(mesh_runs.n_meshes(run), 1)
+
+    def test_contact_after_a_flight(self):
+        """The first steps of contact are judged, too: what they spoil, later meshes do not mend."""
+        flight = [
+            "Mapping=curved",
+            "Bodies/disc/Centre=0, 1.02",
+            "Bodies/disc/Initial velocity=0; -1",
+            "Time/Step size=1e-2",
+            "Time/End time=0.4",
+        ]
+        aims = [
+            "Bodies/disc/Refinements=2",
+            "Adaptivity/Indicator=residual",
+            "Adaptivity/Goal=contact force",
+            "Adaptivity/Target error=0.01",
+            "Adaptivity/Maximum level=6",
+        ]
+        fine = self.run_disc("flight-fine", [*flight, "Bodies/disc/Refinements=6"])
+        run = self.run_disc("flight", flight + aims)
+        self.assertLess(mesh_runs.distance(run["contact_force"], fine["contact_force"]), 0.015)
+        self.assertLess(max(run["cells"]), 0.1 * fine["cells"][0])
+
+    def test_waves_make_uniform_meshes(self):
+        """A fast impact: waves are everywhere; all of the disc becomes finer while it touches."""
+        aims = [
+            "Mapping=curved",
+            "Bodies/disc/Refinements=3",
+            "Adaptivity/Indicator=residual",
+            "Adaptivity/Goal=contact force",
+            "Adaptivity/Target error=0.02",
+            "Adaptivity/Maximum level=5",
+            "Output/VTU=false",
+        ]
+        one, two = (self.run_disc(f"waves-{n}", aims, n) for n in (1, 2))
+        uniform = 5 * 4**4
+        cells = [n for n, force in zip(one["cells"], one["contact_force"]) if force > 0.0]
+        self.assertGreater(sum(n >= uniform for n in cells), 0.5 * len(cells))
+        self.assertLess(one["cells"][-1], 0.5 * uniform)
+        self.expect_same_meshes(one, two, "momentum_y")
+
+
+if __name__ == "__main__":
+    check_history.main()
