@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 # Copyright (C) 2026 by the signorini authors
 
-"""Runs on meshes that are made for the contact force: the target is met at a part of the unknowns of
-a uniform mesh, the estimate at the end is right but for a factor, contact after a flight does not
-begin on coarse cells, waves make the mesh uniform, and two processes make the same meshes.
+"""Runs on meshes that are made for the contact force: the target is met at a part of the unknowns
+of a uniform mesh, the estimate at the end is right but for a factor, contact after a flight does
+not begin on coarse cells, waves make the mesh uniform, and two processes make the same meshes.
 """
 
 import re
