@@ -19,6 +19,9 @@ namespace signorini
     /** Times the tolerance: the next step must not begin with this error. */
     constexpr double far_off = 2.;
 
+    /** Of the finest cell in contact: what is closer is about to touch. */
+    constexpr double near = 0.25;
+
     /** Of the indicators of bodies that touch nothing: their vibration should not be lost. */
     constexpr double of_free_bodies = 1. / 4.;
   } // namespace
@@ -75,6 +78,7 @@ namespace signorini
   AdaptivityParameters ForceGoal<dim>::marking() const
   {
     AdaptivityParameters now = parameters;
+    now.marking              = MarkingKind::tolerance;
     now.tolerance            = force_error.tolerance();
     if (now.coarsen_ratio == 0.)
       now.coarsen_ratio = force_error.least_part_of_tolerance() * smooth_coarsen_ratio<dim>();
@@ -90,30 +94,27 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<unsigned int>
-  finest_levels_in_contact(const Mesh<dim> &mesh, const std::vector<bool> &in_contact, double &size)
+  ContactAhead contact_ahead(const Mesh<dim> &mesh, const std::vector<bool> &in_contact)
   {
     constexpr double          none = std::numeric_limits<double>::max();
-    std::vector<unsigned int> levels(mesh.bodies().size(), 0);
-    size = none;
+    std::vector<unsigned int> finest(mesh.bodies().size(), 0);
+    double                    size = none;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned() && in_contact[cell->active_cell_index()])
         {
-          unsigned int &level = levels[cell->material_id()];
+          unsigned int &level = finest[cell->material_id()];
           level               = std::max(level, static_cast<unsigned int>(cell->level()));
           size                = std::min(size, cell->diameter() / std::sqrt(double(dim)));
         }
-    dealii::Utilities::MPI::max(levels, mesh.communicator(), levels);
+    dealii::Utilities::MPI::max(finest, mesh.communicator(), finest);
     size = dealii::Utilities::MPI::min(size, mesh.communicator());
-    size = size < none ? size : 0.;
-    return levels;
+    return {size < none ? near * size : 0., finest};
   }
 
 
 #define INSTANTIATE(dim)                                                                           \
   template class ForceGoal<dim>;                                                                   \
-  template std::vector<unsigned int> finest_levels_in_contact(                                     \
-    const Mesh<dim> &, const std::vector<bool> &, double &);
+  template ContactAhead contact_ahead(const Mesh<dim> &, const std::vector<bool> &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

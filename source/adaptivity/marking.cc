@@ -53,13 +53,12 @@ namespace signorini
       explicit EqualShare(const AdaptivityParameters &parameters)
         : tolerance(parameters.tolerance)
         , ratio(coarsen_ratio<dim>(parameters))
-        , zero_is_good(parameters.aims_at_force())
       {
       }
 
       MarkingThresholds thresholds(const IndicatorDistribution &distribution) const override
       {
-        if (distribution.total() == 0. && !zero_is_good)
+        if (distribution.total() == 0.)
           return {out_of_reach, 0.};
         const double share   = tolerance * tolerance / distribution.n_cells();
         const bool   is_good = std::sqrt(distribution.total()) <= tolerance;
@@ -68,7 +67,6 @@ namespace signorini
 
     private:
       const double tolerance, ratio;
-      const bool   zero_is_good; ///< that nothing is to be seen tells that nothing matters
     };
 
     /** Of DistanceIndicator, which is no estimate. */
@@ -92,7 +90,7 @@ namespace signorini
   {
     if (parameters.indicator == IndicatorKind::distance)
       return std::make_unique<FixedThresholds<dim>>();
-    if (parameters.marking == MarkingKind::tolerance || parameters.aims_at_force())
+    if (parameters.marking == MarkingKind::tolerance)
       return std::make_unique<EqualShare<dim>>(parameters);
     return std::make_unique<FixedFraction<dim>>(parameters);
   }

@@ -11,9 +11,6 @@ namespace signorini
   {
     /** Of a step that is far off. */
     constexpr unsigned int most_attempts = 8;
-
-    /** Of the finest cell in contact: what is closer is about to touch. */
-    constexpr double near = 0.25;
   } // namespace
 
 
@@ -81,31 +78,28 @@ namespace signorini
                                    const StepRecord        &step,
                                    const std::vector<bool> &in_contact) const
   {
-    ContactWishes             wishes{in_contact, std::vector<bool>(in_contact.size(), false)};
-    AdaptivityParameters      closeness_of = parameters;
-    std::vector<unsigned int> finest(mesh.bodies().size(), parameters.maximum_level);
+    ContactWishes wishes{in_contact, std::vector<bool>(in_contact.size(), false)};
     if (goal)
-      {
-        if (parameters.distance == 0.)
+      for (const auto &cell : mesh.active_cells())
+        if (cell->is_locally_owned())
           {
-            finest = finest_levels_in_contact(mesh, in_contact, closeness_of.distance);
-            closeness_of.distance *= near;
+            const unsigned int i    = cell->active_cell_index();
+            const unsigned int body = cell->material_id(), level = cell->level();
+            wishes.to_keep[i]   = wishes.to_keep[i] || goal->keeps(body, level);
+            wishes.to_refine[i] = goal->refines(body, level);
           }
-        for (const auto &cell : mesh.active_cells())
-          if (cell->is_locally_owned())
-            {
-              const unsigned int base = goal->base_level(cell->material_id());
-              const unsigned int i = cell->active_cell_index(), level = cell->level();
-              wishes.to_keep[i]   = wishes.to_keep[i] || level <= base;
-              wishes.to_refine[i] = level < base;
-            }
-      }
-    if (!closeness_of.refines_contact())
+    const std::vector<unsigned int> to_the_limit(mesh.bodies().size(), parameters.maximum_level);
+    const ContactAhead              ahead       = goal && parameters.distance == 0.
+                                                    ? contact_ahead(mesh, in_contact)
+                                                    : ContactAhead{parameters.distance, to_the_limit};
+    AdaptivityParameters            closer_than = parameters;
+    closer_than.distance                        = ahead.distance;
+    if (!closer_than.refines_contact())
       return wishes;
     // An estimate sees contact when it is there; nodes that come into contact on coarse cells
     // would give a blow.
     const auto closeness =
-      DistanceIndicator<dim>(meshed.discretization, meshed.surface, closeness_of, time.step_size)
+      DistanceIndicator<dim>(meshed.discretization, meshed.surface, closer_than, time.step_size)
         .evaluate(step);
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
@@ -116,7 +110,7 @@ namespace signorini
             wishes.to_keep[i] || closeness(i) >= DistanceIndicator<dim>::far_enough;
           wishes.to_refine[i] =
             wishes.to_refine[i]
-            || (closeness(i) >= DistanceIndicator<dim>::too_close && level < finest[body]);
+            || (closeness(i) >= DistanceIndicator<dim>::too_close && level < ahead.levels[body]);
         }
     return wishes;
   }

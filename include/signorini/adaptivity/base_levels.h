@@ -12,11 +12,11 @@
 namespace signorini
 {
   /**
-   * How fine the coarsest cells of each body have to be. Where an error is that of waves
-   * it is everywhere, and moves: a mesh whose cells are refined one by one would scatter the waves
-   * and change all the time. So if the coarsest cells of a body together, without the parts of
-   * those that stick out, use up a good part of what is tolerated, all of them are refined, and
-   * stay so as long as the body matters.
+   * How fine the coarsest cells of each body have to be. Where an error is that of waves it is
+   * everywhere, and moves: a mesh whose cells are refined one by one would scatter the waves and
+   * change all the time. So if the coarsest cells of a body together, without the parts of those
+   * that stick out, use up a good part of what is tolerated, all of them are refined, and stay so
+   * as long as the body matters.
    */
   template <int dim>
   class BaseLevels
@@ -30,7 +30,7 @@ namespace signorini
      * @param tolerated the sum of their squares
      */
     void see(const dealii::Vector<double> &indicator,
-             double                        threshold,
+             double                        tolerated,
              const std::vector<bool>      &matters);
 
     unsigned int operator[](const unsigned int body) const { return levels[body]; }

@@ -74,6 +74,8 @@ namespace signorini
      */
     double least_part_of_tolerance() const;
 
+    bool has_seen_contact() const { return largest_force > 0.; }
+
     /** Whether there is contact, and has been with a like force in the judgement before. */
     bool is_settled() const { return latest.force > 0. && latest.force < 2. * previous_force; }
 
@@ -109,9 +111,10 @@ namespace signorini
     double       target;
     unsigned int dim;
     ForceReading latest;
-    double       previous_force = 0.; ///< in the judgement before
-    double       largest_force = 0., largest_tolerance = 0., least_tolerance = 0.,
-           interval = 0.; ///< interval: of steps
+    double       interval          = 0.; ///< from the judgement before
+    double       previous_force    = 0.; ///< in the judgement before
+    double       largest_force     = 0.;
+    double       largest_tolerance = 0., least_tolerance = 0.; ///< least: since contact began
 
     struct Sums
     {

@@ -39,8 +39,17 @@ namespace signorini
     /** For mark_cells() after the step that was seen. */
     AdaptivityParameters marking() const;
 
-    /** Cells below have to be refined, cells of it must not be coarsened. */
-    unsigned int base_level(const unsigned int body) const { return base_levels[body]; }
+    /** Whether cells of this level have to be refined, whatever their indicators are. */
+    bool refines(const unsigned int body, const unsigned int level) const
+    {
+      return level < base_levels[body];
+    }
+
+    /** Whether they must not be coarsened. Before the first contact nothing is known. */
+    bool keeps(const unsigned int body, const unsigned int level) const
+    {
+      return !force_error.has_seen_contact() || level <= base_levels[body];
+    }
 
     /** Whether the step that was seen is so far from the target that it should be repeated. */
     bool is_far_off(const MeshChange &change) const;
@@ -71,16 +80,19 @@ namespace signorini
     bool                       awaits_contact = true; ///< or has it
   };
 
+  /** Up to which level cells are refined that are about to touch something. */
+  struct ContactAhead
+  {
+    double                    distance; ///< what is closer is about to touch; 0: nothing
+    std::vector<unsigned int> levels;   ///< of bodies
+  };
+
   /**
-   * For each body the level of its finest cells among those in contact, 0 if there are none.
-   * Collective.
+   * Contact that grows meets cells as fine as the finest that are in contact. Collective.
    * @param in_contact cells of this process by active_cell_index
-   * @param size       receives that of the finest cell of all; 0 if there are none
    */
   template <int dim>
-  std::vector<unsigned int> finest_levels_in_contact(const Mesh<dim>         &mesh,
-                                                     const std::vector<bool> &in_contact,
-                                                     double                  &size);
+  ContactAhead contact_ahead(const Mesh<dim> &mesh, const std::vector<bool> &in_contact);
 } // namespace signorini
 
 #endif
