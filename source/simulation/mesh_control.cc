@@ -88,12 +88,12 @@ namespace signorini
             wishes.to_keep[i]   = wishes.to_keep[i] || goal->keeps(body, level);
             wishes.to_refine[i] = goal->refines(body, level);
           }
-    const std::vector<unsigned int> to_the_limit(mesh.bodies().size(), parameters.maximum_level);
-    const ContactAhead              ahead       = goal && parameters.distance == 0.
-                                                    ? contact_ahead(mesh, in_contact)
-                                                    : ContactAhead{parameters.distance, to_the_limit};
-    AdaptivityParameters            closer_than = parameters;
-    closer_than.distance                        = ahead.distance;
+    ContactAhead ahead{parameters.distance,
+                       std::vector<unsigned int>(mesh.bodies().size(), parameters.maximum_level)};
+    if (goal && parameters.distance == 0.)
+      ahead = contact_ahead(mesh, in_contact);
+    AdaptivityParameters closer_than = parameters;
+    closer_than.distance             = ahead.distance;
     if (!closer_than.refines_contact())
       return wishes;
     // An estimate sees contact when it is there; nodes that come into contact on coarse cells
