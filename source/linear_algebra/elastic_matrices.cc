@@ -74,7 +74,7 @@ namespace signorini
 
 
     /** Of the nodes of a process; where fewer are moved a product looks which blocks it needs. */
-    constexpr double few = 0.25;
+    constexpr double few = 0.5;
   } // namespace
 
 

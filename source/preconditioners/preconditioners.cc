@@ -87,9 +87,12 @@ namespace signorini
     public:
       ContactGaussSeidel(const ElasticMatrices<dim>    &matrices,
                          const ContactCoordinates<dim> &coordinates,
-                         const MatrixSum               &sum)
+                         const MatrixSum               &sum,
+                         std::optional<SweepOrder>      order = {})
         : inner(matrices, coordinates, sum, block_size == dim)
-        , sweeps(inner.matrices(), inner.sum())
+        , sweeps(inner.matrices(),
+                 inner.sum(),
+                 order ? std::move(*order) : SweepOrder::of<dim>(inner.matrices().pattern))
         , turned(matrices.pattern.partitioner)
         , is_exact(inner.is_exact())
       {
@@ -268,6 +271,18 @@ namespace signorini
   }
 
 
+  template <int dim>
+  std::unique_ptr<MaskedPreconditioner>
+  make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
+                           const ContactCoordinates<dim> &coordinates,
+                           SweepOrder                     order)
+  {
+    Assert(!coordinates.coupling().any(), dealii::ExcMessage("Bodies meet across the order."));
+    return std::make_unique<ContactGaussSeidel<dim, 1>>(
+      matrices, coordinates, MatrixSum{1., 0.}, std::move(order));
+  }
+
+
 #define INSTANTIATE(dim)                                                                           \
   template double ratio_of_stiffness(const ElasticMatrices<dim> &);                                \
   template bool   needs_double_precision(const Discretization<dim> &, double);                     \
@@ -283,7 +298,9 @@ namespace signorini
     const std::vector<double> &,                                                                   \
     bool);                                                                                         \
   template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(                         \
-    const ElasticMatrices<dim> &, const ContactCoordinates<dim> &);
+    const ElasticMatrices<dim> &, const ContactCoordinates<dim> &);                                \
+  template std::unique_ptr<MaskedPreconditioner> make_mass_preconditioner(                         \
+    const ElasticMatrices<dim> &, const ContactCoordinates<dim> &, SweepOrder);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace signorini
 {
@@ -24,8 +25,9 @@ namespace signorini
 
   template <int dim, int block_size>
   NodeSweeps<dim, block_size>::NodeSweeps(const ElasticMatrices<dim> &matrices,
-                                          const MatrixSum            &sum)
-    : matrix(matrices, sum)
+                                          const MatrixSum            &sum,
+                                          SweepOrder                  order)
+    : matrix(matrices, sum, std::move(order))
     , special(matrix)
     , exchange(matrix.order, matrix.position_of, matrix.communicator)
   {
@@ -68,6 +70,8 @@ namespace signorini
                                          const double              scale) const
   {
     destination.zero_out_ghost_values();
+    if (!matrix.has_all_nodes())
+      destination = 0.;
     for (unsigned int n = 0; n < matrix.n_positions(); ++n)
       for (unsigned int i = 0; i < dim; ++i)
         {

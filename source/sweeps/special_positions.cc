@@ -82,9 +82,11 @@ namespace signorini
     slips = false;
     for (const HeldNode<dim> &node : held)
       {
-        if (node.node >= matrix.n_positions())
+        if (node.node >= matrix.position_of.size())
           continue; // a ghost
         const unsigned int position = matrix.position_of[node.node];
+        if (position == matrix.n_positions())
+          continue; // no part of the sweeps
         // What is held along n in the displacement C^-T x is held along C^-1 n in x.
         const Tensor<2, dim>        root      = inverse_root(position);
         Tensor<2, dim>              projector = dealii::unit_symmetric_tensor<dim>();

@@ -126,6 +126,22 @@ namespace signorini
   }
 
 
+  SweepOrder SweepOrder::part(const std::vector<char> &is_wanted) const
+  {
+    SweepOrder result;
+    result.neighbours      = neighbours;
+    result.interface_begin = result.interface_end = 0;
+    for (unsigned int position = 0; position < nodes.size(); ++position)
+      if (is_wanted[nodes[position]])
+        {
+          result.nodes.push_back(nodes[position]);
+          result.interface_begin += position < interface_begin;
+          result.interface_end += position < interface_end;
+        }
+    return result;
+  }
+
+
   bool SweepOrder::is_earlier(const unsigned int ghost) const
   {
     for (const Neighbour &neighbour : neighbours)

@@ -13,7 +13,16 @@ namespace signorini
   template <int dim, int block_size>
   SymmetricGaussSeidel<dim, block_size>::SymmetricGaussSeidel(const ElasticMatrices<dim> &matrices,
                                                               const MatrixSum            &sum)
-    : sweeps(matrices, sum)
+    : SymmetricGaussSeidel(matrices, sum, SweepOrder::of<dim>(matrices.pattern))
+  {
+  }
+
+
+  template <int dim, int block_size>
+  SymmetricGaussSeidel<dim, block_size>::SymmetricGaussSeidel(const ElasticMatrices<dim> &matrices,
+                                                              const MatrixSum            &sum,
+                                                              SweepOrder                  order)
+    : sweeps(matrices, sum, std::move(order))
     , solution(sweeps.p)
     , residual(sweeps.p)
   {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace signorini
 {
@@ -46,14 +47,15 @@ namespace signorini
 
   template <int dim, int block_size>
   UnitDiagonalMatrix<dim, block_size>::UnitDiagonalMatrix(const ElasticMatrices<dim> &matrices,
-                                                          const MatrixSum            &sum)
+                                                          const MatrixSum            &sum,
+                                                          SweepOrder                  sweep_order)
     : communicator(matrices.pattern.partitioner->get_mpi_communicator())
-    , order(SweepOrder::of<dim>(matrices.pattern))
+    , order(std::move(sweep_order))
   {
     Assert(sum.is_positive(), dealii::ExcMessage("Only definite matrices have roots."));
     Assert(block_size == dim || (sum.stiffness == 0. && sum.damping == 0.),
            dealii::ExcMessage("The blocks of the stiffness are full."));
-    position_of.resize(matrices.pattern.n_owned);
+    position_of.assign(matrices.pattern.n_owned, n_positions());
     for (unsigned int p = 0; p < n_positions(); ++p)
       position_of[order.nodes[p]] = p;
     find_pattern(matrices.pattern);
@@ -63,7 +65,7 @@ namespace signorini
 
     // One common scale keeps single precision away from overflow and underflow in any system of
     // units.
-    for (unsigned int node = 0; node < n_positions(); ++node)
+    for (const unsigned int node : order.nodes)
       root_scale = std::max(root_scale, roots[node].norm());
     root_scale = root_scale > 0. ? root_scale : 1.;
     inverse_roots.resize(n_positions() + 1);
@@ -76,12 +78,13 @@ namespace signorini
   void UnitDiagonalMatrix<dim, block_size>::find_pattern(const NodePattern &pattern)
   {
     // Rows get their columns column by column, and so in ascending order.
-    const unsigned int                     n = pattern.n_owned;
+    const unsigned int                     n = n_positions();
     std::vector<std::vector<unsigned int>> below(n); // by column
     row_start.assign(n + 1, 0);
-    for (unsigned int node = 0; node < n; ++node)
+    for (const unsigned int node : order.nodes)
       for (unsigned int k = pattern.row_start[node]; k < pattern.row_start[node + 1]; ++k)
-        if (const unsigned int column = pattern.columns[k]; column != node && column < n)
+        if (const unsigned int column = pattern.columns[k];
+            column != node && column < pattern.n_owned && position_of[column] < n)
           {
             const auto [first, second] = std::minmax(position_of[node], position_of[column]);
             below[first].push_back(second);
@@ -130,9 +133,10 @@ namespace signorini
   {
     const NodePattern &pattern = matrices.pattern;
     lower.resize(columns.size() + 1);
-    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+    for (const unsigned int node : order.nodes)
       for (unsigned int k = pattern.row_start[node] + 1; k < pattern.row_start[node + 1]; ++k)
-        if (const unsigned int other = pattern.columns[k]; other < pattern.n_owned)
+        if (const unsigned int other = pattern.columns[k];
+            other < pattern.n_owned && position_of[other] < n_positions())
           {
             const auto block = roots[node] * matrix_block<dim, block_size>(matrices, node, k, sum)
                                * transpose(roots[other]);

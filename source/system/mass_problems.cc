@@ -6,6 +6,7 @@
 #include <signorini/system/mass_problems.h>
 #include <signorini/system/scales.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -24,9 +25,11 @@ namespace signorini
     , tolerance(parameters.tolerance)
     , mass_parameters(mass_parameters)
     , timer(timer)
+    , near_contact(discretization.matrices(), coordinates)
     , solver(parameters.limits)
     , projected(surface.nodes().size(), 0)
     , last_correction(discretization.make_vector())
+    , last_residual(last_correction)
   {
   }
 
@@ -34,11 +37,9 @@ namespace signorini
   template <int dim>
   void MassProblems<dim>::prepare()
   {
-    if (mass)
-      return;
-    mass = std::make_unique<StepOperator<dim>>(
-      discretization.matrices(), coordinates, MatrixSum{1., 0.});
-    preconditioner = make_mass_preconditioner(discretization.matrices(), coordinates);
+    if (!mass)
+      mass = std::make_unique<StepOperator<dim>>(
+        discretization.matrices(), coordinates, MatrixSum{1., 0.});
   }
 
 
@@ -76,6 +77,22 @@ namespace signorini
 
 
   template <int dim>
+  bool MassProblems<dim>::surround(const Corrections &corrections, const double accepted)
+  {
+    const ElasticMatrices<dim> &matrices = discretization.matrices();
+    std::vector<unsigned int>   nodes;
+    double                      square = 0.;
+    for (const auto &[entry, value] : corrections)
+      {
+        nodes.push_back(entry / dim);
+        square += matrices.mass[matrices.pattern.row_start[entry / dim]] * value * value;
+      }
+    square = dealii::Utilities::MPI::sum(square, discretization.communicator());
+    return near_contact.surround(nodes, square > 0. ? accepted / std::sqrt(square) : 1.);
+  }
+
+
+  template <int dim>
   SolveReport MassProblems<dim>::project_at_once(const ProjectionProblem &problem,
                                                  const NormalGap         &left,
                                                  const bool               continues,
@@ -83,9 +100,17 @@ namespace signorini
                                                  Vector                  &mass_correction)
   {
     prepare();
-    correction = last_correction;
+    const double accepted = tolerance * problem.step_size * std::sqrt(problem.energy_scale / 2.);
+    Corrections  corrections;
+    for (unsigned int k = 0; k < left.size(); ++k)
+      if (left[k] < 0. || projected[k])
+        corrections.emplace_back(coordinates.normal_entries()[k], std::min(left[k], 0.));
+    const bool is_new = surround(corrections, accepted);
+    correction        = last_correction;
     coordinates.displacement_to_contact(correction);
-    if (continues)
+    if (is_new)
+      near_contact.clear_outside(correction);
+    else
       {
         mass_correction = last_residual;
         coordinates.force_to_contact(mass_correction);
@@ -93,21 +118,32 @@ namespace signorini
     const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.dirichlet_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const ConstrainedProblem  constrained{
-      *mass,
-      *preconditioner,
-      zero,
-      coordinates.normal_entries(),
-      left,
-      coordinates.dirichlet_entries(),
-      nothing,
-      tolerance * problem.step_size * std::sqrt(problem.energy_scale / 2.),
-      bound_tolerance(problem.free_increment, discretization.mesh().body_size()),
-      ConstrainedProblem::no_friction,
-      continues,
-      problem.is_trial};
-    const SolveReport report = solver.solve(constrained, projected, correction, mass_correction);
-    last_residual            = mass_correction;
+    const auto                solve = [&](const bool goes_on) {
+      return solver.solve(
+        {*mass,
+         near_contact.preconditioner(),
+         zero,
+         coordinates.normal_entries(),
+         left,
+         coordinates.dirichlet_entries(),
+         nothing,
+         accepted,
+         bound_tolerance(problem.free_increment, discretization.mesh().body_size()),
+         ConstrainedProblem::no_friction,
+         goes_on,
+         problem.is_trial,
+         goes_on || !is_new},
+        projected,
+        correction,
+        mass_correction);
+    };
+    SolveReport report = solve(continues && !is_new);
+    while (!problem.is_trial && near_contact.norm_outside(mass_correction) > 0.5 * accepted)
+      {
+        near_contact.widen();
+        report.add(solve(true));
+      }
+    last_residual = mass_correction;
     coordinates.force_to_cartesian(last_residual);
     for (unsigned int k = 0; k < projected.size(); ++k)
       if (projected[k])
@@ -164,19 +200,41 @@ namespace signorini
     Vector relative_velocity = velocity;
     coordinates.displacement_to_contact(relative_velocity);
     std::vector<double> values(coordinates.dirichlet_entries().size(), 0.);
+    Corrections         corrections;
     for (std::size_t j = values.size(); j < fixed.size(); ++j)
-      values.push_back(-relative_velocity.local_element(fixed[j]));
+      {
+        values.push_back(-relative_velocity.local_element(fixed[j]));
+        corrections.emplace_back(fixed[j], values[j]);
+      }
 
     const Vector zero = discretization.make_vector();
     ActiveSet    none;
     const double accepted = tolerance * std::sqrt(energy_scale / 2.);
-    effort.linear_iterations =
-      solver
-        .solve({*mass, *preconditioner, zero, {}, {}, fixed, values, accepted, 0.},
-               none,
-               correction,
-               mass_correction)
-        .linear_iterations;
+    surround(corrections, accepted);
+    const auto solve = [&](const bool goes_on) {
+      effort.linear_iterations += solver
+                                    .solve({*mass,
+                                            near_contact.preconditioner(),
+                                            zero,
+                                            {},
+                                            {},
+                                            fixed,
+                                            values,
+                                            accepted,
+                                            0.,
+                                            ConstrainedProblem::no_friction,
+                                            goes_on},
+                                           none,
+                                           correction,
+                                           mass_correction)
+                                    .linear_iterations;
+    };
+    solve(false);
+    while (near_contact.norm_outside(mass_correction) > 0.5 * accepted)
+      {
+        near_contact.widen();
+        solve(true);
+      }
     mass_correction *= -1.; // the residual is 0 - M c
     keep_only(fixed, mass_correction);
     coordinates.displacement_to_cartesian(correction);
@@ -213,6 +271,8 @@ namespace signorini
       return MassSolver<dim>(discretization.matrices(), coordinates.dirichlet_entries())
         .solve(force);
     prepare();
+    if (!preconditioner)
+      preconditioner = make_mass_preconditioner(discretization.matrices(), coordinates);
     dealii::TimerOutput::Scope scope(timer, "step: solution with the mass");
     Vector right_hand_side = force, result = discretization.make_vector(), residual = result;
     coordinates.force_to_contact(right_hand_side);

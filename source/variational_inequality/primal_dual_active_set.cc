@@ -75,7 +75,7 @@ namespace signorini
     for (std::size_t k = 0; k < active.size(); ++k)
       if (problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
         active[k] = 0; // a guess from elsewhere
-    if (problem.continues)
+    if (problem.continues || problem.knows_residual)
       {
         hold(problem, active, solution, residual);
         return;

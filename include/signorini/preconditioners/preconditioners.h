@@ -7,6 +7,7 @@
 #include <signorini/discretization/discretization.h>
 #include <signorini/model/run_parameters.h>
 #include <signorini/preconditioners/step_operator.h>
+#include <signorini/sweeps/sweep_order.h>
 
 #include <memory>
 
@@ -80,6 +81,13 @@ namespace signorini
   std::unique_ptr<MaskedPreconditioner>
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
                            const ContactCoordinates<dim> &coordinates);
+
+  /** Sweeps over the nodes of an order; at others corrections are zero. For one body only. */
+  template <int dim>
+  std::unique_ptr<MaskedPreconditioner>
+  make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
+                           const ContactCoordinates<dim> &coordinates,
+                           SweepOrder                     order);
 } // namespace signorini
 
 #endif

@@ -21,7 +21,8 @@ namespace signorini
    * are scaled besides (SpecialPositions). With several processes it is the same method in another
    * order, see SweepOrder.
    *
-   * Arrays have four numbers per position of the sweep.
+   * Arrays have four numbers per position of the sweep, and four zeros behind them: what nodes
+   * without a position are for other processes.
    * @tparam block_size dim, or 1 for the mass, a number per pair of nodes
    */
   template <int dim, int block_size>
@@ -29,7 +30,7 @@ namespace signorini
   {
   public:
     /** @param sum the matrix; the mass alone if block_size = 1. Collective */
-    NodeSweeps(const ElasticMatrices<dim> &matrices, const MatrixSum &sum);
+    NodeSweeps(const ElasticMatrices<dim> &matrices, const MatrixSum &sum, SweepOrder order);
 
     /** Nothing slips from now on. Collective. */
     void set_held_nodes(const HeldNodes<dim> &held) { special.set_held_nodes(held); }
@@ -42,7 +43,7 @@ namespace signorini
 
     /** C^-1 source into p, scaled to the range of single precision. @return the scale */
     double set_direction(const Vector &source);
-    /** destination = scale C^-T x. */
+    /** destination = scale C^-T x, zero at nodes without a position. */
     void read(Vector &destination, const std::vector<float> &x, double scale) const;
 
     /** t = 0: then a sweep forth is that of the preconditioner alone. */

@@ -26,6 +26,9 @@ namespace signorini
     template <int dim>
     static SweepOrder of(const NodePattern &pattern);
 
+    /** The same without some nodes. @param is_wanted per owned node */
+    SweepOrder part(const std::vector<char> &is_wanted) const;
+
     std::vector<unsigned int> nodes;           ///< position -> owned node
     unsigned int              interface_begin; ///< first position of the interface
     unsigned int              interface_end;   ///< behind its last

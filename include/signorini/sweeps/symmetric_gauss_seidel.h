@@ -25,6 +25,10 @@ namespace signorini
   public:
     /** @param sum the matrix; the mass alone if block_size = 1. Collective */
     SymmetricGaussSeidel(const ElasticMatrices<dim> &matrices, const MatrixSum &sum);
+    /** Of the block of the nodes of an order. Collective. */
+    SymmetricGaussSeidel(const ElasticMatrices<dim> &matrices,
+                         const MatrixSum            &sum,
+                         SweepOrder                  order);
 
     /** Nothing slips from now on. Collective. */
     void set_held_nodes(const HeldNodes<dim> &held) { sweeps.set_held_nodes(held); }

@@ -13,8 +13,8 @@ namespace signorini
 {
   /**
    * C^-1 K C^-T in single precision, C the Cholesky factors of the diagonal blocks of K: a matrix
-   * I + L + L' whose diagonal needs neither storage nor work. Its nodes are in the order of a
-   * sweep.
+   * I + L + L' whose diagonal needs neither storage nor work. Its nodes are those of the order of a
+   * sweep; if these are not all, K is the block of them.
    *
    * @tparam block_size dim, or 1 for the mass, a number per pair of nodes
    */
@@ -22,7 +22,9 @@ namespace signorini
   struct UnitDiagonalMatrix
   {
     /** @param sum what K is; the mass alone if block_size = 1. Collective */
-    UnitDiagonalMatrix(const ElasticMatrices<dim> &matrices, const MatrixSum &sum);
+    UnitDiagonalMatrix(const ElasticMatrices<dim> &matrices,
+                       const MatrixSum            &sum,
+                       SweepOrder                  order);
 
     using Block = std::array<float, block_size * block_size>; ///< column by column
 
@@ -35,14 +37,15 @@ namespace signorini
 
     MPI_Comm                  communicator;
     SweepOrder                order;
-    std::vector<unsigned int> position_of;        ///< owned node -> position
+    std::vector<unsigned int> position_of; ///< owned node -> position; n_positions() if it has none
     std::vector<unsigned int> row_start, columns; ///< L: positions
     std::vector<Block>        lower;              ///< L, with a spare block at the end
     GhostRows                 earlier, later;     ///< ghosts before and behind the interface
     std::vector<Block>        inverse_roots;      ///< C^-1/root_scale of positions, and a spare one
     double                    root_scale = 0.;    ///< of this process
 
-    unsigned int n_positions() const { return position_of.size(); }
+    unsigned int n_positions() const { return order.nodes.size(); }
+    bool         has_all_nodes() const { return n_positions() == position_of.size(); }
 
   private:
     using Roots = std::vector<dealii::Tensor<2, block_size>>;

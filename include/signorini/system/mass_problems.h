@@ -5,7 +5,7 @@
 #define signorini_system_mass_problems_h
 
 #include <signorini/model/mass_parameters.h>
-#include <signorini/preconditioners/preconditioners.h>
+#include <signorini/system/mass_near_contact.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
@@ -67,13 +67,20 @@ namespace signorini
     dealii::TimerOutput           &timer;
 
     std::unique_ptr<StepOperator<dim>>    mass;
-    std::unique_ptr<MaskedPreconditioner> preconditioner;
+    std::unique_ptr<MaskedPreconditioner> preconditioner; ///< of all nodes
+    MassNearContact<dim>                  near_contact;
     PrimalDualActiveSet                   solver;
     ActiveSet projected;          ///< nodes that the last projection held that was no identity
     bool      is_identity = true; ///< the latest one
     Vector    last_correction, last_residual; ///< c and -M c of the latest that was no identity
 
     void prepare();
+
+    /** Entries of contact nodes in contact coordinates, and about what a correction is there. */
+    using Corrections = std::vector<std::pair<unsigned int, double>>;
+    /** Where they are solved for. @return see MassNearContact::surround() */
+    bool surround(const Corrections &corrections, double accepted);
+
     /**
      * The projection. @param left bounds of the correction @param continues whether the latest one
      * is nearly this one

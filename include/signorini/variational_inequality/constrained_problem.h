@@ -61,6 +61,11 @@ namespace signorini
     bool continues = false;
     /** A solution may have a hundredth of the error of the guess, but none in what it holds. */
     bool is_rough = false;
+    /**
+     * The residual on entry is b - K x for the solution on entry, though it solves another problem
+     * (where the problem continues it is in any case); a solver may do without.
+     */
+    bool knows_residual = false;
 
     static inline const Friction no_friction = {};
   };
