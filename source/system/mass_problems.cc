@@ -93,6 +93,41 @@ namespace signorini
 
 
   template <int dim>
+  SolveReport MassProblems<dim>::solve_near_contact(const NearContact &problem,
+                                                    ActiveSet         &active,
+                                                    Vector            &correction,
+                                                    Vector            &residual)
+  {
+    const Vector zero  = discretization.make_vector();
+    const auto   solve = [&](const bool goes_on) {
+      return solver.solve({*mass,
+                           near_contact.preconditioner(),
+                           zero,
+                           problem.bounded,
+                           problem.bounds,
+                           problem.fixed,
+                           problem.values,
+                           problem.accepted,
+                           problem.bound_tolerance,
+                           ConstrainedProblem::no_friction,
+                           problem.continues || goes_on,
+                           problem.is_trial,
+                           problem.knows_residual || goes_on},
+                          active,
+                          correction,
+                          residual);
+    };
+    SolveReport report = solve(false);
+    while (!problem.is_trial && near_contact.norm_outside(residual) > 0.5 * problem.accepted)
+      {
+        near_contact.widen();
+        report.add(solve(true));
+      }
+    return report;
+  }
+
+
+  template <int dim>
   SolveReport MassProblems<dim>::project_at_once(const ProjectionProblem &problem,
                                                  const NormalGap         &left,
                                                  const bool               continues,
@@ -115,34 +150,21 @@ namespace signorini
         mass_correction = last_residual;
         coordinates.force_to_contact(mass_correction);
       }
-    const Vector              zero = discretization.make_vector();
     std::vector<unsigned int> held = coordinates.dirichlet_entries();
     const std::vector<double> nothing(held.size(), 0.);
-    const auto                solve = [&](const bool goes_on) {
-      return solver.solve(
-        {*mass,
-         near_contact.preconditioner(),
-         zero,
-         coordinates.normal_entries(),
-         left,
-         coordinates.dirichlet_entries(),
-         nothing,
-         accepted,
-         bound_tolerance(problem.free_increment, discretization.mesh().body_size()),
-         ConstrainedProblem::no_friction,
-         goes_on,
-         problem.is_trial,
-         goes_on || !is_new},
-        projected,
-        correction,
-        mass_correction);
-    };
-    SolveReport report = solve(continues && !is_new);
-    while (!problem.is_trial && near_contact.norm_outside(mass_correction) > 0.5 * accepted)
-      {
-        near_contact.widen();
-        report.add(solve(true));
-      }
+    const SolveReport         report = solve_near_contact(
+      {coordinates.normal_entries(),
+               left,
+               coordinates.dirichlet_entries(),
+               nothing,
+               accepted,
+               bound_tolerance(problem.free_increment, discretization.mesh().body_size()),
+               continues && !is_new,
+               problem.is_trial,
+               !is_new},
+      projected,
+      correction,
+      mass_correction);
     last_residual = mass_correction;
     coordinates.force_to_cartesian(last_residual);
     for (unsigned int k = 0; k < projected.size(); ++k)
@@ -207,34 +229,12 @@ namespace signorini
         corrections.emplace_back(fixed[j], values[j]);
       }
 
-    const Vector zero = discretization.make_vector();
     ActiveSet    none;
     const double accepted = tolerance * std::sqrt(energy_scale / 2.);
     surround(corrections, accepted);
-    const auto solve = [&](const bool goes_on) {
-      effort.linear_iterations += solver
-                                    .solve({*mass,
-                                            near_contact.preconditioner(),
-                                            zero,
-                                            {},
-                                            {},
-                                            fixed,
-                                            values,
-                                            accepted,
-                                            0.,
-                                            ConstrainedProblem::no_friction,
-                                            goes_on},
-                                           none,
-                                           correction,
-                                           mass_correction)
-                                    .linear_iterations;
-    };
-    solve(false);
-    while (near_contact.norm_outside(mass_correction) > 0.5 * accepted)
-      {
-        near_contact.widen();
-        solve(true);
-      }
+    effort.linear_iterations =
+      solve_near_contact({{}, {}, fixed, values, accepted}, none, correction, mass_correction)
+        .linear_iterations;
     mass_correction *= -1.; // the residual is 0 - M c
     keep_only(fixed, mass_correction);
     coordinates.displacement_to_cartesian(correction);

@@ -5,7 +5,7 @@
 #define signorini_system_mass_problems_h
 
 #include <signorini/model/mass_parameters.h>
-#include <signorini/system/mass_near_contact.h>
+#include <signorini/preconditioners/mass_near_contact.h>
 #include <signorini/time/dynamical_system.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 
@@ -80,6 +80,26 @@ namespace signorini
     using Corrections = std::vector<std::pair<unsigned int, double>>;
     /** Where they are solved for. @return see MassNearContact::surround() */
     bool surround(const Corrections &corrections, double accepted);
+
+    /** A ConstrainedProblem with the mass, without forces, near contact. */
+    struct NearContact
+    {
+      const std::vector<unsigned int> &bounded;
+      const std::vector<double>       &bounds;
+      const std::vector<unsigned int> &fixed;
+      const std::vector<double>       &values;
+      double                           accepted;
+      double                           bound_tolerance = 0.;
+      bool                             continues       = false;
+      bool                             is_trial        = false;
+      bool                             knows_residual  = false;
+    };
+    /** The neighbourhood becomes larger until nothing outside of it is missed. */
+    SolveReport solve_near_contact(const NearContact &problem,
+                                   ActiveSet         &active,
+                                   Vector            &correction,
+                                   Vector            &residual);
+
 
     /**
      * The projection. @param left bounds of the correction @param continues whether the latest one

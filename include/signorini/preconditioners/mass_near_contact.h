@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_system_mass_near_contact_h
-#define signorini_system_mass_near_contact_h
+#ifndef signorini_preconditioners_mass_near_contact_h
+#define signorini_preconditioners_mass_near_contact_h
 
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/sweeps/sweep_order.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/mass/reach_of_forces.h>
-#include <signorini/system/mass_near_contact.h>
+#include <signorini/linear_algebra/reach_of_forces.h>
+#include <signorini/preconditioners/mass_near_contact.h>
 
 #include <deal.II/base/mpi.h>
 
