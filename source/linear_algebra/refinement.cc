@@ -50,6 +50,7 @@ namespace signorini
         const auto   cycle =
           rough_solver.solve(correction, factor, limits.maximum_iterations - report.iterations);
         report.iterations += cycle.iterations;
+        report.saved_iterations += cycle.saved_iterations;
         lambda = std::min(lambda, cycle.smallest_eigenvalue);
         solution += correction;
         matrix.vmult(product, correction);

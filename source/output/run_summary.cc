@@ -19,6 +19,9 @@ namespace signorini
       return std::abs(value) < 1e-9 ? 0. : value;
     }
 
+    /** Of the iterations of a run: what is worth a line. */
+    constexpr double hardly_saved = 0.01;
+
     /** Parts of the energy: StepReport::work_geometry that is worth a line, and a warning. */
     constexpr double hardly_missed = 1e-4, much_missed = 1e-2;
 
@@ -74,6 +77,11 @@ namespace signorini
     n_common_impulses += row.report.common_impulses;
     n_rejected += row.report.rejected_steps;
     n_fallbacks += row.report.n_fallbacks();
+    for (const SolveReport &effort : {row.report.corrector, row.report.predictor})
+      {
+        iterations += effort.linear_iterations;
+        saved_iterations += effort.saved_iterations;
+      }
     add_contact(row);
   }
 
@@ -190,6 +198,7 @@ namespace signorini
     archive(largest_missed_gap, largest_gain, standard_change);
     archive(n_mesh_changes, most_sticking, most_slipping, fewest_cells, most_cells);
     archive(n_impulse_solves, n_impulse_iterations, n_common_impulses, n_rejected, n_fallbacks);
+    archive(iterations, saved_iterations);
     archive(first_contact, last_contact, n_contact_steps, phase, longest_phase);
     largest_contact.archive(archive);
   }
@@ -230,6 +239,10 @@ namespace signorini
       text << "  missed gaps       forces of contact between bodies times what is missed of their "
               "gaps: "
            << 100. * relative(largest_missed_gap) << " % of the energy in a step at most\n";
+    if (saved_iterations > hardly_saved * iterations)
+      text << "  separate bodies   " << 100. * saved_iterations / iterations
+           << " % of the work in iterations left out: bodies that move freely, rest, or were "
+              "solved before others\n";
     if (n_rejected > 0)
       text << "  rejected          " << n_rejected
            << " attempts at steps, which were repeated in parts, with another size or on another "

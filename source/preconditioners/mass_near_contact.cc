@@ -81,7 +81,7 @@ namespace signorini
           {
             if (!all)
               all = SweepOrder::of<dim>(matrices.pattern);
-            here = make_mass_preconditioner(matrices, coordinates, all->part(is_wanted));
+            here = make_mass_preconditioner(matrices, coordinates, all->restricted_to(is_wanted));
             return;
           }
         reach.clear();

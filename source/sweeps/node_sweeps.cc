@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace signorini
@@ -33,6 +34,29 @@ namespace signorini
   {
     p.resize(4 * matrix.n_positions() + 4);
     t = y = p;
+    active.assign(n_parts(), 1);
+    sums_of_parts.resize(n_parts());
+    for (unsigned int part = 0; part < n_parts(); ++part)
+      {
+        double n_nodes = 0.;
+        for_each_range(part, [&](const auto begin, const auto end) { n_nodes += end - begin; });
+        shares.push_back(n_nodes);
+      }
+    dealii::Utilities::MPI::sum(shares, matrix.communicator, shares);
+    const double all = std::accumulate(shares.begin(), shares.end(), 0.);
+    for (double &share : shares)
+      share /= std::max(all, 1.);
+  }
+
+
+  template <int dim, int block_size>
+  void NodeSweeps<dim, block_size>::deactivate(const unsigned int part)
+  {
+    active[part] = 0;
+    for_each_range(part, [&](const auto begin, const auto end) {
+      std::fill(t.begin() + 4 * begin, t.begin() + 4 * end, 0.f);
+      std::fill(y.begin() + 4 * begin, y.begin() + 4 * end, 0.f);
+    });
   }
 
 
@@ -175,11 +199,11 @@ namespace signorini
   void NodeSweeps<dim, block_size>::sweep_back()
   {
     exchange.expect(false);
-    sweep_back(matrix.order.interface_end, matrix.n_positions());
+    sweep_back_over(2);
     add_ghosts(matrix.later, exchange.receive(), 1.f);
-    sweep_back(matrix.order.interface_begin, matrix.order.interface_end);
+    sweep_back_over(1);
     exchange.send(t, false);
-    sweep_back(0, matrix.order.interface_begin);
+    sweep_back_over(0);
     exchange.finish();
     if (special.any_slip())
       special.fetch(exchange, t);
@@ -187,23 +211,45 @@ namespace signorini
 
 
   template <int dim, int block_size>
-  typename NodeSweeps<dim, block_size>::Sums
+  const std::vector<typename NodeSweeps<dim, block_size>::Sums> &
   NodeSweeps<dim, block_size>::sweep_forth(const std::vector<float> &r)
   {
-    Sums sums{};
+    std::fill(sums_of_parts.begin(), sums_of_parts.end(), Sums{});
     exchange.expect(true);
-    sweep_forth(0, matrix.order.interface_begin, r, sums);
+    sweep_forth_over(0, r);
     add_ghosts(matrix.earlier, exchange.receive(), -1.f);
-    sweep_forth(matrix.order.interface_begin, matrix.order.interface_end, r, sums);
+    sweep_forth_over(1, r);
     exchange.send(y, true);
-    sweep_forth(matrix.order.interface_end, matrix.n_positions(), r, sums);
+    sweep_forth_over(2, r);
     exchange.finish();
     special.finish(t, y);
-    Sums all;
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(sums.data(), sums.size()),
+    static_assert(sizeof(Sums) == 4 * sizeof(double), "sums follow each other");
+    double *numbers = sums_of_parts.front().data();
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(numbers, 4 * sums_of_parts.size()),
                                 matrix.communicator,
-                                dealii::ArrayView<double>(all.data(), all.size()));
-    return all;
+                                dealii::ArrayView<double>(numbers, 4 * sums_of_parts.size()));
+    return sums_of_parts;
+  }
+
+
+  template <int dim, int block_size>
+  void NodeSweeps<dim, block_size>::sweep_back_over(const unsigned int segment)
+  {
+    const auto &begin = matrix.order.part_begin[segment];
+    for (unsigned int part = n_parts(); part-- > 0;)
+      if (active[part])
+        sweep_back(begin[part], begin[part + 1]);
+  }
+
+
+  template <int dim, int block_size>
+  void NodeSweeps<dim, block_size>::sweep_forth_over(const unsigned int        segment,
+                                                     const std::vector<float> &r)
+  {
+    const auto &begin = matrix.order.part_begin[segment];
+    for (unsigned int part = 0; part < n_parts(); ++part)
+      if (active[part])
+        sweep_forth(begin[part], begin[part + 1], r, sums_of_parts[part]);
   }
 
 

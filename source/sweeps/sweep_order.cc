@@ -122,23 +122,48 @@ namespace signorini
     result.interface_end   = result.interface_begin + interface.size();
     result.nodes.insert(
       result.nodes.begin() + result.interface_begin, interface.begin(), interface.end());
+    result.sort_by(SeparateParts::of<dim>(pattern));
     return result;
   }
 
 
-  SweepOrder SweepOrder::part(const std::vector<char> &is_wanted) const
+  SweepOrder SweepOrder::restricted_to(const std::vector<char> &is_wanted) const
   {
     SweepOrder result;
-    result.neighbours      = neighbours;
-    result.interface_begin = result.interface_end = 0;
-    for (unsigned int position = 0; position < nodes.size(); ++position)
-      if (is_wanted[nodes[position]])
+    result.neighbours = neighbours;
+    for (unsigned int s = 0; s < part_begin.size(); ++s)
+      for (unsigned int k = 0; k <= n_parts(); ++k)
         {
-          result.nodes.push_back(nodes[position]);
-          result.interface_begin += position < interface_begin;
-          result.interface_end += position < interface_end;
+          result.part_begin[s].push_back(result.nodes.size());
+          if (k < n_parts())
+            for (unsigned int position = part_begin[s][k]; position < part_begin[s][k + 1];
+                 ++position)
+              if (is_wanted[nodes[position]])
+                result.nodes.push_back(nodes[position]);
         }
+    result.interface_begin = result.part_begin[1].front();
+    result.interface_end   = result.part_begin[1].back();
     return result;
+  }
+
+
+  void SweepOrder::sort_by(const SeparateParts &parts)
+  {
+    const std::array<unsigned int, 4> segments{
+      {0, interface_begin, interface_end, static_cast<unsigned int>(nodes.size())}};
+    for (unsigned int s = 0; s < part_begin.size(); ++s)
+      {
+        const auto begin = nodes.begin() + segments[s], end = nodes.begin() + segments[s + 1];
+        if (parts.n > 1)
+          std::stable_sort(begin, end, [&](const unsigned int a, const unsigned int b) {
+            return parts.part_of[a] < parts.part_of[b];
+          });
+        for (unsigned int k = 0; k <= parts.n; ++k)
+          part_begin[s].push_back(
+            std::partition_point(
+              begin, end, [&](const unsigned int node) { return parts.part_of[node] < k; })
+            - nodes.begin());
+      }
   }
 
 

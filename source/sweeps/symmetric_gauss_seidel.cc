@@ -6,10 +6,35 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace signorini
 {
+  namespace
+  {
+    /** SymmetricGaussSeidel::advance() of numbers that follow each other. */
+    void advance_entries(const std::size_t begin,
+                         const std::size_t end,
+                         const float       step,
+                         const float       kept,
+                         const float *__restrict t,
+                         float *__restrict x,
+                         float *__restrict r,
+                         float *__restrict p,
+                         float *__restrict y)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+        {
+          x[i] += step * t[i];
+          r[i] -= step * (t[i] + y[i]);
+          p[i] = r[i] + kept * p[i];
+          y[i] = 0.f;
+        }
+    }
+  } // namespace
+
+
   template <int dim, int block_size>
   SymmetricGaussSeidel<dim, block_size>::SymmetricGaussSeidel(const ElasticMatrices<dim> &matrices,
                                                               const MatrixSum            &sum)
@@ -34,6 +59,7 @@ namespace signorini
   {
     const FlushDenormals flush;
     scale = sweeps.set_direction(source);
+    sweeps.activate_all();
     sweeps.clear_t();
     sweeps.sweep_forth(residual);
     std::swap(sweeps.p, sweeps.y);
@@ -48,10 +74,14 @@ namespace signorini
   {
     const FlushDenormals flush;
     scale = sweeps.set_direction(right_hand_side);
+    sweeps.activate_all();
     sweeps.clear_t();
-    const double square = sweeps.sweep_forth(residual)[2];
-    residual            = sweeps.y;
+    squares.clear();
+    for (const auto &sums : sweeps.sweep_forth(residual))
+      squares.push_back(sums[2]);
+    residual = sweeps.y;
     std::fill(sweeps.y.begin(), sweeps.y.end(), 0.f);
+    const double square = std::accumulate(squares.begin(), squares.end(), 0.);
     return scale * std::sqrt(square);
   }
 
@@ -99,51 +129,70 @@ namespace signorini
     const double       reduction,
     const unsigned int maximum_iterations) const
   {
-    Report        report;
-    LanczosMatrix lanczos;
-    double        goal = -1.;
-    sweeps.p           = residual;
+    Report                     report;
+    std::vector<LanczosMatrix> lanczos(sweeps.n_parts());
+    const auto   left = [&] { return std::accumulate(squares.begin(), squares.end(), 0.); };
+    const double goal = reduction * reduction * left();
+    sweeps.p          = residual;
     std::fill(solution.begin(), solution.end(), 0.f);
-    while (report.iterations < maximum_iterations)
+    report.reached = left() <= goal;
+    while (!report.reached && report.iterations < maximum_iterations)
       {
+        leave_out(goal / sweeps.n_parts());
         sweeps.sweep_back();
-        const auto [pq, rq, qq, rr] = sweeps.sweep_forth(residual);
+        const auto &sums = sweeps.sweep_forth(residual);
         ++report.iterations;
-        if (goal < 0.)
-          goal = reduction * reduction * rr;
-        if (!(pq > 0.))
-          {
-            std::fill(sweeps.y.begin(), sweeps.y.end(), 0.f);
-            break; // round-off: the caller judges what there is
-          }
-        const double step       = rr / pq;
-        const double new_square = std::max(0., rr - 2. * step * rq + step * step * qq);
-        const double kept       = new_square / rr;
-        advance(static_cast<float>(step), static_cast<float>(kept));
-        lanczos.add(step, kept);
-        report.reached = new_square <= goal;
-        if (report.reached)
+        bool any_progress = false;
+        for (unsigned int part = 0; part < sweeps.n_parts(); ++part)
+          if (const auto &[pq, rq, qq, rr] = sums[part]; !sweeps.is_active(part))
+            report.saved_iterations += sweeps.share(part);
+          else if (!(pq > 0.))
+            sweeps.deactivate(part); // round-off: the caller judges what there is
+          else
+            {
+              const double step = rr / pq;
+              squares[part]     = std::max(0., rr - 2. * step * rq + step * step * qq);
+              const double kept = squares[part] / rr;
+              advance(part, static_cast<float>(step), static_cast<float>(kept));
+              lanczos[part].add(step, kept);
+              any_progress = true;
+            }
+        report.reached = left() <= goal;
+        if (!any_progress)
           break;
       }
-    report.smallest_eigenvalue = lanczos.smallest_eigenvalue();
+    for (const LanczosMatrix &matrix : lanczos)
+      report.smallest_eigenvalue =
+        std::min(report.smallest_eigenvalue, matrix.smallest_eigenvalue());
     return report;
   }
 
 
   template <int dim, int block_size>
-  void SymmetricGaussSeidel<dim, block_size>::advance(const float step, const float kept) const
+  void SymmetricGaussSeidel<dim, block_size>::leave_out(const double accepted) const
   {
-    float *__restrict x = solution.data(), *__restrict r = residual.data(),
-                      *__restrict p = sweeps.p.data(), *__restrict y = sweeps.y.data();
-    const float *__restrict t = sweeps.t.data();
-    const std::size_t n       = solution.size();
-    for (std::size_t i = 0; i < n; ++i)
-      {
-        x[i] += step * t[i];
-        r[i] -= step * (t[i] + y[i]);
-        p[i] = r[i] + kept * p[i];
-        y[i] = 0.f;
-      }
+    for (unsigned int part = 0; part < sweeps.n_parts(); ++part)
+      if (sweeps.is_active(part) && squares[part] <= accepted)
+        sweeps.deactivate(part);
+  }
+
+
+  template <int dim, int block_size>
+  void SymmetricGaussSeidel<dim, block_size>::advance(const unsigned int part,
+                                                      const float        step,
+                                                      const float        kept) const
+  {
+    sweeps.for_each_range(part, [&](const std::size_t begin, const std::size_t end) {
+      advance_entries(4 * begin,
+                      4 * end,
+                      step,
+                      kept,
+                      sweeps.t.data(),
+                      solution.data(),
+                      residual.data(),
+                      sweeps.p.data(),
+                      sweeps.y.data());
+    });
   }
 
 

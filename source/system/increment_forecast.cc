@@ -4,6 +4,8 @@
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/increment_forecast.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 
 namespace signorini
@@ -12,6 +14,26 @@ namespace signorini
   {
     /** Of energies of increments that can tell about each other in double precision. */
     constexpr double largest_ratio = 1e12;
+
+
+    /** The weights w that minimise 1/2 w'G w - p'w, G the Gram matrix of the increments. */
+    Eigen::VectorXd closest_combination(const Eigen::MatrixXd &gram,
+                                        const Eigen::VectorXd &projection)
+    {
+      const Eigen::Index n = gram.rows();
+      Eigen::VectorXd    scaling(n);
+      for (Eigen::Index i = 0; i < n; ++i)
+        scaling[i] = gram(i, i) > 0. ? 1. / std::sqrt(gram(i, i)) : 0.;
+      // The increments are nearly parallel; directions that are lost in round-off are left out.
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaling.asDiagonal() * gram
+                                                                 * scaling.asDiagonal());
+      const double    smallest = 1e-13 * modes.eigenvalues()[n - 1];
+      Eigen::VectorXd weights =
+        modes.eigenvectors().transpose() * scaling.asDiagonal() * projection;
+      for (Eigen::Index i = 0; i < n; ++i)
+        weights[i] = modes.eigenvalues()[i] > smallest ? weights[i] / modes.eigenvalues()[i] : 0.;
+      return scaling.asDiagonal() * modes.eigenvectors() * weights;
+    }
   } // namespace
 
 
@@ -30,23 +52,14 @@ namespace signorini
     else
       force -= residuals[0];
 
-    Eigen::VectorXd projection(n), scaling(n);
+    Eigen::MatrixXd projections(n_parts(), n), weights(n_parts(), n);
     for (unsigned int i = 0; i < n; ++i)
-      {
-        projection[i] = dot(increments[i], force);
-        scaling[i]    = gram(i, i) > 0. ? 1. / std::sqrt(gram(i, i)) : 0.;
-      }
-    // The increments are nearly parallel; directions that are lost in round-off are left out.
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaling.asDiagonal() * gram
-                                                               * scaling.asDiagonal());
-    const double    smallest = 1e-13 * modes.eigenvalues()[n - 1];
-    Eigen::VectorXd weights  = modes.eigenvectors().transpose() * scaling.asDiagonal() * projection;
-    for (unsigned int i = 0; i < n; ++i)
-      weights[i] = modes.eigenvalues()[i] > smallest ? weights[i] / modes.eigenvalues()[i] : 0.;
-    weights   = scaling.asDiagonal() * modes.eigenvectors() * weights;
+      projections.col(i) = products(increments[i], force);
+    for (unsigned int part = 0; part < n_parts(); ++part)
+      weights.row(part) = closest_combination(grams[part], projections.row(part));
     increment = 0.;
     for (unsigned int i = 0; i < n; ++i)
-      increment.add(weights[i], increments[i]);
+      add(increment, weights.col(i), increments[i]);
     return true;
   }
 
@@ -87,15 +100,25 @@ namespace signorini
       residuals.pop_back();
     residuals.push_front(residual);
 
-    const unsigned int n = increments.size();
-    Eigen::MatrixXd    new_gram(n, n);
-    new_gram.bottomRightCorner(n - 1, n - 1) = gram.topLeftCorner(n - 1, n - 1);
+    const unsigned int           n = increments.size();
+    std::vector<Eigen::MatrixXd> new_grams(n_parts(), Eigen::MatrixXd(n, n));
     for (unsigned int i = 0; i < n; ++i)
-      new_gram(0, i) = new_gram(i, 0) = dot(increments[i], product);
-    gram = new_gram;
+      {
+        const Eigen::VectorXd with_latest = products(increments[i], product);
+        for (unsigned int part = 0; part < n_parts(); ++part)
+          new_grams[part](0, i) = new_grams[part](i, 0) = with_latest[part];
+      }
+    Eigen::ArrayXd energies = Eigen::ArrayXd::Zero(n);
+    for (unsigned int part = 0; part < n_parts(); ++part)
+      {
+        if (n > 1)
+          new_grams[part].bottomRightCorner(n - 1, n - 1) = grams[part].topLeftCorner(n - 1, n - 1);
+        energies += new_grams[part].diagonal().array();
+      }
+    grams    = new_grams;
+    energies = energies.abs();
 
     // A solution for an iterate gone astray would leave its round-off in all that follow.
-    const Eigen::ArrayXd energies = gram.diagonal().array().abs();
     if (!(energies.maxCoeff() <= largest_ratio * energies.minCoeff()))
       clear();
   }
@@ -105,7 +128,9 @@ namespace signorini
   {
     increments.pop_front();
     residuals.pop_front();
-    gram    = Eigen::MatrixXd(gram.bottomRightCorner(increments.size(), increments.size()));
+    const unsigned int n = increments.size();
+    for (Eigen::MatrixXd &gram : grams)
+      gram = Eigen::MatrixXd(gram.bottomRightCorner(n, n));
     repeats = false;
   }
 
@@ -115,6 +140,39 @@ namespace signorini
     repeats = false;
     increments.clear();
     residuals.clear();
-    gram.resize(0, 0);
+    grams.clear();
+  }
+
+
+  Eigen::VectorXd IncrementForecast::products(const Vector &x, const Vector &y) const
+  {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n_parts());
+    if (n_parts() == 1)
+      {
+        result[0] = dot(x, y);
+        return result;
+      }
+    const unsigned int per_node =
+      x.locally_owned_size() / std::max<std::size_t>(parts->part_of.size(), 1);
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      result[parts->part_of[i / per_node]] += x.local_element(i) * y.local_element(i);
+    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(result.data(), result.size()),
+                                x.get_mpi_communicator(),
+                                dealii::ArrayView<double>(result.data(), result.size()));
+    return result;
+  }
+
+
+  void IncrementForecast::add(Vector &target, const Eigen::VectorXd &weights, const Vector &x) const
+  {
+    if (n_parts() == 1)
+      {
+        target.add(weights[0], x);
+        return;
+      }
+    const unsigned int per_node =
+      x.locally_owned_size() / std::max<std::size_t>(parts->part_of.size(), 1);
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      target.local_element(i) += weights[parts->part_of[i / per_node]] * x.local_element(i);
   }
 } // namespace signorini

@@ -42,6 +42,9 @@ namespace signorini
       std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
         return matrix.sum.stiffness == stiffness_factor && matrix.sum.damping == damping_factor;
       });
+    if (!parts)
+      parts = std::make_shared<const SeparateParts>(
+        SeparateParts::of<dim>(discretization.matrices().pattern));
     if (known != recent.end())
       recent.splice(recent.begin(), recent, known);
     else
@@ -53,7 +56,7 @@ namespace signorini
           {sum,
            std::make_unique<StepOperator<dim>>(discretization.matrices(), coordinates, sum),
            nullptr,
-           {},
+           IncrementForecast(parts),
            PreconditionerKind::automatic,
            uses,
            0,

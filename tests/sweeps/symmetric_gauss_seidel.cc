@@ -245,3 +245,42 @@ TYPED_TEST(SymmetricGaussSeidelOf, ProcessesChangeTheOrderOnly)
   EXPECT_GT(alone, 5u);
   EXPECT_LE(together, alone + alone / 2);
 }
+
+TYPED_TEST(SymmetricGaussSeidelOf, BodiesApartAreSolvedApart)
+{
+  // Three bodies, of which nothing happens to the first, and little to the last: each is solved as
+  // if it were alone, and what they all need is left out of the sweeps over the others.
+  constexpr int                dim = TypeParam::value;
+  const MatrixSum              sum{1., 0.05};
+  const SmallBody<dim>         bodies(make_boxes<dim>(3, 2), MPI_COMM_WORLD);
+  const Sweeps<dim, dim>       P(bodies, sum, {});
+  Vector                       x = bodies.some_vector(0.), b(x), found(x);
+  std::array<std::string, dim> amplitude;
+  amplitude.fill("(x > 2.5)*((x < 5.5) + 1e-4*(x > 5.5))");
+  const Vector amplitudes = bodies.field(amplitude);
+  x.scale(amplitudes);
+  Sum<dim>(bodies.matrices, sum).vmult(b, x);
+  P.sweeps.start(b);
+  const auto report = P.sweeps.solve(found, 1e-5, 1000);
+  EXPECT_TRUE(report.reached);
+  EXPECT_GT(report.saved_iterations, 1.2 / 3. * report.iterations);
+  EXPECT_LT(report.saved_iterations, 2. / 3. * report.iterations);
+  for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+    if (amplitudes.local_element(i) == 0.)
+      {
+        EXPECT_EQ(found.local_element(i), 0.);
+      }
+  found -= x;
+  EXPECT_LT(found.l2_norm(), 1e-3 * x.l2_norm());
+
+  // A single body with the same motion takes as many iterations.
+  const SmallBody<dim>   one(make_boxes<dim>(1, 2), MPI_COMM_WORLD);
+  const Sweeps<dim, dim> Q(one, sum, {});
+  const Vector           y = one.some_vector(0.);
+  Vector                 c(y), found_alone(y);
+  Sum<dim>(one.matrices, sum).vmult(c, y);
+  Q.sweeps.start(c);
+  const auto alone = Q.sweeps.solve(found_alone, 1e-5, 1000);
+  EXPECT_EQ(alone.saved_iterations, 0.);
+  EXPECT_NEAR(report.iterations, alone.iterations, 2.);
+}

@@ -18,6 +18,7 @@ namespace signorini
   {
     unsigned int active_set_iterations = 0;
     unsigned int linear_iterations     = 0;
+    double       saved_iterations      = 0.; ///< of all nodes, for bodies that nothing happens to
     unsigned int n_active              = 0; ///< contact nodes held at their bound, on all processes
     unsigned int n_fallbacks = 0; ///< how often the guaranteed method had to finish the work
 
@@ -26,6 +27,7 @@ namespace signorini
     {
       active_set_iterations += next.active_set_iterations;
       linear_iterations += next.linear_iterations;
+      saved_iterations += next.saved_iterations;
       n_active = next.n_active;
       n_fallbacks += next.n_fallbacks;
     }

@@ -9,8 +9,9 @@ namespace signorini
   /** How a linear solver ended. */
   struct LinearReport
   {
-    unsigned int iterations = 0;
-    bool         converged  = false;
+    unsigned int iterations       = 0;
+    double       saved_iterations = 0.; ///< see RoughSolver::Report
+    bool         converged        = false;
   };
 } // namespace signorini
 

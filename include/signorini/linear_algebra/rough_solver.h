@@ -28,6 +28,8 @@ namespace signorini
     struct Report
     {
       unsigned int iterations = 0;
+      /** Of all nodes: iterations that left some out count as their share. */
+      double saved_iterations = 0.;
       /** Whether the norm is as small as it was asked for, by what the iterations know. */
       bool reached = false;
       /** Of P^-1 K, from above; 1 without an iteration. */

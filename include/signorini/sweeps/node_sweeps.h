@@ -6,6 +6,8 @@
 
 #include <signorini/sweeps/special_positions.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   /**
@@ -41,6 +43,24 @@ namespace signorini
 
     MPI_Comm communicator() const { return matrix.communicator; }
 
+    /** Parts that nothing couples, see SweepOrder; the same number on all processes. */
+    unsigned int n_parts() const { return matrix.order.n_parts(); }
+    /** Of all nodes of all processes. */
+    double share(const unsigned int part) const { return shares[part]; }
+    /** Sweeps go over these parts. */
+    bool is_active(const unsigned int part) const { return active[part]; }
+    void activate_all() { std::fill(active.begin(), active.end(), 1); }
+    /** Sweeps leave the part out, with t = y = 0 there. */
+    void deactivate(unsigned int part);
+
+    /** Call action(begin, end) for the positions of a part. */
+    template <typename Action>
+    void for_each_range(const unsigned int part, const Action &action) const
+    {
+      for (const auto &begin : matrix.order.part_begin)
+        action(begin[part], begin[part + 1]);
+    }
+
     /** C^-1 source into p, scaled to the range of single precision. @return the scale */
     double set_direction(const Vector &source);
     /** destination = scale C^-T x, zero at nodes without a position. */
@@ -53,8 +73,8 @@ namespace signorini
 
     /** Over the nodes of a sweep: p'q, r'q, q'q and r'r, q = t + y. */
     using Sums = std::array<double, 4>;
-    /** y from p and t. @param r for the sums */
-    Sums sweep_forth(const std::vector<float> &r);
+    /** y from p and t. @param r for the sums @return sums of each part, zero of idle ones */
+    const std::vector<Sums> &sweep_forth(const std::vector<float> &r);
 
     std::vector<float> p, t, y;
 
@@ -65,9 +85,15 @@ namespace signorini
     const Matrix                      matrix;
     SpecialPositions<dim, block_size> special;
     SweepExchange                     exchange;
+    std::vector<double>               shares;
+    std::vector<char>                 active; ///< by part
+    std::vector<Sums>                 sums_of_parts;
 
     /** y += sign K ghosts. */
     void add_ghosts(const GhostRows &rows, const std::vector<float> &ghosts, float sign);
+    /** Of a segment of the order, see SweepOrder::part_begin. */
+    void sweep_back_over(unsigned int segment);
+    void sweep_forth_over(unsigned int segment, const std::vector<float> &r);
     void sweep_back(unsigned int begin, unsigned int end);
     void sweep_forth(unsigned int begin, unsigned int end, const std::vector<float> &r, Sums &sums);
   };

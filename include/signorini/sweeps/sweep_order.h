@@ -4,7 +4,9 @@
 #ifndef signorini_sweeps_sweep_order_h
 #define signorini_sweeps_sweep_order_h
 
-#include <signorini/linear_algebra/node_pattern.h>
+#include <signorini/linear_algebra/separate_parts.h>
+
+#include <array>
 
 namespace signorini
 {
@@ -27,11 +29,19 @@ namespace signorini
     static SweepOrder of(const NodePattern &pattern);
 
     /** The same without some nodes. @param is_wanted per owned node */
-    SweepOrder part(const std::vector<char> &is_wanted) const;
+    SweepOrder restricted_to(const std::vector<char> &is_wanted) const;
 
     std::vector<unsigned int> nodes;           ///< position -> owned node
     unsigned int              interface_begin; ///< first position of the interface
     unsigned int              interface_end;   ///< behind its last
+
+    /**
+     * Parts that nothing couples follow each other before the interface, in it, and behind it.
+     * These are their first positions there, and the end.
+     */
+    std::array<std::vector<unsigned int>, 3> part_begin;
+
+    unsigned int n_parts() const { return part_begin[0].size() - 1; }
 
     /** Values of nodes that another process owns (received) or wants (sent). */
     struct Neighbour
@@ -45,6 +55,9 @@ namespace signorini
 
     /** Whether the owner of a ghost (counted in ghosts) comes before this process. */
     bool is_earlier(unsigned int ghost) const;
+
+  private:
+    void sort_by(const SeparateParts &parts);
   };
 } // namespace signorini
 

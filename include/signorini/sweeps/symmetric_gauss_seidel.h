@@ -17,6 +17,10 @@ namespace signorini
    * nothing but K is needed, there is no factor to compute or to keep. Conjugate gradients, or
    * GMRES where nodes slip.
    *
+   * Conjugate gradients solve for parts of K that nothing couples as for matrices of their own, all
+   * in the same sweeps, and leave a part out as soon as it is solved: bodies that move freely or
+   * rest cost the look whether they do.
+   *
    * @tparam block_size dim, or 1 for the mass, a number per pair of nodes
    */
   template <int dim, int block_size>
@@ -47,10 +51,13 @@ namespace signorini
     mutable RoughGmres                  gmres;
     mutable std::vector<float>          solution, residual; ///< iterates, besides the direction p
     mutable double                      scale = 1.; ///< the right-hand side is that much larger
+    mutable std::vector<double>         squares;    ///< r'r of each part
 
     Report conjugate_gradients(double reduction, unsigned int maximum_iterations) const;
-    /** The new iterates: x += step t, r -= step (t + y), p = r + kept p. */
-    void advance(float step, float kept) const;
+    /** The new iterates of a part: x += step t, r -= step (t + y), p = r + kept p. */
+    void advance(unsigned int part, float step, float kept) const;
+    /** Leave out parts with squares that are not larger. */
+    void leave_out(double accepted) const;
   };
 } // namespace signorini
 

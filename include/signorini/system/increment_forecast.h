@@ -4,11 +4,12 @@
 #ifndef signorini_system_increment_forecast_h
 #define signorini_system_increment_forecast_h
 
-#include <signorini/base/types.h>
+#include <signorini/linear_algebra/separate_parts.h>
 
 #include <Eigen/Dense>
 
 #include <deque>
+#include <memory>
 
 namespace signorini
 {
@@ -16,7 +17,8 @@ namespace signorini
    * First guess for the increment of the next step: among all combinations of the last increments
    * the one that is closest to the solution in the norm of K (Fischer, Comput. Methods Appl. Mech.
    * Engrg. 163 (1998) 193-204). Better than any polynomial through them, because the motion decides
-   * on the weights. In undeformed flight it is exact.
+   * on the weights, and that of each body on its own: bodies are parts of K that nothing couples,
+   * so what is closest for each of them is closest for all. In undeformed flight it is exact.
    *
    * It costs a few scalar products and no product with K: K d = b - s is known from the solve, s
    * being the residual with the forces that hold constraints. The forces of the new step are
@@ -25,6 +27,12 @@ namespace signorini
   class IncrementForecast
   {
   public:
+    /** @param parts of K; null: one */
+    explicit IncrementForecast(std::shared_ptr<const SeparateParts> parts = {})
+      : parts(std::move(parts))
+    {
+    }
+
     /**
      * The guess for the right-hand side b. @return false if nothing is known; the increment is not
      * changed then
@@ -51,11 +59,18 @@ namespace signorini
   private:
     static constexpr unsigned int n_kept = 6;
 
-    std::deque<Vector> increments; ///< latest first
-    std::deque<Vector> residuals;  ///< the two latest
-    Vector             product;    ///< K d of the latest
-    Eigen::MatrixXd    gram;       ///< d_i'K d_j
-    bool               repeats = false;
+    std::shared_ptr<const SeparateParts> parts;
+    std::deque<Vector>                   increments; ///< latest first
+    std::deque<Vector>                   residuals;  ///< the two latest
+    Vector                               product;    ///< K d of the latest
+    std::vector<Eigen::MatrixXd>         grams;      ///< d_i'K d_j of each part
+    bool                                 repeats = false;
+
+    unsigned int n_parts() const { return parts ? parts->n : 1; }
+    /** x'y of each part. Collective. */
+    Eigen::VectorXd products(const Vector &x, const Vector &y) const;
+    /** target += weights x, with a weight for each part. */
+    void add(Vector &target, const Eigen::VectorXd &weights, const Vector &x) const;
 
     void drop_latest();
   };
