@@ -77,11 +77,8 @@ namespace signorini
     n_common_impulses += row.report.common_impulses;
     n_rejected += row.report.rejected_steps;
     n_fallbacks += row.report.n_fallbacks();
-    for (const SolveReport &effort : {row.report.corrector, row.report.predictor})
-      {
-        iterations += effort.linear_iterations;
-        saved_iterations += effort.saved_iterations;
-      }
+    iterations += row.report.corrector.linear_iterations;
+    saved_iterations += row.report.corrector.saved_iterations;
     add_contact(row);
   }
 

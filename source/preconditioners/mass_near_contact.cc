@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/linear_algebra/reach_of_forces.h>
 #include <signorini/preconditioners/mass_near_contact.h>
+#include <signorini/preconditioners/reach_of_forces.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -20,7 +20,7 @@ namespace signorini
     constexpr double of_many = 1. / 32.;
     /** Of the nodes; a larger neighbourhood saves less than it costs. */
     constexpr double most_nodes = 0.7;
-    /** Smaller than what counts anywhere. */
+    /** Where less is accepted, nothing is so far away that it does not count. */
     constexpr double least_accuracy = 1e-18;
   } // namespace
 
@@ -35,22 +35,21 @@ namespace signorini
 
 
   template <int dim>
-  bool MassNearContact<dim>::surround(const std::vector<unsigned int> &origins,
+  void MassNearContact<dim>::surround(const std::vector<unsigned int> &origins,
                                       const double                     accuracy)
   {
     latest_origins = origins;
-    if (here && reach.empty())
-      return false;
+    if (is_all)
+      return;
     bool is_inside = here != nullptr && of_many * accuracy >= accuracy_here;
     for (const unsigned int node : origins)
       is_inside = is_inside && reach[node] >= margin;
     const MPI_Comm communicator = matrices.pattern.partitioner->get_mpi_communicator();
     if (dealii::Utilities::MPI::min(static_cast<unsigned int>(is_inside), communicator) > 0)
-      return false;
+      return;
     origins_here  = origins;
-    accuracy_here = std::max(margin * of_many * accuracy, least_accuracy);
+    accuracy_here = margin * of_many * accuracy;
     surround_anew();
-    return true;
   }
 
 
@@ -66,27 +65,34 @@ namespace signorini
   template <int dim>
   void MassNearContact<dim>::surround_anew()
   {
-    const unsigned int n_owned = matrices.pattern.n_owned;
-    reach.clear();
-    if (!coordinates.coupling().any())
+    ++n_neighbourhoods;
+    is_all = coordinates.coupling().any() || !is_small();
+    if (is_all)
       {
-        reach = reach_of_forces(matrices, origins_here, accuracy_here);
-        std::vector<char> is_wanted(n_owned);
-        for (unsigned int node = 0; node < n_owned; ++node)
-          is_wanted[node] = reach[node] >= accuracy_here;
-        const MPI_Comm communicator = matrices.pattern.partitioner->get_mpi_communicator();
-        const double   n_wanted     = dealii::Utilities::MPI::sum(
-          static_cast<double>(std::count(is_wanted.begin(), is_wanted.end(), 1)), communicator);
-        if (n_wanted < most_nodes * matrices.pattern.partitioner->size() / dim)
-          {
-            if (!all)
-              all = SweepOrder::of<dim>(matrices.pattern);
-            here = make_mass_preconditioner(matrices, coordinates, all->restricted_to(is_wanted));
-            return;
-          }
-        reach.clear();
+        here = make_mass_preconditioner(matrices, coordinates);
+        return;
       }
-    here = make_mass_preconditioner(matrices, coordinates);
+    std::vector<char> is_wanted(matrices.pattern.n_owned);
+    for (unsigned int node = 0; node < is_wanted.size(); ++node)
+      is_wanted[node] = contains(node);
+    if (!all)
+      all = SweepOrder::of<dim>(matrices.pattern);
+    here = make_mass_preconditioner(matrices, coordinates, all->restricted_to(is_wanted));
+  }
+
+
+  template <int dim>
+  bool MassNearContact<dim>::is_small()
+  {
+    if (accuracy_here < least_accuracy)
+      return false;
+    reach           = reach_of_forces(matrices, origins_here, accuracy_here);
+    double n_wanted = 0.;
+    for (const double value : reach)
+      n_wanted += value >= accuracy_here;
+    const auto &partitioner = *matrices.pattern.partitioner;
+    return dealii::Utilities::MPI::sum(n_wanted, partitioner.get_mpi_communicator())
+           < most_nodes * partitioner.size() / dim;
   }
 
 
@@ -103,7 +109,7 @@ namespace signorini
   template <int dim>
   double MassNearContact<dim>::norm_outside(const Vector &residual) const
   {
-    if (reach.empty())
+    if (is_all)
       return 0.;
     const NodePattern &pattern = matrices.pattern;
     double             square  = 0.;

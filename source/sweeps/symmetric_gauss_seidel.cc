@@ -135,10 +135,10 @@ namespace signorini
     const double goal = reduction * reduction * left();
     sweeps.p          = residual;
     std::fill(solution.begin(), solution.end(), 0.f);
-    report.reached = left() <= goal;
     while (!report.reached && report.iterations < maximum_iterations)
       {
-        leave_out(goal / sweeps.n_parts());
+        if (goal < left())
+          leave_out(goal / sweeps.n_parts());
         sweeps.sweep_back();
         const auto &sums = sweeps.sweep_forth(residual);
         ++report.iterations;

@@ -16,14 +16,22 @@ namespace signorini
     constexpr double largest_ratio = 1e12;
 
 
-    /** The weights w that minimise 1/2 w'G w - p'w, G the Gram matrix of the increments. */
+    /** Of the energy of all bodies, what a body that rests has by round-off. */
+    constexpr double energy_at_rest = 1e-22;
+
+
+    /**
+     * The weights w that minimise 1/2 w'G w - p'w, G the Gram matrix of the increments. Increments
+     * without energy have none. @param least energy that is more than round-off
+     */
     Eigen::VectorXd closest_combination(const Eigen::MatrixXd &gram,
-                                        const Eigen::VectorXd &projection)
+                                        const Eigen::VectorXd &projection,
+                                        const double           least)
     {
       const Eigen::Index n = gram.rows();
       Eigen::VectorXd    scaling(n);
       for (Eigen::Index i = 0; i < n; ++i)
-        scaling[i] = gram(i, i) > 0. ? 1. / std::sqrt(gram(i, i)) : 0.;
+        scaling[i] = gram(i, i) > least ? 1. / std::sqrt(gram(i, i)) : 0.;
       // The increments are nearly parallel; directions that are lost in round-off are left out.
       const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scaling.asDiagonal() * gram
                                                                  * scaling.asDiagonal());
@@ -55,8 +63,14 @@ namespace signorini
     Eigen::MatrixXd projections(n_parts(), n), weights(n_parts(), n);
     for (unsigned int i = 0; i < n; ++i)
       projections.col(i) = products(increments[i], force);
+    double largest = 0.;
+    for (const Eigen::MatrixXd &gram : grams)
+      largest = std::max(largest, gram.diagonal().maxCoeff());
     for (unsigned int part = 0; part < n_parts(); ++part)
-      weights.row(part) = closest_combination(grams[part], projections.row(part));
+      weights.row(part) = closest_combination(
+        grams[part],
+        projections.row(part),
+        std::max(energy_at_rest * largest, grams[part].diagonal().maxCoeff() / largest_ratio));
     increment = 0.;
     for (unsigned int i = 0; i < n; ++i)
       add(increment, weights.col(i), increments[i]);

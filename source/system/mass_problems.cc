@@ -12,6 +12,13 @@
 
 namespace signorini
 {
+  namespace
+  {
+    /** Of the accepted error, what may be outside of a neighbourhood: it is so in each step. */
+    constexpr double missed = 0.1;
+  } // namespace
+
+
   template <int dim>
   MassProblems<dim>::MassProblems(const Discretization<dim>     &discretization,
                                   const ContactSurface<dim>     &surface,
@@ -77,7 +84,7 @@ namespace signorini
 
 
   template <int dim>
-  bool MassProblems<dim>::surround(const Corrections &corrections, const double accepted)
+  void MassProblems<dim>::surround(const Corrections &corrections, const double accepted)
   {
     const ElasticMatrices<dim> &matrices = discretization.matrices();
     std::vector<unsigned int>   nodes;
@@ -88,7 +95,7 @@ namespace signorini
         square += matrices.mass[matrices.pattern.row_start[entry / dim]] * value * value;
       }
     square = dealii::Utilities::MPI::sum(square, discretization.communicator());
-    return near_contact.surround(nodes, square > 0. ? accepted / std::sqrt(square) : 1.);
+    near_contact.surround(nodes, square > 0. ? accepted / std::sqrt(square) : 1.);
   }
 
 
@@ -118,7 +125,7 @@ namespace signorini
                           residual);
     };
     SolveReport report = solve(false);
-    while (!problem.is_trial && near_contact.norm_outside(residual) > 0.5 * problem.accepted)
+    while (!problem.is_trial && near_contact.norm_outside(residual) > missed * problem.accepted)
       {
         near_contact.widen();
         report.add(solve(true));
@@ -140,7 +147,8 @@ namespace signorini
     for (unsigned int k = 0; k < left.size(); ++k)
       if (left[k] < 0. || projected[k])
         corrections.emplace_back(coordinates.normal_entries()[k], std::min(left[k], 0.));
-    const bool is_new = surround(corrections, accepted);
+    surround(corrections, accepted);
+    const bool is_new = near_contact.number() != last_neighbourhood;
     correction        = last_correction;
     coordinates.displacement_to_contact(correction);
     if (is_new)
@@ -174,7 +182,8 @@ namespace signorini
     keep_only(held, mass_correction);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
-    last_correction = correction;
+    last_correction    = correction;
+    last_neighbourhood = near_contact.number();
     return report;
   }
 
@@ -232,14 +241,14 @@ namespace signorini
     ActiveSet    none;
     const double accepted = tolerance * std::sqrt(energy_scale / 2.);
     surround(corrections, accepted);
-    effort.linear_iterations =
-      solve_near_contact({{}, {}, fixed, values, accepted}, none, correction, mass_correction)
-        .linear_iterations;
+    SolveReport report =
+      solve_near_contact({{}, {}, fixed, values, accepted}, none, correction, mass_correction);
+    report.n_active = effort.n_active;
     mass_correction *= -1.; // the residual is 0 - M c
     keep_only(fixed, mass_correction);
     coordinates.displacement_to_cartesian(correction);
     coordinates.force_to_cartesian(mass_correction);
-    return effort;
+    return report;
   }
 
 

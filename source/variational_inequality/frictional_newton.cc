@@ -109,7 +109,7 @@ namespace signorini
         linearise(problem, status, solution, residual);
         const bool is_guess = report.linear_iterations == 0 && !problem.continues;
         const auto linear   = step(problem, solution, residual, precision, last_norm, is_guess);
-        report.linear_iterations += linear.iterations;
+        report.add_iterations(linear.iterations, linear.saved_iterations);
         if (!linear.converged)
           break;
         sizes.add(solution, slip.round_off());

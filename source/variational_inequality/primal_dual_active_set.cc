@@ -36,8 +36,7 @@ namespace signorini
                                     reduction,
                                     limits.maximum_linear_iterations,
                                     report.linear_iterations == 0 && !problem.continues);
-        report.linear_iterations += linear.iterations;
-        report.saved_iterations += linear.saved_iterations;
+        report.add_iterations(linear.iterations, linear.saved_iterations);
         if (!linear.converged)
           break;
 

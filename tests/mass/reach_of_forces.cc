@@ -8,8 +8,8 @@
 
 #include "../contact/contact_scene.h"
 
-#include <signorini/linear_algebra/reach_of_forces.h>
 #include <signorini/mass/mass_solver.h>
+#include <signorini/preconditioners/reach_of_forces.h>
 
 #include <gtest/gtest.h>
 

@@ -22,6 +22,13 @@ namespace signorini
     unsigned int n_active              = 0; ///< contact nodes held at their bound, on all processes
     unsigned int n_fallbacks = 0; ///< how often the guaranteed method had to finish the work
 
+    /** Of a linear solve. */
+    void add_iterations(const unsigned int iterations, const double saved)
+    {
+      linear_iterations += iterations;
+      saved_iterations += saved;
+    }
+
     /** Go on with another solve: iterations add up, the active nodes are those of the last one. */
     void add(const SolveReport &next)
     {

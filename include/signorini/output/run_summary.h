@@ -86,7 +86,7 @@ namespace signorini
     double        largest_missed_gap = 0.; ///< StepReport::work_geometry of a step, its size
     double        largest_gain       = 0.; ///< by contact and friction in a step
     double        standard_change    = 0.; ///< change of the total energy with the consistent mass
-    double        iterations = 0., saved_iterations = 0.; ///< linear ones, see SolveReport
+    double        iterations = 0., saved_iterations = 0.; ///< of StepReport::corrector
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
     /** Of laursen-love, per node. */

@@ -14,7 +14,7 @@ namespace signorini
    * within some fifteen cells (reach_of_forces()), so it sees a neighbourhood of them only, and
    * corrections are zero elsewhere; whether that was enough is told by the residual outside. The
    * neighbourhood stays while the nodes stay within a part of it. Where it would be most of the
-   * mesh, or where two bodies meet, it is all of it. Functions are collective.
+   * mesh, or where two bodies meet, it is all of it, and stays so. Functions are collective.
    */
   template <int dim>
   class MassNearContact
@@ -26,15 +26,17 @@ namespace signorini
     /**
      * Before a solution.
      * @param origins  owned nodes where corrections begin
-     * @param accuracy accepted error outside over the corrections there
-     * @return whether there is another neighbourhood than before
+     * @param accuracy accepted error outside over the corrections there; 0: all nodes
      */
-    bool surround(const std::vector<unsigned int> &origins, double accuracy);
+    void surround(const std::vector<unsigned int> &origins, double accuracy);
 
     /** Larger, around the latest nodes, so that ten times less is missed. */
     void widen();
 
     MaskedPreconditioner &preconditioner() { return *here; }
+
+    /** Counts neighbourhoods: the same number, the same neighbourhood. */
+    unsigned int number() const { return n_neighbourhoods; }
 
     /** Zero outside. */
     void clear_outside(Vector &correction) const;
@@ -48,11 +50,15 @@ namespace signorini
     std::optional<SweepOrder>             all; ///< made when it is first needed
     std::vector<unsigned int>             origins_here, latest_origins;
     double                                accuracy_here = 0.;
-    std::vector<double>                   reach; ///< per owned node; empty: it is all
+    std::vector<double>                   reach; ///< per owned node, unless it is all
+    bool                                  is_all           = false; ///< on all processes
+    unsigned int                          n_neighbourhoods = 0;
     std::unique_ptr<MaskedPreconditioner> here;
 
     void surround_anew();
-    bool contains(unsigned int node) const { return reach.empty() || reach[node] >= accuracy_here; }
+    /** Find `reach`. @return whether that is worth it */
+    bool is_small();
+    bool contains(unsigned int node) const { return is_all || reach[node] >= accuracy_here; }
   };
 } // namespace signorini
 

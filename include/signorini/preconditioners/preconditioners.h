@@ -82,7 +82,7 @@ namespace signorini
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,
                            const ContactCoordinates<dim> &coordinates);
 
-  /** Sweeps over the nodes of an order; at others corrections are zero. For one body only. */
+  /** Sweeps over the nodes of an order; at others corrections are zero. Where no bodies meet. */
   template <int dim>
   std::unique_ptr<MaskedPreconditioner>
   make_mass_preconditioner(const ElasticMatrices<dim>    &matrices,

@@ -70,16 +70,17 @@ namespace signorini
     std::unique_ptr<MaskedPreconditioner> preconditioner; ///< of all nodes
     MassNearContact<dim>                  near_contact;
     PrimalDualActiveSet                   solver;
-    ActiveSet projected;          ///< nodes that the last projection held that was no identity
-    bool      is_identity = true; ///< the latest one
-    Vector    last_correction, last_residual; ///< c and -M c of the latest that was no identity
+    ActiveSet    projected;          ///< nodes that the last projection held that was no identity
+    bool         is_identity = true; ///< the latest one
+    Vector       last_correction, last_residual; ///< c and -M c of the latest that was no identity
+    unsigned int last_neighbourhood = 0; ///< where they were found: MassNearContact::number()
 
     void prepare();
 
     /** Entries of contact nodes in contact coordinates, and about what a correction is there. */
     using Corrections = std::vector<std::pair<unsigned int, double>>;
-    /** Where they are solved for. @return see MassNearContact::surround() */
-    bool surround(const Corrections &corrections, double accepted);
+    /** Where they are solved for. */
+    void surround(const Corrections &corrections, double accepted);
 
     /** A ConstrainedProblem with the mass, without forces, near contact. */
     struct NearContact

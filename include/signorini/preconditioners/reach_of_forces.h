@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_linear_algebra_reach_of_forces_h
-#define signorini_linear_algebra_reach_of_forces_h
+#ifndef signorini_preconditioners_reach_of_forces_h
+#define signorini_preconditioners_reach_of_forces_h
 
 #include <signorini/linear_algebra/elastic_matrices.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/linear_algebra/reach_of_forces.h>
+#include <signorini/preconditioners/reach_of_forces.h>
 
 #include <deal.II/base/mpi.h>
 
