@@ -108,12 +108,12 @@ class SeparateContacts(check_history.SceneTest):
         for name in DISCS:
             alone = check_history.Run(discs(name), name)
             self.assertNotIn("separate bodies", alone.log)
-            for column in ("pressure", "displacement_y", "velocity_y"):
+            for column in ("pressure", "normal_displacement", "normal_velocity"):
                 here, there = (run.probes[f"of_{name}"][column] for run in (together, alone))
                 largest = max(abs(value) for value in there)
                 self.assertGreater(largest, 0.1, column)
                 for row, (a, b) in enumerate(zip(here, there)):
-                    self.expect_close(a, b, 1e-8 * largest, f"{name}: {column} in row {row}")
+                    self.assertLess(abs(a - b), 1e-8 * largest, f"{name}: {column} in row {row}")
 
 
 if __name__ == "__main__":
