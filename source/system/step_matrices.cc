@@ -42,7 +42,8 @@ namespace signorini
       std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
         return matrix.sum.stiffness == stiffness_factor && matrix.sum.damping == damping_factor;
       });
-    if (!parts)
+    // Bodies that meet share their guesses, or their momenta would be wrong by those of two errors.
+    if (!parts && !coordinates.coupling().any())
       parts = std::make_shared<const SeparateParts>(
         SeparateParts::of<dim>(discretization.matrices().pattern));
     if (known != recent.end())

@@ -27,7 +27,7 @@ namespace signorini
   class IncrementForecast
   {
   public:
-    /** @param parts of K; null: one */
+    /** @param parts of K that have their own weights; null: one */
     explicit IncrementForecast(std::shared_ptr<const SeparateParts> parts = {})
       : parts(std::move(parts))
     {
