@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/linear_algebra/separate_parts.h>
+#include <signorini/linear_algebra/vector_kernels.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -50,23 +51,19 @@ namespace signorini
       for (unsigned int node = 0; node < pattern.n_local; ++node)
         name[node] = static_cast<double>(pattern.partitioner->local_to_global(dim * node));
       const MPI_Comm communicator = pattern.partitioner->get_mpi_communicator();
-      Vector         owned(pattern.partitioner);
       for (bool any_change = true; any_change;)
         {
-          const std::vector<double> before = name;
+          any_change = false;
           for (unsigned int node = 0; node < pattern.n_local; ++node)
             name[coupled.root(node)] = std::min(name[coupled.root(node)], name[node]);
-          for (unsigned int node = 0; node < pattern.n_local; ++node)
-            name[node] = name[coupled.root(node)];
           for (unsigned int node = 0; node < pattern.n_owned; ++node)
-            owned.local_element(dim * node) = name[node];
-          owned.update_ghost_values();
-          for (unsigned int node = pattern.n_owned; node < pattern.n_local; ++node)
-            name[node] = std::min(name[node], owned.local_element(dim * node));
-          owned.zero_out_ghost_values();
+            {
+              any_change = any_change || name[node] > name[coupled.root(node)];
+              name[node] = name[coupled.root(node)];
+            }
+          tell_ghosts<dim>(name, pattern);
           any_change =
-            dealii::Utilities::MPI::max(static_cast<unsigned int>(name != before), communicator)
-            > 0;
+            dealii::Utilities::MPI::max(static_cast<unsigned int>(any_change), communicator) > 0;
         }
       return name;
     }
@@ -97,6 +94,29 @@ namespace signorini
       if (coupled.is_coupled[node])
         result.part_of[node] = std::distance(all.begin(), all.find(names[node]));
     return result;
+  }
+
+
+  std::vector<double> SeparateParts::products(const Vector &x, const Vector &y) const
+  {
+    if (n == 1)
+      return {dot(x, y)};
+    std::vector<double> result(n, 0.);
+    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+      result[part_of_entry(i, x)] += x.local_element(i) * y.local_element(i);
+    dealii::Utilities::MPI::sum(result, x.get_mpi_communicator(), result);
+    return result;
+  }
+
+
+  void SeparateParts::add(Vector &target, const std::vector<double> &factors, const Vector &x) const
+  {
+    AssertDimension(factors.size(), n);
+    if (n == 1)
+      target.add(factors[0], x);
+    else
+      for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
+        target.local_element(i) += factors[part_of_entry(i, x)] * x.local_element(i);
   }
 
 

@@ -13,8 +13,7 @@ namespace signorini
 {
   namespace
   {
-    /** How far nodes may move before the neighbourhood follows them: two cells, see
-     * reach_of_forces(). */
+    /** How far nodes may move before the neighbourhood follows: two cells, by reach_of_forces(). */
     constexpr double margin = 1. / 16.;
     /** What arrives from many nodes adds up. */
     constexpr double of_many = 1. / 32.;

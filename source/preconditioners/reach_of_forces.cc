@@ -17,19 +17,6 @@ namespace signorini
     constexpr double decay_over_coupling = 1.0718;
 
 
-    /** Per local node the values that the processes know of their own. */
-    template <int dim>
-    void exchange(std::vector<double> &values, const NodePattern &pattern)
-    {
-      Vector entries(pattern.partitioner);
-      for (unsigned int node = 0; node < pattern.n_owned; ++node)
-        entries.local_element(dim * node) = values[node];
-      entries.update_ghost_values();
-      for (unsigned int node = pattern.n_owned; node < pattern.n_local; ++node)
-        values[node] = entries.local_element(dim * node);
-    }
-
-
     /** m_ii^(-1/2) per local node. */
     template <int dim>
     std::vector<double> inverse_roots(const ElasticMatrices<dim> &matrices)
@@ -40,7 +27,7 @@ namespace signorini
         if (!pattern.is_empty(node))
           if (const double mass = matrices.mass[pattern.row_start[node]]; mass > 0.)
             result[node] = 1. / std::sqrt(mass);
-      exchange<dim>(result, pattern);
+      tell_ghosts<dim>(result, pattern);
       return result;
     }
   } // namespace
@@ -79,7 +66,7 @@ namespace signorini
     const MPI_Comm communicator = pattern.partitioner->get_mpi_communicator();
     while (any_change)
       {
-        exchange<dim>(reach, pattern);
+        tell_ghosts<dim>(reach, pattern);
         any_change = false;
         for (unsigned int node = 0; node < pattern.n_owned; ++node)
           spread(node);

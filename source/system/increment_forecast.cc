@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/system/increment_forecast.h>
-
-#include <deal.II/base/mpi.h>
 
 #include <algorithm>
 
@@ -60,20 +57,26 @@ namespace signorini
     else
       force -= residuals[0];
 
-    Eigen::MatrixXd projections(n_parts(), n), weights(n_parts(), n);
+    Eigen::MatrixXd projections(parts->n, n), weights(parts->n, n);
     for (unsigned int i = 0; i < n; ++i)
-      projections.col(i) = products(increments[i], force);
+      {
+        const auto products = parts->products(increments[i], force);
+        projections.col(i)  = Eigen::VectorXd::Map(products.data(), products.size());
+      }
     double largest = 0.;
     for (const Eigen::MatrixXd &gram : grams)
       largest = std::max(largest, gram.diagonal().maxCoeff());
-    for (unsigned int part = 0; part < n_parts(); ++part)
+    for (unsigned int part = 0; part < parts->n; ++part)
       weights.row(part) = closest_combination(
         grams[part],
         projections.row(part),
         std::max(energy_at_rest * largest, grams[part].diagonal().maxCoeff() / largest_ratio));
     increment = 0.;
     for (unsigned int i = 0; i < n; ++i)
-      add(increment, weights.col(i), increments[i]);
+      {
+        const double *of_parts = weights.col(i).data();
+        parts->add(increment, {of_parts, of_parts + parts->n}, increments[i]);
+      }
     return true;
   }
 
@@ -115,15 +118,15 @@ namespace signorini
     residuals.push_front(residual);
 
     const unsigned int           n = increments.size();
-    std::vector<Eigen::MatrixXd> new_grams(n_parts(), Eigen::MatrixXd(n, n));
+    std::vector<Eigen::MatrixXd> new_grams(parts->n, Eigen::MatrixXd(n, n));
     for (unsigned int i = 0; i < n; ++i)
       {
-        const Eigen::VectorXd with_latest = products(increments[i], product);
-        for (unsigned int part = 0; part < n_parts(); ++part)
+        const std::vector<double> with_latest = parts->products(increments[i], product);
+        for (unsigned int part = 0; part < parts->n; ++part)
           new_grams[part](0, i) = new_grams[part](i, 0) = with_latest[part];
       }
     Eigen::ArrayXd energies = Eigen::ArrayXd::Zero(n);
-    for (unsigned int part = 0; part < n_parts(); ++part)
+    for (unsigned int part = 0; part < parts->n; ++part)
       {
         if (n > 1)
           new_grams[part].bottomRightCorner(n - 1, n - 1) = grams[part].topLeftCorner(n - 1, n - 1);
@@ -155,38 +158,5 @@ namespace signorini
     increments.clear();
     residuals.clear();
     grams.clear();
-  }
-
-
-  Eigen::VectorXd IncrementForecast::products(const Vector &x, const Vector &y) const
-  {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(n_parts());
-    if (n_parts() == 1)
-      {
-        result[0] = dot(x, y);
-        return result;
-      }
-    const unsigned int per_node =
-      x.locally_owned_size() / std::max<std::size_t>(parts->part_of.size(), 1);
-    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
-      result[parts->part_of[i / per_node]] += x.local_element(i) * y.local_element(i);
-    dealii::Utilities::MPI::sum(dealii::ArrayView<const double>(result.data(), result.size()),
-                                x.get_mpi_communicator(),
-                                dealii::ArrayView<double>(result.data(), result.size()));
-    return result;
-  }
-
-
-  void IncrementForecast::add(Vector &target, const Eigen::VectorXd &weights, const Vector &x) const
-  {
-    if (n_parts() == 1)
-      {
-        target.add(weights[0], x);
-        return;
-      }
-    const unsigned int per_node =
-      x.locally_owned_size() / std::max<std::size_t>(parts->part_of.size(), 1);
-    for (unsigned int i = 0; i < x.locally_owned_size(); ++i)
-      target.local_element(i) += weights[parts->part_of[i / per_node]] * x.local_element(i);
   }
 } // namespace signorini

@@ -220,11 +220,12 @@ namespace signorini
     mass_correction = correction;
 
     const std::vector<unsigned int> fixed = coordinates.held_entries(held);
-    SolveReport                     effort;
+    SolveReport                     report;
     const unsigned int              n_held = fixed.size() - coordinates.dirichlet_entries().size();
-    effort.n_active = dealii::Utilities::MPI::sum(n_held, discretization.communicator());
-    if (effort.n_active == 0)
-      return effort;
+    const unsigned int              n_active =
+      dealii::Utilities::MPI::sum(n_held, discretization.communicator());
+    if (n_active == 0)
+      return report;
 
     dealii::TimerOutput::Scope scope(timer, "step: velocity of held nodes");
     prepare();
@@ -241,9 +242,9 @@ namespace signorini
     ActiveSet    none;
     const double accepted = tolerance * std::sqrt(energy_scale / 2.);
     surround(corrections, accepted);
-    SolveReport report =
+    report =
       solve_near_contact({{}, {}, fixed, values, accepted}, none, correction, mass_correction);
-    report.n_active = effort.n_active;
+    report.n_active = n_active;
     mass_correction *= -1.; // the residual is 0 - M c
     keep_only(fixed, mass_correction);
     coordinates.displacement_to_cartesian(correction);

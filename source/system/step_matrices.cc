@@ -42,10 +42,11 @@ namespace signorini
       std::find_if(recent.begin(), recent.end(), [&](const StepMatrix<dim> &matrix) {
         return matrix.sum.stiffness == stiffness_factor && matrix.sum.damping == damping_factor;
       });
-    // Bodies that meet share their guesses, or their momenta would be wrong by those of two errors.
-    if (!parts && !coordinates.coupling().any())
+    // Bodies that meet share their guesses, or their momentum would be wrong by two errors.
+    if (!parts)
       parts = std::make_shared<const SeparateParts>(
-        SeparateParts::of<dim>(discretization.matrices().pattern));
+        coordinates.coupling().any() ? SeparateParts()
+                                     : SeparateParts::of<dim>(discretization.matrices().pattern));
     if (known != recent.end())
       recent.splice(recent.begin(), recent, known);
     else

@@ -210,3 +210,37 @@ TYPED_TEST(MassNearContactOf, ToldTooLittleItNotices)
     EXPECT_LE(missed[k], missed[k - 1]);
   EXPECT_LT(missed.back(), 1e-5 * missed.front());
 }
+
+TEST(MassNearContactOfFewCells, ProcessesWithoutNodesTakePart)
+{
+  // Four cells are one family, which processes do not share; corrections that are far below what is
+  // accepted need no neighbourhood at all, so that a part of the nodes is outside of it. Nobody may
+  // wait for the process without nodes, nor go on without it.
+  BodyDescription<2> body  = box<2>();
+  box_of(body).repetitions = {1, 1};
+  body.refinements         = 1;
+  const ContactProblem<2>     problem(contact_scene<2>(body, {floor_at<2>(0.)}, {2}));
+  const ContactCoordinates<2> coordinates(
+    problem.discretization, problem.surface, problem.dirichlet);
+  const auto               &matrices = problem.discretization.matrices();
+  MassNearContact<2>        near(matrices, coordinates);
+  std::vector<unsigned int> nodes;
+  for (const unsigned int entry : coordinates.normal_entries())
+    nodes.push_back(entry / 2);
+  if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+    {
+      EXPECT_EQ(dealii::Utilities::MPI::min(matrices.pattern.n_owned, MPI_COMM_WORLD), 0u);
+    }
+  const Vector residual =
+    mass_times(problem.discretization, field<2>(problem.discretization, {{"1 + x", "y"}}));
+  for (unsigned int k = 0; k < 3; ++k)
+    {
+      near.surround(nodes, 1e6);
+      EXPECT_EQ(near.number(), 1u);
+      EXPECT_GT(near.norm_outside(residual), 0.1);
+    }
+  unsigned int n_wider = 0;
+  for (; near.norm_outside(residual) > 0. && n_wider < 20; ++n_wider)
+    near.widen();
+  EXPECT_LT(n_wider, 20u);
+}

@@ -12,6 +12,22 @@ go on without it: a quarter of the work of solving for both is left out."""
 
 import check_history
 
+
+def ball(name, x, height):
+    """The section of a disc that falls."""
+    return f"""  subsection {name}
+    set Shape            = ball
+    set Centre           = {x}, {height}
+    set Radius           = 1
+    set Refinements      = 3
+    set Young's modulus  = 500
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = 0; -2
+  end
+"""
+
+
 BLOCK_AND_BALL = (
     """
 set Dimension = 2
@@ -32,18 +48,9 @@ subsection Bodies
     set Density         = 1
     set Body force      = 0; -10
   end
-  subsection ball
-    set Shape            = ball
-    set Centre           = 100, 1.2
-    set Radius           = 1
-    set Refinements      = 3
-    set Young's modulus  = 500
-    set Poisson's ratio  = 0.3
-    set Density          = 1
-    set Initial velocity = 0; -2
-  end
-end
 """
+    + ball("ball", 100, 1.2)
+    + "end\n"
     + check_history.on_floor("block[2]", "ball")
     + """subsection Probes
   set Names = foot, pole
@@ -57,26 +64,12 @@ end
 """
 )
 
-
 DISCS = {"early": (0, 1.05), "late": (10, 1.6)}  # centres
 
 
 def discs(*names):
     """Discs that hit a floor at times 0.025 and 0.3, each of them within 0.25."""
-    bodies = ""
-    for name in names:
-        x, height = DISCS[name]
-        bodies += f"""  subsection {name}
-    set Shape            = ball
-    set Centre           = {x}, {height}
-    set Radius           = 1
-    set Refinements      = 3
-    set Young's modulus  = 500
-    set Poisson's ratio  = 0.3
-    set Density          = 1
-    set Initial velocity = 0; -2
-  end
-"""
+    bodies = "".join(ball(name, *DISCS[name]) for name in names)
     probes = "".join(
         f"  subsection of_{name}\n    set Point = {DISCS[name][0]}, {DISCS[name][1] - 1}\n  end\n"
         for name in names

@@ -35,6 +35,19 @@ namespace signorini
   };
 
 
+  /** Of numbers per local node, those of ghosts become what their owners have. Collective. */
+  template <int dim>
+  void tell_ghosts(std::vector<double> &numbers, const NodePattern &pattern)
+  {
+    Vector entries(pattern.partitioner);
+    for (unsigned int node = 0; node < pattern.n_owned; ++node)
+      entries.local_element(dim * node) = numbers[node];
+    entries.update_ghost_values();
+    for (unsigned int node = pattern.n_owned; node < pattern.n_local; ++node)
+      numbers[node] = entries.local_element(dim * node);
+  }
+
+
   /**
    * The entries of nodes, dim each, out of @p n_entries. The nodes may come in any order and more
    * than once: they are sorted first, as an IndexSet moves what it has for each range that is not

@@ -27,8 +27,9 @@ namespace signorini
   class IncrementForecast
   {
   public:
-    /** @param parts of K that have their own weights; null: one */
-    explicit IncrementForecast(std::shared_ptr<const SeparateParts> parts = {})
+    /** @param parts of K that have their own weights */
+    explicit IncrementForecast(
+      std::shared_ptr<const SeparateParts> parts = std::make_shared<SeparateParts>())
       : parts(std::move(parts))
     {
     }
@@ -65,12 +66,6 @@ namespace signorini
     Vector                               product;    ///< K d of the latest
     std::vector<Eigen::MatrixXd>         grams;      ///< d_i'K d_j of each part
     bool                                 repeats = false;
-
-    unsigned int n_parts() const { return parts ? parts->n : 1; }
-    /** x'y of each part. Collective. */
-    Eigen::VectorXd products(const Vector &x, const Vector &y) const;
-    /** target += weights x, with a weight for each part. */
-    void add(Vector &target, const Eigen::VectorXd &weights, const Vector &x) const;
 
     void drop_latest();
   };

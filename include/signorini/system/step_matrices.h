@@ -80,7 +80,7 @@ namespace signorini
     std::list<StepMatrix<dim>>                 recent; ///< latest first
     unsigned int                               uses = 0, built = 0;
     std::shared_ptr<const LevelHierarchy<dim>> hierarchy; ///< once it is needed
-    std::shared_ptr<const SeparateParts>       parts;     ///< likewise
+    std::shared_ptr<const SeparateParts>       parts;     ///< with guesses of their own; likewise
 
     /** Give the matrix the preconditioner that pays, unless it has it. */
     void choose(StepMatrix<dim> &matrix, double step_size);
