@@ -217,7 +217,7 @@ TEST(MassNearContactOfFewCells, ProcessesWithoutNodesTakePart)
   // accepted need no neighbourhood at all, so that a part of the nodes is outside of it. Nobody may
   // wait for the process without nodes, nor go on without it.
   BodyDescription<2> body  = box<2>();
-  box_of(body).repetitions = {1, 1};
+  box_of(body).repetitions = {{1, 1}};
   body.refinements         = 1;
   const ContactProblem<2>     problem(contact_scene<2>(body, {floor_at<2>(0.)}, {2}));
   const ContactCoordinates<2> coordinates(
