@@ -50,6 +50,7 @@ MAY_USE["system"] = (
 MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
 MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
 MAY_USE["output"] = MAY_USE["diagnostics"] | {"diagnostics", "finite_elements"}
+MAY_USE["goals"] = MAY_USE["adaptivity"] | MAY_USE["output"] | {"adaptivity", "output"}
 MAY_USE["setup"] = MAY_USE["output"] | {"output"}
 MAY_USE["fclib"] = MAY_USE["system"] | MAY_USE["output"] | {"system", "output"}
 MAY_USE["checkpoint"] = MAY_USE["adaptivity"] | MAY_USE["output"] | {"adaptivity", "output", "prm"}
@@ -87,6 +88,7 @@ HOLDS = {
     "adaptivity": "error indicators, which cells they change, the state on the new mesh",
     "diagnostics": "energy ledger, momentum, contact force, penetration, errors",
     "output": "fields, tables, log",
+    "goals": "meshes for a target: errors of forces and stresses, and what they ask of cells",
     "setup": "what a scene describes, before the first step: fields and a picture",
     "fclib": "problems of steps in the format of the Frictional Contact Library",
     "checkpoint": "mesh and state on the disk, and which checkpoint is whole",

@@ -224,7 +224,7 @@ namespace signorini
     count_flags(triangulation, change);
     // Refinement alone needs no projection of the state. What the estimate of the energy wants is
     // coarsened layer by layer, and must not wait; equal shares of a target leave less to coarsen.
-    if ((!change.refines() || parameters.aims_at_force())
+    if ((!change.refines() || parameters.has_target())
         && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
       {
         for (const auto &cell : triangulation.active_cell_iterators())

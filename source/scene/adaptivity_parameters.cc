@@ -86,16 +86,16 @@ namespace signorini
           {"Goal", "Marking", "Refine fraction", "Coarsen fraction", "Coarsen ratio", "Tolerance"},
           "belongs to indicators that estimate an error, but Indicator = distance refines by "
           "`Distance` alone. Remove this key.");
-      if (adaptivity.aims_at_force())
+      if (adaptivity.has_target())
         refuse_if_given(in,
                         {"Marking", "Refine fraction", "Coarsen fraction", "Tolerance"},
-                        "belongs to `Goal = energy`; with Goal = contact force cells get equal "
-                        "shares of `Target error`. Remove this key.");
+                        "belongs to `Goal = energy`; with Goal = " + in.text("Goal")
+                          + " cells get equal shares of `Target error`. Remove this key.");
       else
         refuse_if_given(in,
                         {"Target error"},
-                        "is relative to the contact force, but Goal = energy. Set `Goal = contact "
-                        "force`, or remove this key.");
+                        "is relative to a force or stress, but Goal = energy. Set `Goal = contact "
+                        "force`, `contact pressure` or `probe`, or remove this key.");
       if (adaptivity.marking == MarkingKind::tolerance)
         refuse_if_given(in,
                         {"Refine fraction", "Coarsen fraction"},
@@ -103,17 +103,17 @@ namespace signorini
                         "with `Tolerance`. Remove this key.");
     }
 
-    void check_goal(const SectionReader &in, const AdaptivityParameters &adaptivity)
+    void check_target(const SectionReader &in, const AdaptivityParameters &adaptivity)
     {
-      if (!adaptivity.aims_at_force())
+      if (!adaptivity.has_target())
         return;
       if (adaptivity.indicator != IndicatorKind::residual)
         in.fail("Goal",
                 "needs the estimate of `Indicator = residual`. Set it, or remove this key.");
       if (adaptivity.target_error == 0.)
         in.fail("Target error",
-                "is missing, but Goal = contact force refines until it is met. Give for example "
-                "0.01.");
+                "is missing, but Goal = " + in.text("Goal")
+                  + " refines until it is met. Give for example 0.01.");
     }
 
     template <int dim>
@@ -129,12 +129,11 @@ namespace signorini
                                   + std::to_string(coarsest.refinements) + " (`Bodies/"
                                   + coarsest.name + "/Refinements`) or more. ";
       // With a target the error of any mesh can be looked at, uniform ones included.
-      if (adaptivity.aims_at_force()
-          && adaptivity.maximum_level < std::max(coarsest.refinements, 1u))
+      if (adaptivity.has_target() && adaptivity.maximum_level < std::max(coarsest.refinements, 1u))
         in.fail("Maximum level",
                 "must not be less than the mesh begins with: " + initial
                   + "Give this number to have the mesh judged only, or a larger one.");
-      if (!adaptivity.aims_at_force() && adaptivity.maximum_level <= coarsest.refinements)
+      if (!adaptivity.has_target() && adaptivity.maximum_level <= coarsest.refinements)
         in.fail("Maximum level", "leaves nothing to refine: " + initial + "Give a larger number.");
       if (adaptivity.minimum_level >= adaptivity.maximum_level)
         in.fail("Minimum level",
@@ -176,19 +175,23 @@ namespace signorini
     void declare_goal(dealii::ParameterHandler &prm)
     {
       using namespace dealii::Patterns;
-      declare(prm,
-              "Goal",
-              choices_of<GoalKind>(),
-              "Of residual: what the mesh is made for. energy: the error of the motion in the "
-              "energy norm. contact force: the error of the sum of the contact forces, down to "
-              "`Target error`; what no contact force will feel is left coarse.");
+      declare(
+        prm,
+        "Goal",
+        choices_of<GoalKind>(),
+        "Of residual: what the mesh is made for. energy: the error of the motion in the "
+        "energy norm. contact force: the error of the sum of the contact forces, down to "
+        "`Target error`; what no contact force will feel is left coarse. contact pressure: "
+        "that, and the error of the pressure on the contact surfaces, L2 in space and time. "
+        "probe: that of the force, and the errors of the stress at all `Probes` (the pressure "
+        "at probes on contact surfaces).");
       declare(
         prm,
         "Target error",
         Double(),
-        "Of Goal = contact force: the error that the mesh may cause, relative to the force and "
-        "L2 in time (no unit), between 0 and 1. Estimated; cells get equal shares of it in "
-        "units of the largest force so far.");
+        "Of goals other than energy: the error that the mesh may cause, relative to the force or "
+        "the stress and L2 in time (no unit), between 0 and 1. Estimated; cells get equal shares "
+        "of it in units of the largest force or stress so far.");
     }
 
 
@@ -269,13 +272,12 @@ namespace signorini
               Integer(),
               "The mesh is judged, and may change, after every so many steps. 0: it changes when "
               "what steps have lost on it amounts to the cost of a change.");
-      declare(
-        prm,
-        "Repetitions",
-        Integer(),
-        "How often a step may be repeated on a refined mesh before it is accepted, at most "
-        "20. 0: the mesh that a step asks for serves the next one. (With Goal = contact force "
-        "steps that are far from the target are repeated anyway.)");
+      declare(prm,
+              "Repetitions",
+              Integer(),
+              "How often a step may be repeated on a refined mesh before it is accepted, at most "
+              "20. 0: the mesh that a step asks for serves the next one. (With a `Target error` "
+              "steps that are far from the target are repeated anyway.)");
       declare(prm,
               "Distance",
               Double(),
@@ -320,8 +322,8 @@ namespace signorini
       "it is a part of the threshold of refinement. Give for example 0.25, or 0 for the default.");
     adaptivity.hysteresis = fraction(
       in, "Hysteresis", 0.5, "with more the mesh would hardly ever change. Give for example 0.1.");
-    adaptivity.target_error =
-      fraction(in, "Target error", 1., "it is a part of the contact force. Give for example 0.01.");
+    adaptivity.target_error = fraction(
+      in, "Target error", 1., "it is a part of the force or stress. Give for example 0.01.");
     adaptivity.tolerance = not_negative(in, "Tolerance", "Give a positive number, or 0 for none.");
     adaptivity.distance  = not_negative(in, "Distance", "Give a length, or 0 for the default.");
     adaptivity.maximum_level = in.integer("Maximum level", 0, highest_level);
@@ -334,12 +336,31 @@ namespace signorini
     if (adaptivity.marking == MarkingKind::tolerance && adaptivity.tolerance == 0.)
       in.fail("Tolerance",
               "is missing, but Marking = tolerance compares with it. Give a positive number.");
-    check_goal(in, adaptivity);
+    check_target(in, adaptivity);
     check_levels(in, adaptivity, bodies);
     return adaptivity;
   }
 
 
+  template <int dim>
+  void check_goal(const SectionReader &in, const Scene<dim> &scene)
+  {
+    if (!scene.adaptivity.has_target())
+      return;
+    if (scene.pairs.empty())
+      in.fail("Goal",
+              "makes meshes for the force of a contact and what follows from it, but the scene has "
+              "no contact pair. Add one to `Contact/Pairs`, or set `Goal = energy`.");
+    if (scene.adaptivity.goal == GoalKind::probe && scene.probes.empty()
+        && scene.point_probes.empty())
+      in.fail("Goal",
+              "aims at the stress at probes, but the scene has none. Add one to `Probes/Names`, or "
+              "set another goal.");
+  }
+
+
+  template void                 check_goal(const SectionReader &, const Scene<2> &);
+  template void                 check_goal(const SectionReader &, const Scene<3> &);
   template AdaptivityParameters parse_adaptivity(const SectionReader &,
                                                  const TimeParameters &,
                                                  const std::vector<BodyDescription<2>> &);

@@ -239,6 +239,7 @@ namespace signorini
     parse_contact_motion(in.section("Contact"), scene);
     scene.mapping = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);
     parse_probes(in.section("Probes"), names.probes, scene);
+    check_goal(in.section("Adaptivity"), scene);
     scene.exact_solution = parse_exact_solution<dim>(in.section("Exact solution"), scene.bodies);
     scene.solver         = parse_solver(in.section("Solver"), has_friction(scene.pairs));
     scene.output         = parse_output(in.section("Output"));

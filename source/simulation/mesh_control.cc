@@ -15,17 +15,17 @@ namespace signorini
 
 
   template <int dim>
-  MeshControl<dim>::MeshControl(Mesh<dim>                  &mesh,
-                                const AdaptivityParameters &parameters,
-                                const TimeIntegration      &time,
-                                const unsigned int          n_steps)
+  MeshControl<dim>::MeshControl(Mesh<dim>             &mesh,
+                                const Scene<dim>      &scene,
+                                const TimeIntegration &time)
     : mesh(mesh)
-    , parameters(parameters)
+    , scene(scene)
+    , parameters(scene.adaptivity)
     , time(time)
     , rule(parameters)
-    , life_time(n_steps)
+    , life_time(scene.time.n_steps()) // of a mesh that does not change
   {
-    if (parameters.aims_at_force())
+    if (parameters.has_target())
       goal.emplace(mesh, parameters, time);
   }
 
@@ -48,11 +48,14 @@ namespace signorini
     if (!indicator)
       indicator = make_error_indicator(
         parameters, time, meshed.discretization, meshed.surface, meshed.dirichlet);
+    if (goal && stresses.empty())
+      stresses = stresses_of_interest(
+        parameters.goal, scene.probes, scene.point_probes, meshed.discretization, meshed.surface);
     latest = indicator->evaluate(step);
     const std::vector<bool> in_contact =
       cells_in_contact(meshed.discretization, meshed.surface, step.end.contact_force);
     if (goal)
-      goal->see(meshed.discretization, meshed.surface, step, in_contact, latest);
+      goal->see(meshed.discretization, meshed.surface, step, in_contact, stresses, latest);
     const ContactWishes wishes = contact_wishes(meshed, step, in_contact);
     MeshChange          change = mark_cells(
       mesh, goal ? goal->marking() : parameters, latest, wishes.to_keep, wishes.to_refine);
@@ -137,6 +140,7 @@ namespace signorini
   void MeshControl<dim>::mesh_is_made_anew()
   {
     indicator.reset();
+    stresses.clear();
     latest.reinit(0);
   }
 

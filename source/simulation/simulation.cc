@@ -80,10 +80,7 @@ namespace signorini
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
     , scheme_parameters(with_spectral_radius(scene, mesh))
     , scheme(given_scheme ? std::move(given_scheme) : make_scheme(scene, scheme_parameters))
-    , mesh_control(mesh,
-                   scene.adaptivity,
-                   time_integration(scene.time, scheme_parameters),
-                   scene.time.n_steps())
+    , mesh_control(mesh, this->scene, time_integration(scene.time, scheme_parameters))
     , checkpoints(scene.output_directory, communicator)
   {
     if (scene.output.fclib_every > 0)

@@ -163,9 +163,10 @@ namespace signorini
     // Its weights are those of the shear modulus, and pressures are not those of shear there.
     constexpr double nearly_incompressible = 0.45;
     for (const auto &body : scene.bodies)
-      if (scene.adaptivity.aims_at_force() && body.material.poissons_ratio > nearly_incompressible)
+      if (scene.adaptivity.has_target() && body.material.poissons_ratio > nearly_incompressible)
         result.push_back(
-          "Adaptivity/Goal = contact force: the body '" + body.name
+          "Adaptivity/Goal = " + std::string(name_of(scene.adaptivity.goal)) + ": the body '"
+          + body.name
           + "' is nearly incompressible, and the estimate of the error of the force "
             "is not made for that (it was wrong by 5 with Poisson's ratio 0.49, and "
             "by 60 with 0.4999). Compare with another mesh, or set `Goal = energy`.");

@@ -232,7 +232,7 @@ TEST(Combinations, OfMeshesAndTheirGoal)
       expect_words(message, {changed.file.name + ", line ", path, value});
       expect_words(message, words);
     };
-  expect("Goal", "force", {"Valid: energy, contact force"});
+  expect("Goal", "force", {"Valid: energy, contact force, contact pressure, probe"});
   expect("Target error", "0", {"is missing", "Give for example"});
   expect("Target error", "1.5", {"between 0 and 1"});
   expect("Target error", "-0.1", {"between 0 and 1"});
@@ -248,4 +248,10 @@ TEST(Combinations, OfMeshesAndTheirGoal)
   expect_words(refusal_with("Indicator", "kelly"), {"Goal", "needs", "Indicator = residual"});
   expect_words(refusal_with("Indicator", "distance"), {"Goal", "Indicator = distance", "Remove"});
   expect_words(refusal_with("Goal", "energy"), {"Target error", "Goal = contact force"});
+  EXPECT_EQ(refusal_with("Goal", "contact pressure"), "");
+  EXPECT_EQ(refusal_with("Goal", "probe"), "");
+  const std::string  scene = correct_scene();
+  const ChangedScene no_probes(scene.substr(0, scene.find("subsection Probes")) + adaptive,
+                               assignment("Adaptivity/Goal", "probe"));
+  expect_words(refusal(no_probes.file.name), {"Goal", "the scene has none", "Probes/Names"});
 }

@@ -29,15 +29,19 @@ namespace signorini
   /** What the mesh is made for. */
   enum class GoalKind
   {
-    energy,       ///< the error of the motion in the energy norm, everywhere
-    contact_force ///< the error of the sum of the contact forces
+    energy,           ///< the error of the motion in the energy norm, everywhere
+    contact_force,    ///< the error of the sum of the contact forces
+    contact_pressure, ///< and of their distribution over the contact surface
+    probe             ///< and of the stress at all probes
   };
 
   template <>
   struct EnumNames<GoalKind>
   {
     static constexpr EnumName<GoalKind> table[] = {{GoalKind::energy, "energy"},
-                                                   {GoalKind::contact_force, "contact force"}};
+                                                   {GoalKind::contact_force, "contact force"},
+                                                   {GoalKind::contact_pressure, "contact pressure"},
+                                                   {GoalKind::probe, "probe"}};
   };
 
   /** Which cells an estimate of the error has changed; of no use with the indicator `distance`. */
@@ -85,13 +89,13 @@ namespace signorini
     double distance = 0.;
 
     /** Steps until the mesh is judged again, at most, if it changes when that pays. */
-    unsigned int longest_wait() const { return goal == GoalKind::contact_force ? 5 : 2; }
+    unsigned int longest_wait() const { return goal == GoalKind::energy ? 2 : 5; }
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != IndicatorKind::none; }
 
-    /** Whether cells matter by what they do to the contact force. */
-    bool aims_at_force() const { return any() && goal == GoalKind::contact_force; }
+    /** Whether cells matter by what they do to something else than the energy. */
+    bool has_target() const { return any() && goal != GoalKind::energy; }
 
     /**
      * Whether cells closer to contact than `distance` are refined whatever the estimate of an

@@ -79,6 +79,9 @@ namespace signorini
   AdaptivityParameters parse_adaptivity(const SectionReader                     &in,
                                         const TimeParameters                    &time,
                                         const std::vector<BodyDescription<dim>> &bodies);
+  /** The goal of the meshes needs pairs, and probes if it is their stress. */
+  template <int dim>
+  void check_goal(const SectionReader &in, const Scene<dim> &scene);
 
   template <int dim>
   void declare_probe(dealii::ParameterHandler &prm);

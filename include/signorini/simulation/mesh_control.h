@@ -5,10 +5,10 @@
 #define signorini_simulation_mesh_control_h
 
 #include <signorini/adaptivity/error_indicator.h>
-#include <signorini/adaptivity/force_goal.h>
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/remeshing_rule.h>
 #include <signorini/base/archive.h>
+#include <signorini/goals/mesh_goal.h>
 #include <signorini/simulation/meshed_scene.h>
 
 namespace signorini
@@ -18,11 +18,8 @@ namespace signorini
   class MeshControl
   {
   public:
-    /** @param n_steps of the run: the life time of a mesh that does not change */
-    MeshControl(Mesh<dim>                  &mesh,
-                const AdaptivityParameters &parameters,
-                const TimeIntegration      &time,
-                unsigned int                n_steps);
+    /** Both have to live longer than it. */
+    MeshControl(Mesh<dim> &mesh, const Scene<dim> &scene, const TimeIntegration &time);
 
     /** Whether the mesh may change at all. */
     bool any() const { return parameters.any(); }
@@ -77,10 +74,12 @@ namespace signorini
 
   private:
     Mesh<dim>                           &mesh;
+    const Scene<dim>                    &scene;
     const AdaptivityParameters           parameters;
     const TimeIntegration                time;
     RemeshingRule                        rule;
-    std::optional<ForceGoal<dim>>        goal; ///< if there is one
+    std::optional<MeshGoal<dim>>         goal;     ///< if there is one
+    Stresses<dim>                        stresses; ///< of the goal, on the present mesh
     unsigned int                         life_time;
     std::unique_ptr<ErrorIndicator<dim>> indicator; ///< of the present mesh
     dealii::Vector<double>               latest;

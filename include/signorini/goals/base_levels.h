@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_adaptivity_base_levels_h
-#define signorini_adaptivity_base_levels_h
+#ifndef signorini_goals_base_levels_h
+#define signorini_goals_base_levels_h
 
 #include <signorini/base/archive.h>
 #include <signorini/discretization/mesh.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/bodies_in_touch.h>
 #include <signorini/base/contact_status.h>
 #include <signorini/contact/own_forces.h>
+#include <signorini/goals/bodies_in_touch.h>
 
 #include <deal.II/base/mpi.h>
 

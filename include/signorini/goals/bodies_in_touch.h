@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_adaptivity_bodies_in_touch_h
-#define signorini_adaptivity_bodies_in_touch_h
+#ifndef signorini_goals_bodies_in_touch_h
+#define signorini_goals_bodies_in_touch_h
 
 #include <signorini/contact/contact_surface.h>
 #include <signorini/time/state.h>

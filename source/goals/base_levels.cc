@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/base_levels.h>
+#include <signorini/goals/base_levels.h>
 
 #include <deal.II/base/mpi.h>
 

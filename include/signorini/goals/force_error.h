@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_adaptivity_force_error_h
-#define signorini_adaptivity_force_error_h
+#ifndef signorini_goals_force_error_h
+#define signorini_goals_force_error_h
 
 #include <signorini/base/archive.h>
 #include <signorini/contact/contact_surface.h>
@@ -55,6 +55,9 @@ namespace signorini
   {
   public:
     ForceError(double target, unsigned int dim);
+
+    /** Squared estimates in units of the squared error in the energy norm, which is 2 E of it. */
+    static constexpr double effectivity(const unsigned int dim) { return dim == 2 ? 15. : 65.; }
 
     /** A step was judged; a repeated one replaces what was seen of the same time. */
     void see(const ForceReading &reading);
@@ -123,8 +126,6 @@ namespace signorini
       double cells = 0., near = 0., free = 0.; ///< numbers times the time
     };
     Sums sums, earlier; ///< earlier: before the latest step
-
-    double effectivity() const { return dim == 2 ? 15. : 65.; }
   };
 } // namespace signorini
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_adaptivity_weigh_waves_h
-#define signorini_adaptivity_weigh_waves_h
+#ifndef signorini_goals_weigh_waves_h
+#define signorini_goals_weigh_waves_h
 
 #include <signorini/discretization/discretization.h>
 

@@ -1,39 +1,44 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_adaptivity_force_goal_h
-#define signorini_adaptivity_force_goal_h
+#ifndef signorini_goals_mesh_goal_h
+#define signorini_goals_mesh_goal_h
 
-#include <signorini/adaptivity/base_levels.h>
 #include <signorini/adaptivity/error_indicator.h>
-#include <signorini/adaptivity/force_error.h>
 #include <signorini/adaptivity/mark_cells.h>
+#include <signorini/goals/base_levels.h>
+#include <signorini/goals/force_error.h>
+#include <signorini/goals/stress_error.h>
 
 namespace signorini
 {
   /**
-   * `Goal = contact force`: the mesh is as fine as the target for the error of the contact force
-   * needs, where it needs it. Weighs the indicators of a step by what the force feels of them, says
-   * what is tolerated, which cells have to be finer whatever their indicator is, and whether a step
-   * has to be repeated.
+   * A `Goal` with a `Target error`: the mesh is as fine as that needs, where it needs it. Of the
+   * contact force in any case, and of stresses if the goal is one: they follow from what the force
+   * is, and from the cells near their place. Weighs the indicators of a step by what the goal feels
+   * of them, says what is tolerated, which cells have to be finer whatever their indicator is, and
+   * whether a step has to be repeated.
    */
   template <int dim>
-  class ForceGoal
+  class MeshGoal
   {
   public:
-    ForceGoal(const Mesh<dim>            &mesh,
-              const AdaptivityParameters &parameters,
-              const TimeIntegration      &time);
+    MeshGoal(const Mesh<dim>            &mesh,
+             const AdaptivityParameters &parameters,
+             const TimeIntegration      &time);
+
 
     /**
      * A step is judged. Collective.
      * @param in_contact cells of this process by active_cell_index
+     * @param stresses   the same ones each time, on the present mesh; none if the goal is the force
      * @param indicator  at rest (ResidualIndicator with this goal), becomes the weighed one
      */
     void see(const Discretization<dim> &discretization,
              const ContactSurface<dim> &surface,
              const StepRecord          &step,
              const std::vector<bool>   &in_contact,
+             const Stresses<dim>       &stresses,
              dealii::Vector<double>    &indicator);
 
     /** For mark_cells() after the step that was seen. */
@@ -61,23 +66,38 @@ namespace signorini
     bool is_expectant() const { return awaits_contact && !force_error.is_settled(); }
 
     /** For the end of the run: entries of the summary. */
-    std::string summary() const { return force_error.summary(); }
+    std::string summary() const;
 
     void archive(Archive &archive)
     {
       force_error.archive(archive);
       base_levels.archive(archive);
-      archive(awaits_contact);
+      archive(awaits_contact, stress_names);
+      stress_errors.resize(stress_names.size(), StressError<dim>(parameters.target_error));
+      for (StressError<dim> &error : stress_errors)
+        error.archive(archive);
     }
 
   private:
-    const Mesh<dim>           &mesh;
-    const AdaptivityParameters parameters;
-    const bool                 starts_at_rest;
-    const double               step_size; ///< the first one
-    ForceError                 force_error;
-    BaseLevels<dim>            base_levels;
-    bool                       awaits_contact = true; ///< or has it
+    const Mesh<dim>              &mesh;
+    const AdaptivityParameters    parameters;
+    const bool                    starts_at_rest;
+    const double                  step_size; ///< the first one
+    ForceError                    force_error;
+    BaseLevels<dim>               base_levels;
+    bool                          awaits_contact = true; ///< or has it
+    std::vector<std::string>      stress_names;
+    std::vector<StressError<dim>> stress_errors;
+
+    /** Of the indicators of the step that was seen, for mark_cells(). */
+    double tolerance() const { return stress_errors.empty() ? force_error.tolerance() : 1.; }
+
+    /** Indicators in units of what they may amount to together: of the force and all stresses. */
+    void add_stresses(const State                  &state,
+                      const std::vector<bool>      &in_contact,
+                      const Stresses<dim>          &stresses,
+                      const dealii::Vector<double> &squares,
+                      dealii::Vector<double>       &indicator);
   };
 
   /** Up to which level cells are refined that are about to touch something. */

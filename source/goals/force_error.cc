@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/adaptivity/force_error.h>
 #include <signorini/contact/own_forces.h>
+#include <signorini/goals/force_error.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -76,7 +76,7 @@ namespace signorini
     largest_force = std::max(largest_force, reading.force);
     if (reading.force <= 0. || reading.elastic_energy <= 0.)
       return;
-    const double force_per_error = reading.force / (effectivity() * 2. * reading.elastic_energy);
+    const double force_per_error = reading.force / (effectivity(dim) * 2. * reading.elastic_energy);
     sums.force += interval * std::pow(reading.force, 2);
     sums.error += interval * std::pow(force_per_error * reading.squared_error, 2);
     sums.of_uniform_mesh += interval * std::pow(force_per_error * reading.of_uniform_mesh, 2);
@@ -95,7 +95,7 @@ namespace signorini
     if (latest.force <= 0.)
       return largest_tolerance > 0. ? largest_tolerance : beyond_bounds;
     const double of_target =
-      target * effectivity() * 2. * latest.elastic_energy * largest_force / latest.force;
+      target * effectivity(dim) * 2. * latest.elastic_energy * largest_force / latest.force;
     return std::sqrt(std::max(of_target, 2. * latest.at_limit));
   }
 
@@ -152,10 +152,6 @@ namespace signorini
          << percent(sums.free) << " % in bodies that touch nothing\n";
     if (relative_error() > most_credible)
       text << "                    that is no more than a sign of a mesh that is much too coarse\n";
-    if (relative_error() > 1.5 * target)
-      text << "                    the target was " << 100. * target
-           << " %: give a larger `Adaptivity/Maximum level` or `Maximum cells`, or finer "
-              "bodies to begin with\n";
     return text.str();
   }
 

@@ -6,12 +6,12 @@
 // is everywhere and not where it is in one place; only what is far from contact counts as waves;
 // and a body matters while it touches something, or soon will. The same on any number of processes.
 
-#include "../contact/contact_scene.h"
+#include "box_of_cells.h"
 
-#include <signorini/adaptivity/base_levels.h>
-#include <signorini/adaptivity/bodies_in_touch.h>
-#include <signorini/adaptivity/force_error.h>
-#include <signorini/adaptivity/weigh_waves.h>
+#include <signorini/goals/base_levels.h>
+#include <signorini/goals/bodies_in_touch.h>
+#include <signorini/goals/force_error.h>
+#include <signorini/goals/weigh_waves.h>
 
 #include <gtest/gtest.h>
 
@@ -35,35 +35,6 @@ namespace
     reading.n_coarsest      = 5.;
     return reading;
   }
-
-  /** A box of 16 x 16 cells of level 3. */
-  struct Box
-  {
-    Box()
-      : problem(contact_scene<2>(finer(box<2>()), {floor_at<2>(0.)}))
-      , mesh(problem.discretization.mesh())
-    {
-    }
-
-    static BodyDescription<2> finer(BodyDescription<2> body)
-    {
-      body.refinements = 3;
-      return body;
-    }
-
-    dealii::Vector<double>
-    indicator(const std::function<double(const dealii::Point<2> &)> &value) const
-    {
-      dealii::Vector<double> result(mesh.triangulation().n_active_cells());
-      for (const auto &cell : mesh.active_cells())
-        if (cell->is_locally_owned())
-          result(cell->active_cell_index()) = value(cell->center());
-      return result;
-    }
-
-    ContactProblem<2> problem;
-    const Mesh<2>    &mesh;
-  };
 
   State moving(const Discretization<2> &discretization, const double height, const double speed)
   {

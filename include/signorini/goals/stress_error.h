@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_goals_stress_error_h
+#define signorini_goals_stress_error_h
+
+#include <signorini/base/archive.h>
+#include <signorini/goals/stress_of_interest.h>
+
+namespace signorini
+{
+  /** What the mesh does to one stress in a run, relative to its largest size so far. */
+  template <int dim>
+  class StressError
+  {
+  public:
+    explicit StressError(double target)
+      : target(target)
+    {
+    }
+
+
+    /**
+     * A step was judged; a repeated one replaces what was seen of the same time. Collective.
+     * @param maximum_level of cells
+     * @param relative_squares what comes of it is added: squared errors of cells in units of what
+     *                         they may amount to together, by active_cell_index. Cells that may not
+     *                         become finer may make more than the target; others as much then.
+     */
+    void see(const StressOfInterest<dim>  &stress,
+             const Mesh<dim>              &mesh,
+             const State                  &state,
+             const std::vector<bool>      &in_contact,
+             const dealii::Vector<double> &squares,
+             unsigned int                  maximum_level,
+             dealii::Vector<double>       &relative_squares);
+
+    /**
+     * Estimated error relative to the stress, both L2 in time; 0 if there was no stress. It is that
+     * of cells near the place: what waves and the contact force bring from elsewhere is beside it.
+     */
+    double relative_error() const;
+
+    void archive(Archive &archive) { archive(latest, largest, interval, sums, earlier); }
+
+  private:
+    double target;
+    double latest   = 0.; ///< time
+    double largest  = 0.; ///< stress so far
+    double interval = 0.; ///< from the judgement before
+
+    struct Sums
+    {
+      double stress = 0., error = 0.; ///< squared, over time
+    };
+    Sums sums, earlier; ///< earlier: before the latest step
+  };
+} // namespace signorini
+
+#endif

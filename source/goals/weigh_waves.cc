@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#include <signorini/goals/contact_zones.h>
+#include <signorini/goals/weigh_waves.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <cmath>
+
+namespace signorini
+{
+  namespace
+  {
+    /** Of squared indicators; measured as the distance that makes a cell far. */
+    constexpr double weight = 2.;
+  } // namespace
+
+
+  template <int dim>
+  double weigh_waves(const Discretization<dim> &discretization,
+                     const std::vector<bool>   &in_contact,
+                     dealii::Vector<double>    &indicator)
+  {
+    const Mesh<dim>        &mesh = discretization.mesh();
+    const ContactZones<dim> zones(mesh, in_contact);
+    unsigned int            n_near = 0;
+    for (const auto &cell : mesh.active_cells())
+      if (cell->is_locally_owned())
+        {
+          if (!zones.touches(cell->material_id()))
+            continue;
+          if (zones.is_far(cell))
+            indicator(cell->active_cell_index()) *= std::sqrt(weight);
+          else
+            ++n_near;
+        }
+    return dealii::Utilities::MPI::sum(n_near, mesh.communicator());
+  }
+
+
+  template double
+  weigh_waves(const Discretization<2> &, const std::vector<bool> &, dealii::Vector<double> &);
+  template double
+  weigh_waves(const Discretization<3> &, const std::vector<bool> &, dealii::Vector<double> &);
+} // namespace signorini
