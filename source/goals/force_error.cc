@@ -71,7 +71,7 @@ namespace signorini
       }
     sums = earlier;
     if (latest.force <= 0.)
-      least_tolerance = beyond_bounds;
+      tolerances.clear();
     latest        = reading;
     largest_force = std::max(largest_force, reading.force);
     if (reading.force <= 0. || reading.elastic_energy <= 0.)
@@ -86,7 +86,7 @@ namespace signorini
     sums.free += interval * reading.n_free;
     sums.n_coarsest   = reading.n_coarsest;
     largest_tolerance = std::max(largest_tolerance, tolerance());
-    least_tolerance   = std::min(least_tolerance, tolerance());
+    tolerances.push_back({reading.time, tolerance()});
   }
 
 
@@ -102,9 +102,17 @@ namespace signorini
 
   double ForceError::least_part_of_tolerance() const
   {
-    constexpr double least = 1. / 16.;
-    return latest.force > 0. ? std::clamp(std::pow(least_tolerance / tolerance(), 2), least, 1.)
-                             : 1.;
+    if (latest.force <= 0. || tolerances.empty())
+      return 1.;
+    constexpr double least     = 1. / 16.;
+    constexpr double forgotten = 1. / 4.; // of the time in contact
+    const double     began     = tolerances.front().time;
+    const double     since     = began + forgotten * (latest.time - began);
+    double           smallest  = tolerance();
+    for (const Tolerance &one : tolerances)
+      if (one.time >= since)
+        smallest = std::min(smallest, one.value);
+    return std::max(least, std::pow(smallest / tolerance(), 2));
   }
 
 

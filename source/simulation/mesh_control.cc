@@ -5,6 +5,10 @@
 #include <signorini/base/user_error.h>
 #include <signorini/simulation/mesh_control.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+
 namespace signorini
 {
   namespace
@@ -104,16 +108,23 @@ namespace signorini
     const auto closeness =
       DistanceIndicator<dim>(meshed.discretization, meshed.surface, closer_than, time.step_size)
         .evaluate(step);
+    // If one cell has to become finer, so do all that soon will: contact that travels would change
+    // the mesh in every step.
+    const auto is_coarse = [&](const auto &cell) {
+      return static_cast<unsigned int>(cell->level()) < ahead.levels[cell->material_id()];
+    };
+    double closest = 0.;
     for (const auto &cell : mesh.active_cells())
-      if (cell->is_locally_owned())
+      if (cell->is_locally_owned() && is_coarse(cell))
+        closest = std::max<double>(closest, closeness(cell->active_cell_index()));
+    closest = dealii::Utilities::MPI::max(closest, mesh.communicator());
+    for (const auto &cell : mesh.active_cells())
+      if (cell->is_locally_owned()
+          && closeness(cell->active_cell_index()) >= DistanceIndicator<dim>::far_enough)
         {
-          const unsigned int i    = cell->active_cell_index();
-          const unsigned int body = cell->material_id(), level = cell->level();
-          wishes.to_keep[i] =
-            wishes.to_keep[i] || closeness(i) >= DistanceIndicator<dim>::far_enough;
-          wishes.to_refine[i] =
-            wishes.to_refine[i]
-            || (closeness(i) >= DistanceIndicator<dim>::too_close && level < ahead.levels[body]);
+          wishes.to_keep[cell->active_cell_index()] = true;
+          if (closest >= DistanceIndicator<dim>::too_close && is_coarse(cell))
+            wishes.to_refine[cell->active_cell_index()] = true;
         }
     return wishes;
   }

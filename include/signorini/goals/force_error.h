@@ -9,6 +9,7 @@
 #include <signorini/time/state.h>
 
 #include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -71,9 +72,10 @@ namespace signorini
     double tolerance() const;
 
     /**
-     * The part of the squared tolerance that was the least since contact began, between 1/16 and 1:
-     * it follows the elastic energy, which in an impact rises and falls again. What is coarsened
-     * should not be missed then.
+     * The part of the squared tolerance that was the least in the last three quarters of the time
+     * in contact, between 1/16 and 1: it follows the elastic energy, which in an impact rises and
+     * falls again. What is coarsened should not be missed then. A contact that stays forgets how it
+     * began, and leaves coarse cells where it has gone on.
      */
     double least_part_of_tolerance() const;
 
@@ -104,7 +106,7 @@ namespace signorini
               previous_force,
               largest_force,
               largest_tolerance,
-              least_tolerance,
+              tolerances,
               sums,
               earlier,
               interval);
@@ -117,7 +119,13 @@ namespace signorini
     double       interval          = 0.; ///< from the judgement before
     double       previous_force    = 0.; ///< in the judgement before
     double       largest_force     = 0.;
-    double       largest_tolerance = 0., least_tolerance = 0.; ///< least: since contact began
+    double       largest_tolerance = 0.;
+
+    struct Tolerance
+    {
+      double time = 0., value = 0.;
+    };
+    std::vector<Tolerance> tolerances; ///< since contact began
 
     struct Sums
     {
