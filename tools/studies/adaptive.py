@@ -11,7 +11,17 @@ from . import adaptive_figures, adaptive_measures as measures, tables
 from .case import Case as TimedCase, text
 
 #: Study files. The variants of the group "uniform" are what the others are compared with.
-CASES = ("bar", "disc_oblique", "disc_slow", "geometry_a", "geometry_b", "sliding_block")
+CASES = (
+    "bar",
+    "disc_oblique",
+    "disc_slow",
+    "ball_slow",
+    "geometry_a",
+    "geometry_b",
+    "punch_2d",
+    "punch_3d",
+    "sliding_block",
+)
 UNIFORM = "uniform"
 
 
@@ -47,16 +57,19 @@ def errors_of(case):
     ]
 
 
-def is_estimated(case):
-    """Whether any run says how good its force is."""
-    return any(not math.isnan(numbers["estimate"]) for numbers in case.numbers)
+def estimates_of(case):
+    """What any run of a case says of its errors."""
+    return [
+        name
+        for name in ("estimate", "stress_estimate")
+        if any(not math.isnan(numbers[name]) for numbers in case.numbers)
+    ]
 
 
 def table(case):
     """One line for each run."""
-    estimate = ["estimate"] if is_estimated(case) else []
     names = ["dofs", "largest_dofs", "steps", "changes", "seconds"]
-    names += [*errors_of(case), *estimate, "roughness"]
+    names += [*errors_of(case), *estimates_of(case), "roughness"]
     rows = [["run", *(measures.HEADINGS[name] for name in names)]]
     return rows + [
         [variant.name, *(text(numbers[name]) for name in names)]

@@ -81,10 +81,10 @@ def pressure_error(result, reference, times):
     )
 
 
-def estimated_force(result):
-    """What a mesh that is made for the force says of it at the end, in per cent."""
+def estimated(result, what):
+    """What a mesh that is made for a force or a stress says of it at the end, in per cent."""
     text = (result.folder / "log.txt").read_text(encoding="utf-8")
-    found = re.search(r"error of force +about (\S+) %", text)
+    found = re.search(rf"error of {what} +about (\S+) %", text)
     return float(found[1]) if found else math.nan
 
 
@@ -102,7 +102,8 @@ def measure(result, reference):
         "seconds": seconds(result),
         "wall_time": result["wall_time"][-1],
         "force": distance(force_curve(result, times), exact_force(result, reference, times)),
-        "estimate": estimated_force(result),
+        "estimate": estimated(result, "force"),
+        "stress_estimate": estimated(result, "stress"),
         "pressure": pressure_error(result, reference, times),
         "energy": energy_norm(result, reference, times),
         "displacement": 100 * result["relative_displacement_error"][-1] if known else math.nan,
@@ -118,7 +119,8 @@ HEADINGS = {
     "seconds": "processor s",
     "wall_time": "wall s",
     "force": "force, %",
-    "estimate": "estimate, %",
+    "estimate": "estimate of force, %",
+    "stress_estimate": "estimate of pressure, %",
     "pressure": "pressure, %",
     "energy": "energy norm, %",
     "displacement": "displacement, %",
