@@ -38,6 +38,8 @@ namespace signorini
     const bool is_here = Utilities::MPI::this_mpi_process(communicator) == owner;
     node_position      = Utilities::MPI::broadcast(
       communicator, is_here ? surface.nodes()[node].position : Point<dim>(), owner);
+    node_pair =
+      Utilities::MPI::broadcast(communicator, is_here ? surface.nodes()[node].pair : 0u, owner);
   }
 
 

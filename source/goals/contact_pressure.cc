@@ -19,9 +19,12 @@ namespace signorini
     class ContactPressure : public StressOfInterest<dim>
     {
     public:
-      ContactPressure(const Discretization<dim> &discretization, const ContactSurface<dim> &surface)
+      ContactPressure(const Discretization<dim>        &discretization,
+                      const ContactSurface<dim>        &surface,
+                      const std::optional<unsigned int> pair)
         : discretization(discretization)
         , surface(surface)
+        , pair(pair)
       {
       }
 
@@ -40,7 +43,8 @@ namespace signorini
           {
             const Vector own = own_forces(surface, state.contact_force);
             for (const ContactNode<dim> &node : surface.nodes())
-              result += std::pow(node.normal_force(own), 2) / node.weight;
+              if (!pair || node.pair == *pair)
+                result += std::pow(node.normal_force(own), 2) / node.weight;
           }
         return dealii::Utilities::MPI::sum(result, discretization.communicator());
       }
@@ -58,7 +62,8 @@ namespace signorini
         const DistanceToPlaces<dim> distance(mesh, in_contact);
         dealii::Vector<double>      result(squares.size());
         for (const auto &cell : mesh.active_cells())
-          if (cell->is_locally_owned() && zones.touches(cell->material_id()))
+          if (cell->is_locally_owned() && zones.touches(cell->material_id())
+              && is_of_pair(cell->material_id()))
             {
               const unsigned int body = cell->material_id(), index = cell->active_cell_index();
               const double       h = cell->diameter() / std::sqrt(double(dim));
@@ -71,23 +76,35 @@ namespace signorini
       }
 
     private:
-      const Discretization<dim> &discretization;
-      const ContactSurface<dim> &surface;
+      const Discretization<dim>        &discretization;
+      const ContactSurface<dim>        &surface;
+      const std::optional<unsigned int> pair; ///< none: all
+
+      bool is_of_pair(const unsigned int body) const
+      {
+        if (!pair)
+          return true;
+        const auto &bodies = surface.pairs()[*pair];
+        return bodies.slave == body || (bodies.of_two_bodies() && bodies.master == body);
+      }
     };
   } // namespace
 
 
   template <int dim>
   std::unique_ptr<StressOfInterest<dim>>
-  make_contact_pressure(const Discretization<dim> &discretization,
-                        const ContactSurface<dim> &surface)
+  make_contact_pressure(const Discretization<dim>        &discretization,
+                        const ContactSurface<dim>        &surface,
+                        const std::optional<unsigned int> pair)
   {
-    return std::make_unique<ContactPressure<dim>>(discretization, surface);
+    return std::make_unique<ContactPressure<dim>>(discretization, surface, pair);
   }
 
 
   template std::unique_ptr<StressOfInterest<2>> make_contact_pressure(const Discretization<2> &,
-                                                                      const ContactSurface<2> &);
+                                                                      const ContactSurface<2> &,
+                                                                      std::optional<unsigned int>);
   template std::unique_ptr<StressOfInterest<3>> make_contact_pressure(const Discretization<3> &,
-                                                                      const ContactSurface<3> &);
+                                                                      const ContactSurface<3> &,
+                                                                      std::optional<unsigned int>);
 } // namespace signorini

@@ -92,7 +92,7 @@ namespace signorini
 
   double ForceError::tolerance() const
   {
-    if (latest.force <= 0.)
+    if (latest.force <= 0. || latest.elastic_energy <= 0.)
       return largest_tolerance > 0. ? largest_tolerance : beyond_bounds;
     const double of_target =
       target * effectivity(dim) * 2. * latest.elastic_energy * largest_force / latest.force;

@@ -3,6 +3,7 @@
 
 #include <signorini/adaptivity/marking.h>
 #include <signorini/goals/bodies_in_touch.h>
+#include <signorini/goals/contact_zones.h>
 #include <signorini/goals/mesh_goal.h>
 #include <signorini/goals/weigh_waves.h>
 
@@ -41,6 +42,7 @@ namespace signorini
     , step_size(time.step_size)
     , force_error(parameters.target_error, dim)
     , base_levels(mesh)
+    , has_touched(mesh.bodies().size(), false)
   {
   }
 
@@ -58,11 +60,15 @@ namespace signorini
     const double      soon    = (parameters.longest_wait() + 1) * step_size;
     std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end, soon);
     awaits_contact            = std::find(matters.begin(), matters.end(), true) != matters.end();
-    bool lasts                = false; // what the contact has brought about
-    for (const auto &stress : stresses)
-      for (unsigned int body = 0; body < matters.size(); ++body)
-        if (force_error.has_seen_contact() && stress->lasts_in(body))
-          matters[body] = lasts = true;
+    const ContactZones<dim> zones(mesh, in_contact);
+    bool                    lasts = false; // what contact has brought about
+    for (unsigned int body = 0; body < matters.size(); ++body)
+      {
+        has_touched[body] = has_touched[body] || zones.touches(body);
+        for (const auto &stress : stresses)
+          if (has_touched[body] && stress->lasts_in(body))
+            matters[body] = lasts = true;
+      }
     unsigned int n_free = 0;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned() && !matters[cell->material_id()])
@@ -79,7 +85,7 @@ namespace signorini
         reading.n_free = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
         force_error.see(reading);
       }
-    if (!stresses.empty())
+    if (!stresses.empty() && force_error.has_seen_contact())
       add_stresses(step.end, in_contact, stresses, squares, indicator);
     // A contact that is about to end is not worth a finer body.
     const double tolerated = force_error.is_high() || lasts
@@ -140,9 +146,15 @@ namespace signorini
     double       largest  = of_force;
     for (unsigned int k = 0; k < stress_errors.size(); ++k)
       {
+        text << "  error of stress   ";
+        if (!stress_errors[k].has_seen_stress())
+          {
+            text << "none of " << stress_names[k] << ", as there was none\n";
+            continue;
+          }
         const double error = std::hypot(stress_errors[k].relative_error(), of_force);
         largest            = std::max(largest, error);
-        text << "  error of stress   about " << 100. * error << " % of " << stress_names[k]
+        text << "about " << 100. * error << " % of " << stress_names[k]
              << " by the mesh (estimated; L2 in time)\n";
       }
     if (largest > missed * parameters.target_error)

@@ -47,7 +47,7 @@ namespace signorini
                       const ContactSurface<dim>   &surface)
         : probe(description, surface, discretization.communicator())
         , surface(surface)
-        , of_all(make_contact_pressure(discretization, surface))
+        , of_pair(make_contact_pressure(discretization, surface, probe.pair()))
       {
       }
 
@@ -66,11 +66,18 @@ namespace signorini
         return state.contact_force.size() > 0 ? std::pow(probe.read(state).pressure, 2) : 0.;
       }
 
+      /** The mean of the contact, if the probe is in contact: at its edge the pressure is zero. */
+      double usual_squared_size(const State &state) const override
+      {
+        const double area = squared_size(state) > 0. ? loaded_area(state) : 0.;
+        return area > 0. ? of_pair->squared_size(state) / area : 0.;
+      }
+
       dealii::Vector<double> squared_errors(const State                  &state,
                                             const std::vector<bool>      &in_contact,
                                             const dealii::Vector<double> &squares) const override
       {
-        dealii::Vector<double> result = of_all->squared_errors(state, in_contact, squares);
+        dealii::Vector<double> result = of_pair->squared_errors(state, in_contact, squares);
         if (const double area = loaded_area(state); area > 0.)
           result /= area;
         return result;
@@ -79,7 +86,7 @@ namespace signorini
     private:
       const Probe<dim>                             probe;
       const ContactSurface<dim>                   &surface;
-      const std::unique_ptr<StressOfInterest<dim>> of_all;
+      const std::unique_ptr<StressOfInterest<dim>> of_pair;
 
       /** What the force would need to have the same square with a constant pressure. */
       double loaded_area(const State &state) const
@@ -89,11 +96,51 @@ namespace signorini
         double       force = 0.;
         const Vector own   = own_forces(surface, state.contact_force);
         for (const ContactNode<dim> &node : surface.nodes())
-          force += std::abs(node.normal_force(own));
+          if (node.pair == probe.pair())
+            force += std::abs(node.normal_force(own));
         force = dealii::Utilities::MPI::sum(force, own.get_mpi_communicator());
-        return force > 0. ? std::pow(force, 2) / of_all->squared_size(state) : 0.;
+        return force > 0. ? std::pow(force, 2) / of_pair->squared_size(state) : 0.;
       }
     };
+
+
+    template <int dim>
+    std::vector<double> volumes_of_bodies(const Discretization<dim> &discretization)
+    {
+      const Mesh<dim>    &mesh = discretization.mesh();
+      std::vector<double> result(mesh.bodies().size(), 0.);
+      for (const auto &cell : mesh.active_cells())
+        if (cell->is_locally_owned())
+          result[cell->material_id()] += cell->measure();
+      dealii::Utilities::MPI::sum(result, discretization.communicator(), result);
+      return result;
+    }
+
+
+    /**
+     * Of bodies: the mean of sigma:sigma is at least four times the shear modulus times the elastic
+     * energy per volume, which it is in shear.
+     */
+    template <int dim>
+    std::vector<double> squared_mean_stresses(const Discretization<dim> &discretization,
+                                              const std::vector<double> &volumes,
+                                              const State               &state)
+    {
+      const auto          bodies = discretization.bodies_of_nodes();
+      std::vector<double> result(volumes.size(), 0.);
+      for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
+        if (bodies[node] < result.size()) // hanging nodes are of none
+          for (unsigned int i = dim * node; i < dim * (node + 1); ++i)
+            result[bodies[node]] +=
+              state.displacement.local_element(i) * state.internal_force.local_element(i);
+      dealii::Utilities::MPI::sum(result, discretization.communicator(), result);
+      for (unsigned int body = 0; body < result.size(); ++body)
+        {
+          const double mu = discretization.mesh().bodies()[body].material.mu();
+          result[body]    = std::max(0., 2. * mu * result[body] / volumes[body]);
+        }
+      return result;
+    }
 
 
     template <int dim>
@@ -105,12 +152,8 @@ namespace signorini
         : description(description)
         , discretization(discretization)
         , probe(description, discretization)
+        , volumes(volumes_of_bodies(discretization))
       {
-        double own = 0.;
-        for (const auto &cell : discretization.mesh().active_cells())
-          if (cell->is_locally_owned() && cell->material_id() == description.body)
-            own += cell->measure();
-        volume = dealii::Utilities::MPI::sum(own, discretization.communicator());
       }
 
       typename StressOfInterest<dim>::Calibration calibration() const override
@@ -120,18 +163,11 @@ namespace signorini
 
       bool lasts_in(const unsigned int body) const override { return body == description.body; }
 
-      /** The mean of the body: its elastic energy is that of sigma:sigma/(4 mu). */
       double usual_squared_size(const State &state) const override
       {
-        const auto bodies       = discretization.bodies_of_nodes();
-        double     twice_energy = 0.;
-        for (unsigned int node = 0; node < discretization.matrices().pattern.n_owned; ++node)
-          if (bodies[node] == description.body)
-            for (unsigned int i = dim * node; i < dim * (node + 1); ++i)
-              twice_energy +=
-                state.displacement.local_element(i) * state.internal_force.local_element(i);
-        return 2. * shear_modulus() / volume
-               * dealii::Utilities::MPI::sum(twice_energy, discretization.communicator());
+        const std::vector<double> means = squared_mean_stresses(discretization, volumes, state);
+        const double              most  = *std::max_element(means.begin(), means.end());
+        return std::max(means[description.body], negligible * negligible * most);
       }
 
       std::string name() const override
@@ -158,7 +194,8 @@ namespace signorini
         const Mesh<dim>        &mesh = discretization.mesh();
         const ContactZones<dim> zones(mesh, in_contact);
         const double            mean_of_waves =
-          2. * shear_modulus() / (ForceError::effectivity(dim) * volume * factor * factor);
+          2. * shear_modulus()
+          / (ForceError::effectivity(dim) * volumes[description.body] * factor * factor);
         dealii::Vector<double> result =
           squared_errors_at(description.point, description.body, mesh, squares);
         for (const auto &cell : mesh.active_cells())
@@ -171,7 +208,8 @@ namespace signorini
     private:
       static constexpr double factor = dim == 2 ? 0.4 : 0.1;
 
-      double volume; ///< of the body
+      /** Of the mean stress in the body that has most: below is what no wave has brought. */
+      static constexpr double negligible = 0.01;
 
       double shear_modulus() const
       {
@@ -181,6 +219,7 @@ namespace signorini
       const PointProbeDescription<dim> description;
       const Discretization<dim>       &discretization;
       const PointProbe<dim>            probe;
+      const std::vector<double>        volumes; ///< of bodies
     };
   } // namespace
 

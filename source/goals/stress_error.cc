@@ -47,7 +47,7 @@ namespace signorini
       return;
     const double error =
       scale * calibration.factor * std::pow(std::sqrt(whole) / scale, calibration.power);
-    sums.stress += interval * std::pow(size, 2);
+    sums.stress += interval * std::pow(scale, 2);
     sums.error += interval * std::pow(error, 2);
     // The estimate whose error is the target in units of the largest stress so far.
     const double of_target =
@@ -59,7 +59,7 @@ namespace signorini
   template <int dim>
   double StressError<dim>::relative_error() const
   {
-    return sums.stress > 0. ? std::sqrt(sums.error / sums.stress) : 0.;
+    return has_seen_stress() ? std::sqrt(sums.error / sums.stress) : 0.;
   }
 
 

@@ -4,7 +4,8 @@
 
 """Runs on meshes that are made for the contact force: the target is met at a part of the unknowns
 of a uniform mesh, the estimate at the end is right but for a factor, contact after a flight does
-not begin on coarse cells, waves make the mesh uniform, and two processes make the same meshes.
+not begin on coarse cells, waves make the mesh uniform, contact that travels changes it now and
+then, and two processes make the same meshes.
 """
 
 import re
@@ -99,6 +100,25 @@ class ForceGoal(check_history.SceneTest):
         cells = [n for n, force in zip(one["cells"], one["contact_force"]) if force > 0.0]
         self.assertGreater(sum(n >= uniform for n in cells), 0.5 * len(cells))
         self.assertLess(one["cells"][-1], 0.5 * uniform)
+        self.expect_same_meshes(one, two, "momentum_y")
+
+    def test_contact_that_travels(self):
+        """A punch slides over a block: the mesh follows in leaps, and the force is that of a fine
+        one."""
+        scene = check_history.PARAMETERS / "studies" / "adaptive" / "punch_2d.prm"
+        short = "Time/End time=0.3"
+        fine = check_history.Run(scene, "punch-fine", [short, "Bodies/block/Refinements=4"])
+        aims = [
+            "Bodies/block/Refinements=1",
+            "Adaptivity/Indicator=residual",
+            "Adaptivity/Goal=contact force",
+            "Adaptivity/Target error=0.05",
+            "Adaptivity/Maximum level=5",
+        ]
+        one, two = (check_history.Run(scene, f"punch-{n}", [short, *aims], n) for n in (1, 2))
+        self.assertLess(mesh_runs.distance(one["contact_force"], fine["contact_force"]), 0.05)
+        self.assertLess(max(one["cells"]), 0.5 * fine["cells"][0])
+        self.assertLess(mesh_runs.n_meshes(one), len(one) / 3)
         self.expect_same_meshes(one, two, "momentum_y")
 
 

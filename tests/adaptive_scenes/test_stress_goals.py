@@ -90,6 +90,41 @@ class StressGoals(check_history.SceneTest):
         for estimate in estimates:
             self.assertLess(estimate, 0.15)
 
+    def test_no_stress_to_be_known(self):
+        """A disc that turns freely has the stress of round-off and of its linear strains: beside
+        that of the impact of the other one it needs no cells. Nor is there anything to be known of
+        a node that touches nothing."""
+        other = {
+            "Shape": "ball",
+            "Centre": "5, 6",
+            "Radius": "1",
+            "Refinements": "3",
+            "Young's modulus": "500",
+            "Poisson's ratio": "0.3",
+            "Density": "1",
+            "Initial velocity": "-1e-3*(y - 6); 1e-3*(x - 5) - 0.1",
+        }
+        run = self.run_disc(
+            "free",
+            [
+                *goal("probe", 0.1, (4, 5)),
+                "Bodies/disc/Initial velocity=0; -0.6",
+                "Time/End time=0.16",
+                "Bodies/Names=disc, other",
+                *(f"Bodies/other/{key}={value}" for key, value in other.items()),
+                "Contact/Pairs=disc : floor, other : floor",
+                "Probes/Names=south_pole, inside",
+                "Probes/south_pole/Point=4, 6",
+                "Probes/inside/Body=other",
+                "Probes/inside/Point=5.02, 6.2",
+            ],
+        )
+        disc, free = 5 * 4**4, 5 * 4**3
+        self.assertGreater(max(run["contact_force"]), 0.0)
+        self.assertLess(max(run["cells"]), disc + free + 0.2 * free)
+        self.assertIn("none of the pressure at the probe 'south_pole'", run.log)
+        self.assertLess(self.estimated_error(run, "the stress at the probe 'inside'"), 0.1)
+
     def test_two_processes(self):
         for name in ("contact pressure", "probe"):
             with self.subTest(goal=name):

@@ -117,6 +117,31 @@ TEST(ForceGoal, ToleranceWithoutContactAndAtTheLimit)
   EXPECT_NEAR(error.tolerance(), 10. * tolerance, 1e-12 * tolerance);
 }
 
+TEST(ForceGoal, AContactThatLastsForgetsHowItBegan)
+{
+  // Tolerances go with the root of the elastic energy: a hundredth of it at first.
+  const auto weak = [](const double time) {
+    ForceReading reading   = reading_at(time, 2., 1.);
+    reading.elastic_energy = 0.03;
+    return reading;
+  };
+  ForceError error(0.01, 2);
+  for (const double time : {1., 2.})
+    error.see(weak(time));
+  error.see(reading_at(3., 2., 1.));
+  EXPECT_NEAR(error.least_part_of_tolerance(), 1. / 16., 1e-14); // not less than that
+  error.see(reading_at(5., 2., 1.)); // a quarter of the time in contact is 1 to 2
+  EXPECT_NEAR(error.least_part_of_tolerance(), 1. / 16., 1e-14);
+  error.see(reading_at(5.1, 2., 1.));
+  EXPECT_EQ(error.least_part_of_tolerance(), 1.);
+  // Released and in contact again: it begins anew.
+  error.see(reading_at(6., 0., 1.));
+  for (const double time : {7., 7.5})
+    error.see(weak(time));
+  error.see(reading_at(8., 2., 1.));
+  EXPECT_NEAR(error.least_part_of_tolerance(), 1. / 16., 1e-14);
+}
+
 TEST(ForceGoal, ArchiveGoesOn)
 {
   ForceError error(0.01, 2), other(0.01, 2);

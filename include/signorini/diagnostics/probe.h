@@ -38,6 +38,8 @@ namespace signorini
 
     const std::string        &name() const { return probe_name; }
     const dealii::Point<dim> &position() const { return node_position; }
+    /** Index of the pair that its node belongs to. */
+    unsigned int pair() const { return node_pair; }
 
     /** The reading, on all processes. */
     ProbeReading read(const State &state) const;
@@ -48,7 +50,8 @@ namespace signorini
     const ContactSurface<dim> *surface;
     unsigned int               node = 0; ///< index into the nodes of the surface, on the owner
     dealii::Point<dim>         node_position;
-    unsigned int               owner = 0;
+    unsigned int               node_pair = 0;
+    unsigned int               owner     = 0;
   };
 } // namespace signorini
 

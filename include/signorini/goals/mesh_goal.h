@@ -72,7 +72,7 @@ namespace signorini
     {
       force_error.archive(archive);
       base_levels.archive(archive);
-      archive(awaits_contact, stress_names);
+      archive(awaits_contact, has_touched, stress_names);
       stress_errors.resize(stress_names.size(), StressError<dim>(parameters.target_error));
       for (StressError<dim> &error : stress_errors)
         error.archive(archive);
@@ -86,6 +86,7 @@ namespace signorini
     ForceError                    force_error;
     BaseLevels<dim>               base_levels;
     bool                          awaits_contact = true; ///< or has it
+    std::vector<char>             has_touched;           ///< bodies, so far
     std::vector<std::string>      stress_names;
     std::vector<StressError<dim>> stress_errors;
 

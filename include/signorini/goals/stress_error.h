@@ -35,9 +35,12 @@ namespace signorini
              unsigned int                  maximum_level,
              dealii::Vector<double>       &relative_squares);
 
+    /** Whether there was anything that may be wrong. */
+    bool has_seen_stress() const { return sums.stress > 0.; }
+
     /**
-     * Estimated error relative to the stress, both L2 in time; 0 if there was no stress. It is that
-     * of cells near the place: what waves and the contact force bring from elsewhere is beside it.
+     * Estimated error relative to the stress, or to what is usual if that is larger, both L2 in
+     * time; 0 if there was no stress. What the error of the contact force brings is beside it.
      */
     double relative_error() const;
 

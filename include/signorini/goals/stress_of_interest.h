@@ -13,6 +13,7 @@
 #include <deal.II/lac/vector.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,12 +43,12 @@ namespace signorini
     virtual double squared_size(const State &state) const = 0;
 
     /**
-     * The same of a stress as it is usual in the body now: what is small beside it, as a place that
-     * no wave has come to yet, need not be known any better. Collective.
+     * The same of a stress as it is usual now: what is small beside it, as a place that no wave has
+     * come to yet, need not be known any better. Not negative. Collective.
      */
     virtual double usual_squared_size(const State &) const { return 0.; }
 
-    /** Whether it is of interest when nothing touches this body any more. */
+    /** Whether it is of interest when nothing touches this body any more, but something has. */
     virtual bool lasts_in(const unsigned int /*body*/) const { return false; }
 
     /**
@@ -81,15 +82,16 @@ namespace signorini
                                      const Discretization<dim>                     &discretization,
                                      const ContactSurface<dim>                     &surface);
 
-  /** The pressure of all contact surfaces: p^2 integrated over them. */
+  /** The pressure of all contact surfaces, or of those of one pair: p^2 integrated over them. */
   template <int dim>
   std::unique_ptr<StressOfInterest<dim>>
-  make_contact_pressure(const Discretization<dim> &discretization,
-                        const ContactSurface<dim> &surface);
+  make_contact_pressure(const Discretization<dim>  &discretization,
+                        const ContactSurface<dim>  &surface,
+                        std::optional<unsigned int> pair = std::nullopt);
 
   /**
-   * The pressure at the contact node of a probe. All nodes in contact share the force, so that its
-   * error is the mean one of the contact. Collective.
+   * The pressure at the contact node of a probe. All nodes of a pair in contact share its force, so
+   * that the error is the mean one of the contact. Collective.
    * @throws UserError as Probe
    */
   template <int dim>
