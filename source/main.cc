@@ -5,6 +5,7 @@
 #include <signorini/base/command_line.h>
 #include <signorini/base/start_of_mpi.h>
 #include <signorini/base/user_error.h>
+#include <signorini/program/standard_output.h>
 
 #include <dlfcn.h>
 
@@ -43,7 +44,7 @@ namespace
 int main(int argc, char **argv)
 {
   if (print_at_once(std::vector<std::string>(argv + 1, argv + argc)))
-    return 0;
+    return with_standard_output(0);
   void *const library = dlopen(SIGNORINI_LIBRARY, RTLD_LAZY | RTLD_GLOBAL);
   void *const program = library ? dlsym(library, "signorini_program") : nullptr;
   if (!program)

@@ -8,6 +8,7 @@
 #include <signorini/program/print_information.h>
 #include <signorini/program/program.h>
 #include <signorini/program/run_program.h>
+#include <signorini/program/standard_output.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -50,11 +51,11 @@ int signorini_program(int argc, char **argv)
 {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (const std::optional<int> status = signorini::print_without_mpi(arguments))
-    return *status;
+    return signorini::with_standard_output(*status);
   signorini::make_mpi_start_quickly();
   // deal.II would hand the options on to other libraries, and PETSc comments on what it does not
   // know.
   int                                      only_the_name = 1;
   dealii::Utilities::MPI::MPI_InitFinalize mpi(only_the_name, argv, 1);
-  return signorini::run_program(arguments, MPI_COMM_WORLD);
+  return signorini::with_standard_output(signorini::run_program(arguments, MPI_COMM_WORLD));
 }

@@ -324,6 +324,26 @@ class CommandLine(unittest.TestCase):
         self.assertTrue(any("prescribed displacement" in line for line in lines))
         self.assertEqual(self.picture(base, 2)[1], lines)
 
+    def test_output_that_is_lost(self):
+        """A full disk behind the standard output is no success; what a run computes stays."""
+        if not pathlib.Path("/dev/full").exists():
+            self.skipTest("no device that is always full")
+        scene = [QUICK_START, "--set", "Time/End time=0.005", "--set", "Output directory=out"]
+        for arguments in (["--help"], ["--version"], ["--print-schemes"], scene):
+            with self.subTest(arguments=arguments), open("/dev/full", "wb") as full:
+                result = subprocess.run(
+                    [EXECUTABLE, *arguments],
+                    cwd=self.folder,
+                    timeout=TIMEOUT,
+                    stdout=full,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                    check=False,
+                )
+                self.assertEqual(result.returncode, 1)
+                self.assertIn("the standard output cannot be written", result.stderr)
+        self.assertTrue((self.folder / "out" / "history.csv").stat().st_size > 0)
+
 
 if __name__ == "__main__":
     EXECUTABLE = str(pathlib.Path(sys.argv.pop(1)).resolve())
