@@ -86,7 +86,7 @@ namespace signorini
         force_error.see(reading);
       }
     if (!stresses.empty() && force_error.has_seen_contact())
-      add_stresses(step.end, in_contact, stresses, squares, indicator);
+      add_stresses(step, in_contact, stresses, squares, indicator);
     // A contact that is about to end is not worth a finer body.
     const double tolerated = force_error.is_high() || lasts
                                ? std::pow(tolerance(), 2)
@@ -96,7 +96,7 @@ namespace signorini
 
 
   template <int dim>
-  void MeshGoal<dim>::add_stresses(const State                  &state,
+  void MeshGoal<dim>::add_stresses(const StepRecord             &step,
                                    const std::vector<bool>      &in_contact,
                                    const Stresses<dim>          &stresses,
                                    const dealii::Vector<double> &squares,
@@ -110,7 +110,7 @@ namespace signorini
       {
         stress_names.push_back(stresses[k]->name());
         stress_errors[k].see(
-          *stresses[k], mesh, state, in_contact, squares, parameters.maximum_level, indicator);
+          *stresses[k], mesh, step, in_contact, squares, parameters.maximum_level, indicator);
       }
     for (double &value : indicator)
       value = std::sqrt(value);

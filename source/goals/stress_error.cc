@@ -13,16 +13,17 @@ namespace signorini
   template <int dim>
   void StressError<dim>::see(const StressOfInterest<dim>  &stress,
                              const Mesh<dim>              &mesh,
-                             const State                  &state,
+                             const StepRecord             &step,
                              const std::vector<bool>      &in_contact,
                              const dealii::Vector<double> &squares,
                              const unsigned int            maximum_level,
                              dealii::Vector<double>       &relative_squares)
   {
+    const State &state = step.end;
     if (state.time > latest)
       {
         earlier  = sums;
-        interval = state.time - latest;
+        interval = latest > 0. ? state.time - latest : step.step_size;
       }
     latest = state.time;
     sums   = earlier;

@@ -27,7 +27,6 @@ namespace signorini
              const AdaptivityParameters &parameters,
              const TimeIntegration      &time);
 
-
     /**
      * A step is judged. Collective.
      * @param in_contact cells of this process by active_cell_index
@@ -94,7 +93,7 @@ namespace signorini
     double tolerance() const { return stress_errors.empty() ? force_error.tolerance() : 1.; }
 
     /** Indicators in units of what they may amount to together: of the force and all stresses. */
-    void add_stresses(const State                  &state,
+    void add_stresses(const StepRecord             &step,
                       const std::vector<bool>      &in_contact,
                       const Stresses<dim>          &stresses,
                       const dealii::Vector<double> &squares,

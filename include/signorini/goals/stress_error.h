@@ -4,6 +4,7 @@
 #ifndef signorini_goals_stress_error_h
 #define signorini_goals_stress_error_h
 
+#include <signorini/adaptivity/error_indicator.h>
 #include <signorini/base/archive.h>
 #include <signorini/goals/stress_of_interest.h>
 
@@ -21,7 +22,8 @@ namespace signorini
 
 
     /**
-     * A step was judged; a repeated one replaces what was seen of the same time. Collective.
+     * A step was judged; a repeated one replaces what was seen of the same time. The first one
+     * stands for itself alone, others for the time since the judgement before. Collective.
      * @param maximum_level of cells
      * @param relative_squares what comes of it is added: squared errors of cells in units of what
      *                         they may amount to together, by active_cell_index. Cells that may not
@@ -29,7 +31,7 @@ namespace signorini
      */
     void see(const StressOfInterest<dim>  &stress,
              const Mesh<dim>              &mesh,
-             const State                  &state,
+             const StepRecord             &step,
              const std::vector<bool>      &in_contact,
              const dealii::Vector<double> &squares,
              unsigned int                  maximum_level,
