@@ -119,7 +119,26 @@ class ForceGoal(check_history.SceneTest):
         self.assertLess(mesh_runs.distance(one["contact_force"], fine["contact_force"]), 0.05)
         self.assertLess(max(one["cells"]), 0.5 * fine["cells"][0])
         self.assertLess(mesh_runs.n_meshes(one), len(one) / 3)
+        self.expect_ledger_closes(one, driven=True)
         self.expect_same_meshes(one, two, "momentum_y")
+
+    def test_sphere_that_slides(self):
+        """The same in space, for some steps: what it has coarsened and refined breaks no law."""
+        scene = check_history.PARAMETERS / "studies" / "adaptive" / "punch_3d.prm"
+        aims = [
+            "Time/End time=0.2",
+            "Bodies/block/Refinements=0",
+            "Adaptivity/Indicator=residual",
+            "Adaptivity/Goal=contact force",
+            "Adaptivity/Target error=0.1",
+            "Adaptivity/Maximum level=2",
+        ]
+        run = check_history.Run(scene, "sphere", aims)
+        self.assertGreater(mesh_runs.n_meshes(run), 2)
+        self.assertGreater(min(run["contact_force"][2:]), 0.0)
+        self.expect_ledger_closes(run, driven=True)
+        self.expect_pressure(run)
+        self.expect_no_penetration(run, 1.4)
 
 
 if __name__ == "__main__":

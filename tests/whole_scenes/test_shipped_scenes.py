@@ -49,6 +49,8 @@ BENCHMARKS = (
     "rod",
     "rings",
 )
+#: Whose contact travels over a mesh that follows it; tests/adaptive_scenes looks at them.
+TRAVELLING = ("punch_2d", "punch_3d")
 
 
 class ShippedScenes(check_history.SceneTest):
@@ -93,6 +95,7 @@ class ShippedScenes(check_history.SceneTest):
                     *LOAD_STEPS,
                     *MOVING,
                     *BENCHMARKS,
+                    *TRAVELLING,
                 ]
             ),
         )
