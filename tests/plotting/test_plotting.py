@@ -14,7 +14,7 @@ import numpy
 
 TOOLS = pathlib.Path(__file__).resolve().parents[2] / "tools"
 sys.path[:0] = [str(TOOLS)]
-from plotting import curves, fields, moments, solids  # noqa: E402
+from plotting import curves, fields, moments, obstacles, solids  # noqa: E402
 from plotting.problem import Problem  # noqa: E402
 from plotting.tables import read_table  # noqa: E402
 
@@ -212,6 +212,40 @@ class Files(unittest.TestCase):
         self.assertEqual(start.title, "start, time 0")
         self.assertEqual(end.positions[:, 2].min(), -1.0)
         self.assertEqual(end.surface.at_cells("CPRESS").max(), 2.0)
+
+    def test_obstacles_that_move(self):
+        """They are drawn where they are at each moment, from their series; others by their keys."""
+        self.write_history("0,1,0,0,1,0,0,0,2", "1,.5,.4,0,.9,-.1,5,1,0")
+        self.write_fields()
+        self.assertEqual(
+            [m.moving_walls for m in moments.read_moments(self.run, None)], [None, None]
+        )
+        corners = numpy.array([[0.0, 0, 0], [1, 0, 0], [1, 1, 0]])
+        for n in range(2):
+            meshio.write(
+                self.run / f"fields/obstacles_{n}.vtu",
+                meshio.Mesh(corners - [0.0, 0.0, n], [("triangle", numpy.array([[0, 1, 2]]))]),
+            )
+        (self.run / "obstacles.pvd").write_text(
+            "<VTKFile>"
+            + "".join(
+                f'<DataSet timestep="{n}" file="fields/obstacles_{n}.vtu"/>' for n in range(2)
+            )
+            + "</VTKFile>"
+        )
+        (self.run / "parameters.prm").write_text(
+            "subsection Obstacles\n set Names = punch, floor\n"
+            " subsection punch\n  set Motion = 0; 0; -t\n end\n"
+            " subsection floor\n  set Motion = 0; 0; 0\n  set Velocity = 0; 0; 0\n"
+            "  set Point = 0, 0, -7\n end\nend\n"
+        )
+        (wall,) = obstacles.read_obstacles(self.run)
+        self.assertEqual(wall.point[2], -7.0)
+        walls = [m.moving_walls for m in moments.read_moments(self.run, None)]
+        self.assertEqual([w.points[0, 2] for w in walls], [0.0, -1.0])
+        self.assertEqual(obstacles.moving_faces_3d(walls[1]).corners.shape, (1, 4, 3))
+        result = self.plot()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def test_missing_and_broken_pieces(self):
         self.write_history("0,1,0,0,1,0,0,0,2")

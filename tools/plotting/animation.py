@@ -11,7 +11,7 @@ from matplotlib import animation, pyplot
 from . import fields as vtu
 from . import obstacles, style
 from .bodies import finish_panel, has_surface, views_of
-from .moments import read_moment
+from .moments import by_time, read_moment
 from .problem import Problem
 
 #: More moments than these are thinned: a film is to be seen, not to be waited for.
@@ -24,14 +24,11 @@ WRITERS = {"mp4": animation.FFMpegWriter, "gif": animation.PillowWriter}
 def moments_of(directory):
     """At most MOST_FRAMES moments, the first and the last among them."""
     series = vtu.read_series(directory / "volume.pvd")
-    try:
-        surface = dict(vtu.read_series(directory / "surface.pvd"))
-    except Problem:
-        surface = {}
+    surface, walls = (by_time(directory / name) for name in ("surface.pvd", "obstacles.pvd"))
     count = min(len(series), MOST_FRAMES)
     rows = numpy.linspace(0, len(series) - 1, count).round().astype(int)
     return [
-        read_moment(f"time {time:.4g}", path, surface.get(time))
+        read_moment(f"time {time:.4g}", path, surface.get(time), walls.get(time))
         for time, path in (series[row] for row in rows)
     ]
 

@@ -96,7 +96,9 @@ def draw_cells(panel, moment, colours):
 def finish(panels, moments, walls):
     """Obstacles, and the same part of the plane in each panel."""
     middle, size = surroundings(moments)
-    for panel in panels:
+    for panel, moment in zip(panels, moments):
         for wall in walls:
             obstacles.draw_2d(panel, wall, middle[:2], 2.0 * size)
+        if moment.moving_walls:
+            obstacles.draw_moving_2d(panel, moment.moving_walls)
     same_view(panels, [moment.positions[:, :2] for moment in moments])

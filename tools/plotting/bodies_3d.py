@@ -28,6 +28,9 @@ def draw_stress(panels, moments, walls):
             faces = obstacles.faces_3d(wall, middle, 1.5 * size)
             if faces:
                 camera.draw(panel, faces, solids.one_colour(faces, obstacles.COLOUR), edges=0.06)
+        if moment.moving_walls:
+            faces = obstacles.moving_faces_3d(moment.moving_walls)
+            camera.draw(panel, faces, solids.one_colour(faces, obstacles.COLOUR), edges=0.06)
         faces = solids.boundary_faces(moment.volume, moment.positions, far_half(moment.volume))
         camera.draw(panel, faces, scale.to_rgba(stress[faces.cell]))
     same_view(panels, [camera.project(moment.positions) for moment in moments])

@@ -31,6 +31,7 @@ class Moment:
     surface: vtu.Fields  # None if there is no surface series
     positions: numpy.ndarray
     surface_positions: numpy.ndarray
+    moving_walls: vtu.Fields = None  # the obstacles that move, where they are; None: none is known
 
 
 def read_moments(directory, history):
@@ -39,12 +40,9 @@ def read_moments(directory, history):
 
 
 def choose(directory, history):
-    """(title, volume file, surface file) of up to three different moments."""
+    """(title, volume file, surface file, file of moving obstacles) of up to three moments."""
     series = vtu.read_series(directory / "volume.pvd")
-    try:
-        surface = dict(vtu.read_series(directory / "surface.pvd"))
-    except Problem:
-        surface = {}
+    surface, walls = (by_time(directory / name) for name in ("surface.pvd", "obstacles.pvd"))
     times = numpy.array([time for time, _ in series])
     wanted = [("start", 0), ("end", len(series) - 1)]
     if history and "contact_force" in history and history["contact_force"].max() > 0:
@@ -56,21 +54,38 @@ def choose(directory, history):
     chosen = {}
     for title, n in wanted:
         chosen.setdefault(n, f"{title}, time {times[n]:.4g}")
-    return [(chosen[n], series[n][1], surface.get(series[n][0])) for n in sorted(chosen)]
+    return [
+        (chosen[n], series[n][1], surface.get(series[n][0]), walls.get(series[n][0]))
+        for n in sorted(chosen)
+    ]
 
 
-def read_moment(title, volume_file, surface_file):
-    volume = vtu.read_fields(volume_file)
+def by_time(path):
+    """The files of a series; none if there is no such series."""
     try:
-        surface = surface_file and vtu.read_fields(surface_file)
+        return dict(vtu.read_series(path))
     except Problem:
-        surface = None
+        return {}
+
+
+def fields_or_none(path):
+    """What may be missing."""
+    try:
+        return path and vtu.read_fields(path)
+    except Problem:
+        return None
+
+
+def read_moment(title, volume_file, surface_file, walls_file=None):
+    """The fields of one column."""
+    volume, surface = vtu.read_fields(volume_file), fields_or_none(surface_file)
     return Moment(
         title,
         volume,
         surface,
         volume.points + volume.displacement(),
         surface and surface.points + surface.displacement(),
+        fields_or_none(walls_file),
     )
 
 

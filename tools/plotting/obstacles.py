@@ -4,13 +4,18 @@
 """Obstacles as far as the copy of the scene in the output directory tells them."""
 
 import dataclasses
+import re
 
 import numpy
+from matplotlib.collections import LineCollection
 from matplotlib.patches import Circle, Polygon
 
 from . import solids
 
 COLOUR = "#D5DBE3"
+EDGE = "#6B7280"
+#: Keys of what moves an obstacle, which is zero by default.
+MOTIONS = ("Motion", "Velocity", "Angular velocity")
 
 
 @dataclasses.dataclass
@@ -27,18 +32,24 @@ class Obstacle:
 
 
 def read_obstacles(directory):
-    """Obstacles of the first .prm in the directory that has some; no .prm, no obstacles."""
+    """Obstacles of the first .prm in the directory that has some; no .prm, no obstacles. Those that
+    move are not among them: where they are is in the series obstacles.pvd."""
     for path in sorted(directory.glob("*.prm"), key=lambda path: "parameters" not in path.name):
         try:
             sections = read_sections(path.read_text(encoding="utf-8"))
             names = sections.get(("Obstacles",), {}).get("Names", "")
             found = [sections.get(("Obstacles", name.strip())) for name in names.split(",")]
-            obstacles = [obstacle_from(values) for values in found if values]
+            obstacles = [obstacle_from(values) for values in found if values and not moves(values)]
         except (OSError, ValueError):
             continue
-        if obstacles:
+        if any(found):
             return obstacles
     return []
+
+
+def moves(values):
+    """Whether an obstacle moves by the keys of its section."""
+    return any(re.search(r"[^0.;,\s]", values.get(key, "")) for key in MOTIONS)
 
 
 def obstacle_from(values):
@@ -81,7 +92,7 @@ def read_sections(text):
 
 def draw_2d(axes, obstacle, centre, reach):
     """Filled half plane or disc behind the bodies."""
-    look = {"facecolor": COLOUR, "edgecolor": "#6B7280", "linewidth": 1.2, "zorder": 0}
+    look = {"facecolor": COLOUR, "edgecolor": EDGE, "linewidth": 1.2, "zorder": 0}
     if obstacle.shape == "plane":
         normal = obstacle.normal[:2]
         along = numpy.array([-normal[1], normal[0]])
@@ -101,6 +112,27 @@ def draw_2d(axes, obstacle, centre, reach):
         axes.add_patch(
             Circle(obstacle.centre[:2], obstacle.radius, fill=not obstacle.bodies_inside, **look)
         )
+
+
+def draw_moving_2d(axes, walls):
+    """The outlines of obstacles that move, at one moment."""
+    axes.add_collection(
+        LineCollection(walls.points[walls.cells][:, :, :2], colors=EDGE, linewidths=1.2, zorder=0)
+    )
+
+
+def moving_faces_3d(walls):
+    """The surfaces of obstacles that move as faces to be painted; normals away from the middle."""
+    corners = walls.points[walls.cells]
+    if corners.shape[1] == 3:
+        corners = numpy.concatenate([corners, corners[:, -1:]], axis=1)
+    normals = unit_rows(
+        numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    )
+    middles = corners.mean(axis=1)
+    inwards = numpy.einsum("ij,ij->i", normals, middles - middles.mean(axis=0)) < 0.0
+    normals[inwards] *= -1.0
+    return solids.Faces(corners, normals, numpy.zeros(len(corners), dtype=int))
 
 
 def faces_3d(obstacle, centre, reach):
