@@ -7,7 +7,7 @@
 
 #include <deal.II/base/mpi.h>
 
-#include <algorithm>
+#include <limits>
 
 namespace signorini
 {
@@ -108,25 +108,43 @@ namespace signorini
     const auto closeness =
       DistanceIndicator<dim>(meshed.discretization, meshed.surface, closer_than, time.step_size)
         .evaluate(step);
-    // If one cell has to become finer, so do all that soon will: contact that travels would change
-    // the mesh in every step.
     const auto is_coarse = [&](const auto &cell) {
       return static_cast<unsigned int>(cell->level()) < ahead.levels[cell->material_id()];
     };
-    double closest = 0.;
+    unsigned int n_too_close = 0, n_close = 0;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned() && is_coarse(cell))
-        closest = std::max<double>(closest, closeness(cell->active_cell_index()));
-    closest = dealii::Utilities::MPI::max(closest, mesh.communicator());
-    for (const auto &cell : mesh.active_cells())
-      if (cell->is_locally_owned()
-          && closeness(cell->active_cell_index()) >= DistanceIndicator<dim>::far_enough)
         {
-          wishes.to_keep[cell->active_cell_index()] = true;
-          if (closest >= DistanceIndicator<dim>::too_close && is_coarse(cell))
-            wishes.to_refine[cell->active_cell_index()] = true;
+          const double value = closeness(cell->active_cell_index());
+          n_too_close += value >= DistanceIndicator<dim>::too_close;
+          n_close += value >= DistanceIndicator<dim>::far_enough;
+        }
+    const double threshold =
+      close_enough_to_refine(dealii::Utilities::MPI::sum(n_too_close, mesh.communicator()),
+                             dealii::Utilities::MPI::sum(n_close, mesh.communicator()));
+    for (const auto &cell : mesh.active_cells())
+      if (cell->is_locally_owned())
+        {
+          const unsigned int i     = cell->active_cell_index();
+          const double       value = closeness(i);
+          wishes.to_keep[i]   = wishes.to_keep[i] || value >= DistanceIndicator<dim>::far_enough;
+          wishes.to_refine[i] = wishes.to_refine[i] || (value >= threshold && is_coarse(cell));
         }
     return wishes;
+  }
+
+
+  template <int dim>
+  double MeshControl<dim>::close_enough_to_refine(const unsigned int n_too_close,
+                                                  const unsigned int n_close) const
+  {
+    constexpr unsigned int more = (1 << dim) - 1; // cells by one refinement
+    const double           room =
+      parameters.maximum_cells > 0
+                  ? double(parameters.maximum_cells) - mesh.triangulation().n_global_active_cells()
+                  : std::numeric_limits<double>::infinity();
+    return n_too_close > 0 && double(n_close) * more <= room ? DistanceIndicator<dim>::far_enough
+                                                             : DistanceIndicator<dim>::too_close;
   }
 
 

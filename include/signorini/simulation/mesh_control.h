@@ -94,6 +94,13 @@ namespace signorini
     ContactWishes contact_wishes(const MeshedScene<dim>  &meshed,
                                  const StepRecord        &step,
                                  const std::vector<bool> &in_contact) const;
+
+    /**
+     * From which value of the indicator of distance cells are refined. If one has to become finer,
+     * so do all that soon will, if there is room for them: contact that travels would change the
+     * mesh in every step. @param n_too_close, n_close cells that are coarse, on all processes
+     */
+    double close_enough_to_refine(unsigned int n_too_close, unsigned int n_close) const;
   };
 } // namespace signorini
 
