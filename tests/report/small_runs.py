@@ -40,6 +40,7 @@ RUNS = {
             "Bodies/ball/Refinements=1",
             "Adaptivity/Maximum level=3",
             "Adaptivity/Maximum cells=400",
+            "Adaptivity/Distance=0.01",
             "Output/VTU every=2",
             "Time/End time=0.04",
         ],
