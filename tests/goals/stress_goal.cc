@@ -77,7 +77,9 @@ namespace
   State pressed(const Box &box, const double pressure)
   {
     State state;
-    state.contact_force = box.problem.discretization.make_vector();
+    state.displacement  = box.problem.discretization.make_vector();
+    state.velocity      = state.displacement;
+    state.contact_force = state.displacement;
     for (const auto &node : box.problem.surface.nodes())
       for (unsigned int c = 0; c < 2; ++c)
         state.contact_force.local_element(2 * node.node + c) =
