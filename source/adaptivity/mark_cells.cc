@@ -141,21 +141,20 @@ namespace signorini
                                         CellWishes                  &wishes,
                                         MeshChange                  &change)
     {
-      const auto         marking   = make_marking<dim>(parameters);
-      MarkingThresholds  threshold = marking->thresholds(distribution);
-      constexpr unsigned more      = (1 << dim) - 1; // cells by one refinement
-      double             n_wanted  = Utilities::MPI::sum(
+      const auto        marking   = make_marking<dim>(parameters);
+      MarkingThresholds threshold = marking->thresholds(distribution);
+      double            n_wanted  = Utilities::MPI::sum(
         std::count(wishes.wanted.begin(), wishes.wanted.end(), true), mesh.communicator());
       if (parameters.maximum_cells > 0)
         {
-          const double room = double(parameters.maximum_cells) - distribution.n_cells();
-          if (n_wanted * more > room) // all or none, lest contact be fine in parts
+          const double room = room_to_refine(mesh, parameters);
+          if (n_wanted > room) // all or none, lest contact be fine in parts
             {
               wishes.wanted.assign(wishes.wanted.size(), false);
               n_wanted = 0.;
             }
           threshold.refine =
-            std::max(threshold.refine, distribution.threshold_of_number(room / more - n_wanted));
+            std::max(threshold.refine, distribution.threshold_of_number(room - n_wanted));
         }
       change.is_urgent = n_wanted > 0. || !marking->weighs_parts();
       if (marking->weighs_parts() && distribution.total() > 0.)
@@ -187,6 +186,16 @@ namespace signorini
           }
     }
   } // namespace
+
+
+  template <int dim>
+  double room_to_refine(const Mesh<dim> &mesh, const AdaptivityParameters &parameters)
+  {
+    if (parameters.maximum_cells == 0)
+      return std::numeric_limits<double>::infinity();
+    constexpr double more = (1 << dim) - 1; // cells by one refinement
+    return (double(parameters.maximum_cells) - mesh.triangulation().n_global_active_cells()) / more;
+  }
 
 
   template <int dim>
@@ -276,6 +285,7 @@ namespace signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
+  template double            room_to_refine(const Mesh<dim> &, const AdaptivityParameters &);      \
   template void              clear_flags(Mesh<dim> &);                                             \
   template MeshChange        mark_cells(Mesh<dim> &,                                               \
                                         const AdaptivityParameters &,                              \

@@ -54,12 +54,11 @@ namespace signorini
        * 1/d^(dim+3), and as 1/d^(2 dim+2) where its size a is small from there.
        */
       dealii::Vector<double> squared_errors(const State &,
-                                            const std::vector<bool>      &in_contact,
+                                            const ContactZones<dim>      &zones,
                                             const dealii::Vector<double> &squares) const override
       {
         const Mesh<dim>            &mesh = discretization.mesh();
-        const ContactZones<dim>     zones(mesh, in_contact);
-        const DistanceToPlaces<dim> distance(mesh, in_contact);
+        const DistanceToPlaces<dim> distance(mesh, zones.cells());
         dealii::Vector<double>      result(squares.size());
         for (const auto &cell : mesh.active_cells())
           if (cell->is_locally_owned() && zones.touches(cell->material_id())

@@ -11,7 +11,8 @@ namespace signorini
 {
   template <int dim>
   ContactZones<dim>::ContactZones(const Mesh<dim> &mesh, const std::vector<bool> &in_contact)
-    : centres(mesh.bodies().size())
+    : in_contact(in_contact)
+    , centres(mesh.bodies().size())
     , volumes(mesh.bodies().size(), 0.)
     , sizes(mesh.bodies().size(), 0.)
   {

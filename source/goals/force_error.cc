@@ -63,13 +63,8 @@ namespace signorini
 
   void ForceError::see(const ForceReading &reading)
   {
-    if (reading.time > latest.time)
-      {
-        earlier        = sums;
-        previous_force = latest.force;
-        interval       = reading.time - latest.time;
-      }
-    sums = earlier;
+    if (history.begin(reading.time, reading.time))
+      previous_force = latest.force;
     if (latest.force <= 0.)
       tolerances.clear();
     latest        = reading;
@@ -77,6 +72,8 @@ namespace signorini
     if (reading.force <= 0. || reading.elastic_energy <= 0.)
       return;
     const double force_per_error = reading.force / (effectivity(dim) * 2. * reading.elastic_energy);
+    Sums        &sums            = history.sums;
+    const double interval        = history.length();
     sums.force += interval * std::pow(reading.force, 2);
     sums.error += interval * std::pow(force_per_error * reading.squared_error, 2);
     sums.of_uniform_mesh += interval * std::pow(force_per_error * reading.of_uniform_mesh, 2);
@@ -118,46 +115,46 @@ namespace signorini
 
   double ForceError::relative_error() const
   {
-    return sums.force > 0. ? std::sqrt(sums.error / sums.force) : 0.;
+    return history.sums.force > 0. ? std::sqrt(history.sums.error / history.sums.force) : 0.;
   }
 
 
   double ForceError::uniform_level() const
   {
     // Squared errors of linear elements are divided by 4 from level to level.
-    return sums.error > 0.
-             ? std::max(0., 0.5 * std::log2(std::sqrt(sums.of_uniform_mesh / sums.error)))
-             : 0.;
+    return history.sums.error > 0. ? std::max(
+             0., 0.5 * std::log2(std::sqrt(history.sums.of_uniform_mesh / history.sums.error)))
+                                   : 0.;
   }
 
 
   double ForceError::uniform_cells() const
   {
-    return sums.n_coarsest * std::exp2(dim * uniform_level());
+    return history.sums.n_coarsest * std::exp2(dim * uniform_level());
   }
 
 
   double ForceError::mean_cells() const
   {
-    return sums.time > 0. ? sums.cells / sums.time : 0.;
+    return history.sums.time > 0. ? history.sums.cells / history.sums.time : 0.;
   }
 
 
   std::string ForceError::summary() const
   {
-    if (sums.force == 0.)
+    if (history.sums.force == 0.)
       return "  error of force    none, as there was no contact\n";
     const auto percent = [this](const double number) {
-      return std::lround(100. * number / sums.cells);
+      return std::lround(100. * number / history.sums.cells);
     };
     std::ostringstream text;
     text.precision(2);
     text << "  error of force    about " << 100. * relative_error()
          << " % by the mesh (estimated; L2 in time)\n                    a uniform mesh of level "
          << uniform_level() << " would have it with " << uniform_cells() / mean_cells()
-         << " times the cells\n                    cells in contact: " << percent(sums.near)
-         << " % near it, " << percent(sums.cells - sums.near - sums.free) << " % for waves, "
-         << percent(sums.free) << " % in bodies that touch nothing\n";
+         << " times the cells\n                    cells in contact: " << percent(history.sums.near)
+         << " % near it, " << percent(history.sums.cells - history.sums.near - history.sums.free)
+         << " % for waves, " << percent(history.sums.free) << " % in bodies that touch nothing\n";
     if (relative_error() > most_credible)
       text << "                    that is no more than a sign of a mesh that is much too coarse\n";
     return text.str();

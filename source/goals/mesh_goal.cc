@@ -3,7 +3,6 @@
 
 #include <signorini/adaptivity/marking.h>
 #include <signorini/goals/bodies_in_touch.h>
-#include <signorini/goals/contact_zones.h>
 #include <signorini/goals/mesh_goal.h>
 #include <signorini/goals/weigh_waves.h>
 
@@ -76,7 +75,7 @@ namespace signorini
           indicator(cell->active_cell_index()) *= of_free_bodies;
           ++n_free;
         }
-    const double n_near = weigh_waves(discretization, in_contact, indicator);
+    const double n_near = weigh_waves(mesh, zones, indicator);
     if (step.step_size > 0. || starts_at_rest)
       {
         ForceReading reading =
@@ -86,7 +85,7 @@ namespace signorini
         force_error.see(reading);
       }
     if (!stresses.empty() && force_error.has_seen_contact())
-      add_stresses(step, in_contact, stresses, squares, indicator);
+      add_stresses(step, zones, stresses, squares, indicator);
     // A contact that is about to end is not worth a finer body.
     const double tolerated = force_error.is_high() || lasts
                                ? std::pow(tolerance(), 2)
@@ -97,21 +96,17 @@ namespace signorini
 
   template <int dim>
   void MeshGoal<dim>::add_stresses(const StepRecord             &step,
-                                   const std::vector<bool>      &in_contact,
+                                   const ContactZones<dim>      &zones,
                                    const Stresses<dim>          &stresses,
                                    const dealii::Vector<double> &squares,
                                    dealii::Vector<double>       &indicator)
   {
     stress_errors.resize(stresses.size(), StressError<dim>(parameters.target_error));
-    stress_names.clear();
     indicator /= force_error.tolerance();
     indicator.scale(indicator);
     for (unsigned int k = 0; k < stresses.size(); ++k)
-      {
-        stress_names.push_back(stresses[k]->name());
-        stress_errors[k].see(
-          *stresses[k], mesh, step, in_contact, squares, parameters.maximum_level, indicator);
-      }
+      stress_errors[k].see(
+        *stresses[k], mesh, step, zones, squares, parameters.maximum_level, indicator);
     for (double &value : indicator)
       value = std::sqrt(value);
   }
@@ -144,17 +139,17 @@ namespace signorini
     text.precision(2);
     const double of_force = force_error.relative_error();
     double       largest  = of_force;
-    for (unsigned int k = 0; k < stress_errors.size(); ++k)
+    for (const StressError<dim> &stress : stress_errors)
       {
         text << "  error of stress   ";
-        if (!stress_errors[k].has_seen_stress())
+        if (!stress.has_seen_stress())
           {
-            text << "none of " << stress_names[k] << ", as there was none\n";
+            text << "none of " << stress.name() << ", as there was none\n";
             continue;
           }
-        const double error = std::hypot(stress_errors[k].relative_error(), of_force);
+        const double error = std::hypot(stress.relative_error(), of_force);
         largest            = std::max(largest, error);
-        text << "about " << 100. * error << " % of " << stress_names[k]
+        text << "about " << 100. * error << " % of " << stress.name()
              << " by the mesh (estimated; L2 in time)\n";
       }
     if (largest > missed * parameters.target_error)

@@ -74,10 +74,10 @@ namespace signorini
       }
 
       dealii::Vector<double> squared_errors(const State                  &state,
-                                            const std::vector<bool>      &in_contact,
+                                            const ContactZones<dim>      &zones,
                                             const dealii::Vector<double> &squares) const override
       {
-        dealii::Vector<double> result = of_pair->squared_errors(state, in_contact, squares);
+        dealii::Vector<double> result = of_pair->squared_errors(state, zones, squares);
         if (const double area = loaded_area(state); area > 0.)
           result /= area;
         return result;
@@ -186,14 +186,16 @@ namespace signorini
         return result;
       }
 
-      /** And waves bring the errors of cells that are far from contact to wherever it is. */
+      /**
+       * And waves bring the errors of cells that are far from contact to wherever it is, with their
+       * mean, for which no calibration is needed: it is divided out.
+       */
       dealii::Vector<double> squared_errors(const State &,
-                                            const std::vector<bool>      &in_contact,
+                                            const ContactZones<dim>      &zones,
                                             const dealii::Vector<double> &squares) const override
       {
-        const Mesh<dim>        &mesh = discretization.mesh();
-        const ContactZones<dim> zones(mesh, in_contact);
-        const double            mean_of_waves =
+        const Mesh<dim> &mesh = discretization.mesh();
+        const double     mean_of_waves =
           2. * shear_modulus()
           / (ForceError::effectivity(dim) * volumes[description.body] * factor * factor);
         dealii::Vector<double> result =

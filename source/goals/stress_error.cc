@@ -14,24 +14,19 @@ namespace signorini
   void StressError<dim>::see(const StressOfInterest<dim>  &stress,
                              const Mesh<dim>              &mesh,
                              const StepRecord             &step,
-                             const std::vector<bool>      &in_contact,
+                             const ContactZones<dim>      &zones,
                              const dealii::Vector<double> &squares,
                              const unsigned int            maximum_level,
                              dealii::Vector<double>       &relative_squares)
   {
     const State &state = step.end;
-    if (state.time > latest)
-      {
-        earlier  = sums;
-        interval = latest > 0. ? state.time - latest : step.step_size;
-      }
-    latest = state.time;
-    sums   = earlier;
+    history.begin(state.time, step.step_size);
+    stress_name = stress.name();
 
     const auto   calibration = stress.calibration();
     const double size        = std::sqrt(stress.squared_size(state));
     const double scale       = std::max(size, std::sqrt(stress.usual_squared_size(state)));
-    const dealii::Vector<double> errors = stress.squared_errors(state, in_contact, squares);
+    const dealii::Vector<double> errors = stress.squared_errors(state, zones, squares);
     largest                             = std::max(largest, scale);
     double whole = 0., at_limit = 0.;
     for (const auto &cell : mesh.active_cells())
@@ -48,8 +43,8 @@ namespace signorini
       return;
     const double error =
       scale * calibration.factor * std::pow(std::sqrt(whole) / scale, calibration.power);
-    sums.stress += interval * std::pow(scale, 2);
-    sums.error += interval * std::pow(error, 2);
+    history.sums.stress += history.length() * std::pow(scale, 2);
+    history.sums.error += history.length() * std::pow(error, 2);
     // The estimate whose error is the target in units of the largest stress so far.
     const double of_target =
       scale * std::pow(target * largest / (calibration.factor * scale), 1. / calibration.power);
@@ -60,7 +55,7 @@ namespace signorini
   template <int dim>
   double StressError<dim>::relative_error() const
   {
-    return has_seen_stress() ? std::sqrt(sums.error / sums.stress) : 0.;
+    return has_seen_stress() ? std::sqrt(history.sums.error / history.sums.stress) : 0.;
   }
 
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/goals/contact_zones.h>
 #include <signorini/goals/weigh_waves.h>
 
 #include <deal.II/base/mpi.h>
@@ -18,13 +17,11 @@ namespace signorini
 
 
   template <int dim>
-  double weigh_waves(const Discretization<dim> &discretization,
-                     const std::vector<bool>   &in_contact,
-                     dealii::Vector<double>    &indicator)
+  double weigh_waves(const Mesh<dim>         &mesh,
+                     const ContactZones<dim> &zones,
+                     dealii::Vector<double>  &indicator)
   {
-    const Mesh<dim>        &mesh = discretization.mesh();
-    const ContactZones<dim> zones(mesh, in_contact);
-    unsigned int            n_near = 0;
+    unsigned int n_near = 0;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
         {
@@ -39,8 +36,6 @@ namespace signorini
   }
 
 
-  template double
-  weigh_waves(const Discretization<2> &, const std::vector<bool> &, dealii::Vector<double> &);
-  template double
-  weigh_waves(const Discretization<3> &, const std::vector<bool> &, dealii::Vector<double> &);
+  template double weigh_waves(const Mesh<2> &, const ContactZones<2> &, dealii::Vector<double> &);
+  template double weigh_waves(const Mesh<3> &, const ContactZones<3> &, dealii::Vector<double> &);
 } // namespace signorini

@@ -8,7 +8,6 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace signorini
 {
@@ -139,13 +138,9 @@ namespace signorini
   double MeshControl<dim>::close_enough_to_refine(const unsigned int n_too_close,
                                                   const unsigned int n_close) const
   {
-    constexpr unsigned int more = (1 << dim) - 1; // cells by one refinement
-    const double           room =
-      parameters.maximum_cells > 0
-                  ? double(parameters.maximum_cells) - mesh.triangulation().n_global_active_cells()
-                  : std::numeric_limits<double>::infinity();
-    return n_too_close > 0 && double(n_close) * more <= room ? DistanceIndicator<dim>::far_enough
-                                                             : DistanceIndicator<dim>::too_close;
+    return n_too_close > 0 && n_close <= room_to_refine(mesh, parameters)
+             ? DistanceIndicator<dim>::far_enough
+             : DistanceIndicator<dim>::too_close;
   }
 
 

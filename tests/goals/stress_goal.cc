@@ -32,7 +32,7 @@ namespace
     double      squared_size(const State &) const override { return size * size; }
 
     dealii::Vector<double> squared_errors(const State &,
-                                          const std::vector<bool> &,
+                                          const ContactZones<2> &,
                                           const dealii::Vector<double> &squares) const override
     {
       dealii::Vector<double> result = squares;
@@ -61,7 +61,13 @@ namespace
       state.time = time;
       const StepRecord       step{state, state, 0.1};
       dealii::Vector<double> relative(equal.size());
-      error.see(stress, box.mesh, step, in_contact, equal, maximum_level, relative);
+      error.see(stress,
+                box.mesh,
+                step,
+                ContactZones<2>(box.mesh, in_contact),
+                equal,
+                maximum_level,
+                relative);
       double sum = 0.;
       for (const auto &cell : box.mesh.active_cells())
         if (cell->is_locally_owned())
@@ -108,6 +114,46 @@ TEST(StressGoal, SizeOfPressureIsItsSquareOverTheSurface)
   EXPECT_NEAR(stress->squared_size(pressed(box, 3.)), 9. * box.problem.area(), 1e-11);
 }
 
+TEST(StressGoal, PressureOfOnePairIsItsPart)
+{
+  // A box between a floor and a ceiling, which presses three times as much.
+  const Box               floor_only;
+  const ContactProblem<2> problem(contact_scene<2>(
+    Box::finer(box<2>()),
+    {floor_at<2>(0.),
+     plane<2>("ceiling", dealii::Point<2>(0., 1.), dealii::Tensor<1, 2>({0., -1.}))}));
+  const auto             &surface = problem.surface;
+  State                   state;
+  state.displacement  = problem.discretization.make_vector();
+  state.velocity      = state.displacement;
+  state.contact_force = state.displacement;
+  for (const auto &node : surface.nodes())
+    for (unsigned int c = 0; c < 2; ++c)
+      state.contact_force.local_element(2 * node.node + c) =
+        -(node.pair == 0 ? 1. : 3.) * node.weight * node.normal()[c];
+  const auto size = [&](const std::optional<unsigned int> pair) {
+    return make_contact_pressure(problem.discretization, surface, pair)->squared_size(state);
+  };
+  EXPECT_NEAR(size({}), size(0) + size(1), 1e-12 * size({}));
+  EXPECT_GT(size(1), 2. * size(0));
+  EXPECT_GT(size(0), 0.);
+  // A probe at the floor has the mean error of the floor's contact.
+  const auto              one = floor_only.indicator([](const auto &) { return 1.; });
+  const std::vector<bool> in_contact(one.size(), true);
+  const ContactZones<2>   zones(problem.discretization.mesh(), in_contact);
+  const auto              probed = make_probed_stress(
+    ProbeDescription<2>{"p", dealii::Point<2>(0.5, 0.)}, problem.discretization, surface);
+  double area = 0.;
+  for (const auto &node : surface.nodes())
+    if (node.pair == 0)
+      area += node.weight;
+  area = dealii::Utilities::MPI::sum(area, MPI_COMM_WORLD);
+  auto difference =
+    make_contact_pressure(problem.discretization, surface, 0u)->squared_errors(state, zones, one);
+  difference.add(-area, probed->squared_errors(state, zones, one));
+  EXPECT_LT(difference.linfty_norm(), 1e-9);
+}
+
 TEST(StressGoal, StressAtProbes)
 {
   const Box   box;
@@ -120,8 +166,10 @@ TEST(StressGoal, StressAtProbes)
   const auto              all = make_contact_pressure(discretization, box.problem.surface);
   const auto              one = box.indicator([](const auto &) { return 1.; });
   const std::vector<bool> in_contact(one.size(), true);
-  auto                    difference = all->squared_errors(State(), in_contact, one);
-  difference.add(-box.problem.area(), pressure->squared_errors(pressed(box, 3.), in_contact, one));
+  auto difference = all->squared_errors(State(), ContactZones<2>(box.mesh, in_contact), one);
+  difference.add(
+    -box.problem.area(),
+    pressure->squared_errors(pressed(box, 3.), ContactZones<2>(box.mesh, in_contact), one));
   EXPECT_LT(difference.linfty_norm(), 1e-9);
 
   // Shear alone: sigma:sigma = 2 (mu gamma)^2.
@@ -144,13 +192,15 @@ TEST(StressGoal, InfluenceOnPressureFallsWithTheDistance)
   const auto   stress = make_contact_pressure(box.problem.discretization, box.problem.surface);
   const double mu     = box.mesh.bodies()[0].material.mu();
   const auto   equal  = box.indicator([](const auto &) { return 1.; });
-  const auto   rows   = column(box, stress->squared_errors(State(), in_contact, equal));
+  const auto   rows =
+    column(box, stress->squared_errors(State(), ContactZones<2>(box.mesh, in_contact), equal));
   EXPECT_NEAR(rows[0], mu / h, 1e-9 * mu);
   for (const double k : {1., 2., 3., 5.}) // the zone of contact is larger than these distances
     EXPECT_NEAR(rows[k], mu / h * std::pow(k, -5.), 1e-9 * mu);
   // Without contact there is no pressure to be wrong.
   in_contact.assign(in_contact.size(), false);
-  EXPECT_EQ(stress->squared_errors(State(), in_contact, equal).l2_norm(), 0.);
+  EXPECT_EQ(stress->squared_errors(State(), ContactZones<2>(box.mesh, in_contact), equal).l2_norm(),
+            0.);
 }
 
 TEST(StressGoal, InfluenceOnAPointFallsWithTheDistance)
@@ -163,14 +213,16 @@ TEST(StressGoal, InfluenceOnAPointFallsWithTheDistance)
   const double      mu    = box.mesh.bodies()[0].material.mu();
   const auto        equal = box.indicator([](const auto &) { return 1.; });
   std::vector<bool> in_contact(equal.size(), true);
-  const auto        at_rest = column(box, stress->squared_errors(State(), in_contact, equal));
+  const auto        at_rest =
+    column(box, stress->squared_errors(State(), ContactZones<2>(box.mesh, in_contact), equal));
   EXPECT_NEAR(at_rest[0], mu / (h * h), 1e-9 * mu);
   for (const double k : {1., 2., 7., 15.})
     EXPECT_NEAR(at_rest[k], mu / (h * h) * std::pow(k, -6.), 1e-9 * mu);
   // Far from contact there are waves: the mean error of the stress of a body with unit volume,
   // whose squared error in the energy norm is 1/15, and with it sigma:sigma is 2 mu/15.
   in_contact.assign(in_contact.size(), false);
-  const auto with_waves = column(box, stress->squared_errors(State(), in_contact, equal));
+  const auto with_waves =
+    column(box, stress->squared_errors(State(), ContactZones<2>(box.mesh, in_contact), equal));
   for (const unsigned int k : {0, 7, 15})
     EXPECT_NEAR(std::pow(stress->calibration().factor, 2) * (with_waves[k] - at_rest[k]),
                 2. * mu / 15.,

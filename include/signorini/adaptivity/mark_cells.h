@@ -47,6 +47,10 @@ namespace signorini
                         const std::vector<bool>      &not_to_coarsen = {},
                         const std::vector<bool>      &to_refine      = {});
 
+  /** How many cells may be refined before `Maximum cells` are reached, on all processes. */
+  template <int dim>
+  double room_to_refine(const Mesh<dim> &mesh, const AdaptivityParameters &parameters);
+
   /** No cell of this process is to be changed. */
   template <int dim>
   void clear_flags(Mesh<dim> &mesh);

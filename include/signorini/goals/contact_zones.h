@@ -15,8 +15,11 @@ namespace signorini
   public:
     using Cell = typename dealii::Triangulation<dim>::active_cell_iterator;
 
-    /** Collective. @param in_contact cells of this process by active_cell_index */
+    /** Collective. @param in_contact see cells(); has to live as long */
     ContactZones(const Mesh<dim> &mesh, const std::vector<bool> &in_contact);
+
+    /** Those that are in contact, of this process by active_cell_index. */
+    const std::vector<bool> &cells() const { return in_contact; }
 
     bool   touches(const unsigned int body) const { return volumes[body] > 0.; }
     double size(const unsigned int body) const { return sizes[body]; }
@@ -32,19 +35,20 @@ namespace signorini
              || distance(cell) > far_away * sizes[cell->material_id()];
     }
 
+  private:
+    /** Measured, on discs and balls that hit a plane fast and slowly (doc/adaptivity.md). */
+    static constexpr double far_away = 4.;
+
+    const std::vector<bool>        &in_contact;
+    std::vector<dealii::Point<dim>> centres;
+    std::vector<double>             volumes; ///< of cells in contact
+    std::vector<double>             sizes;   ///< the largest distance of one of them
+
     /** From the centre of a cell to that of the contact of its body, which touches something. */
     double distance(const Cell &cell) const
     {
       return cell->center().distance(centres[cell->material_id()]);
     }
-
-  private:
-    /** Measured, on discs and balls that hit a plane fast and slowly (doc/adaptivity.md). */
-    static constexpr double far_away = 4.;
-
-    std::vector<dealii::Point<dim>> centres;
-    std::vector<double>             volumes; ///< of cells in contact
-    std::vector<double>             sizes;   ///< the largest distance of one of them
   };
 } // namespace signorini
 

@@ -4,8 +4,8 @@
 #ifndef signorini_goals_force_error_h
 #define signorini_goals_force_error_h
 
-#include <signorini/base/archive.h>
 #include <signorini/contact/contact_surface.h>
+#include <signorini/goals/sums_over_time.h>
 #include <signorini/time/state.h>
 
 #include <string>
@@ -102,21 +102,14 @@ namespace signorini
 
     void archive(Archive &archive)
     {
-      archive(latest,
-              previous_force,
-              largest_force,
-              largest_tolerance,
-              tolerances,
-              sums,
-              earlier,
-              interval);
+      archive(latest, previous_force, largest_force, largest_tolerance, tolerances);
+      history.archive(archive);
     }
 
   private:
     double       target;
     unsigned int dim;
     ForceReading latest;
-    double       interval          = 0.; ///< from the judgement before
     double       previous_force    = 0.; ///< in the judgement before
     double       largest_force     = 0.;
     double       largest_tolerance = 0.;
@@ -133,7 +126,7 @@ namespace signorini
       double time = 0., n_coarsest = 0.;
       double cells = 0., near = 0., free = 0.; ///< numbers times the time
     };
-    Sums sums, earlier; ///< earlier: before the latest step
+    SumsOverTime<Sums> history;
   };
 } // namespace signorini
 

@@ -71,8 +71,9 @@ namespace signorini
     {
       force_error.archive(archive);
       base_levels.archive(archive);
-      archive(awaits_contact, has_touched, stress_names);
-      stress_errors.resize(stress_names.size(), StressError<dim>(parameters.target_error));
+      std::size_t n_stresses = stress_errors.size();
+      archive(awaits_contact, has_touched, n_stresses);
+      stress_errors.resize(n_stresses, StressError<dim>(parameters.target_error));
       for (StressError<dim> &error : stress_errors)
         error.archive(archive);
     }
@@ -86,7 +87,6 @@ namespace signorini
     BaseLevels<dim>               base_levels;
     bool                          awaits_contact = true; ///< or has it
     std::vector<char>             has_touched;           ///< bodies, so far
-    std::vector<std::string>      stress_names;
     std::vector<StressError<dim>> stress_errors;
 
     /** Of the indicators of the step that was seen, for mark_cells(). */
@@ -94,7 +94,7 @@ namespace signorini
 
     /** Indicators in units of what they may amount to together: of the force and all stresses. */
     void add_stresses(const StepRecord             &step,
-                      const std::vector<bool>      &in_contact,
+                      const ContactZones<dim>      &zones,
                       const Stresses<dim>          &stresses,
                       const dealii::Vector<double> &squares,
                       dealii::Vector<double>       &indicator);

@@ -5,8 +5,8 @@
 #define signorini_goals_stress_error_h
 
 #include <signorini/adaptivity/error_indicator.h>
-#include <signorini/base/archive.h>
 #include <signorini/goals/stress_of_interest.h>
+#include <signorini/goals/sums_over_time.h>
 
 namespace signorini
 {
@@ -32,13 +32,13 @@ namespace signorini
     void see(const StressOfInterest<dim>  &stress,
              const Mesh<dim>              &mesh,
              const StepRecord             &step,
-             const std::vector<bool>      &in_contact,
+             const ContactZones<dim>      &zones,
              const dealii::Vector<double> &squares,
              unsigned int                  maximum_level,
              dealii::Vector<double>       &relative_squares);
 
     /** Whether there was anything that may be wrong. */
-    bool has_seen_stress() const { return sums.stress > 0.; }
+    bool has_seen_stress() const { return history.sums.stress > 0.; }
 
     /**
      * Estimated error relative to the stress, or to what is usual if that is larger, both L2 in
@@ -46,19 +46,25 @@ namespace signorini
      */
     double relative_error() const;
 
-    void archive(Archive &archive) { archive(latest, largest, interval, sums, earlier); }
+    /** As the summary calls the stress. */
+    const std::string &name() const { return stress_name; }
+
+    void archive(Archive &archive)
+    {
+      archive(stress_name, largest);
+      history.archive(archive);
+    }
 
   private:
-    double target;
-    double latest   = 0.; ///< time
-    double largest  = 0.; ///< stress so far
-    double interval = 0.; ///< from the judgement before
+    double      target;
+    std::string stress_name;
+    double      largest = 0.; ///< stress so far
 
     struct Sums
     {
       double stress = 0., error = 0.; ///< squared, over time
     };
-    Sums sums, earlier; ///< earlier: before the latest step
+    SumsOverTime<Sums> history;
   };
 } // namespace signorini
 

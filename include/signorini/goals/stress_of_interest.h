@@ -5,6 +5,7 @@
 #define signorini_goals_stress_of_interest_h
 
 #include <signorini/contact/contact_surface.h>
+#include <signorini/goals/contact_zones.h>
 #include <signorini/model/adaptivity_parameters.h>
 #include <signorini/model/contact_description.h>
 #include <signorini/model/point_probe.h>
@@ -62,11 +63,10 @@ namespace signorini
      * sqrt(mu) eta/h^(dim/2), its mean error: dual-weighted residuals (Becker and Rannacher, Acta
      * Numerica 10, 2001), with what is known of the dual solution instead of one that is computed.
      *
-     * @param in_contact cells of this process
-     * @param squares    eta_T^2 at rest
+     * @param squares eta_T^2 at rest
      */
     virtual dealii::Vector<double> squared_errors(const State                  &state,
-                                                  const std::vector<bool>      &in_contact,
+                                                  const ContactZones<dim>      &zones,
                                                   const dealii::Vector<double> &squares) const = 0;
   };
 

@@ -4,7 +4,9 @@
 #ifndef signorini_goals_weigh_waves_h
 #define signorini_goals_weigh_waves_h
 
-#include <signorini/discretization/discretization.h>
+#include <signorini/goals/contact_zones.h>
+
+#include <deal.II/lac/vector.h>
 
 namespace signorini
 {
@@ -13,14 +15,13 @@ namespace signorini
    * its size. Near contact the body is deformed as at rest, and the error of the force is of second
    * order: half the squared error of the displacement. Farther away there are waves. They bring
    * their errors back to the contact, with all that their way has added. Collective.
-   * @param in_contact cells of this process by active_cell_index
-   * @param indicator  eta_T by active_cell_index
+   * @param indicator eta_T by active_cell_index
    * @return the number of cells near the contact of their body, on all processes
    */
   template <int dim>
-  double weigh_waves(const Discretization<dim> &discretization,
-                     const std::vector<bool>   &in_contact,
-                     dealii::Vector<double>    &indicator);
+  double weigh_waves(const Mesh<dim>         &mesh,
+                     const ContactZones<dim> &zones,
+                     dealii::Vector<double>  &indicator);
 } // namespace signorini
 
 #endif

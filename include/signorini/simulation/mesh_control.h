@@ -75,7 +75,7 @@ namespace signorini
   private:
     Mesh<dim>                           &mesh;
     const Scene<dim>                    &scene;
-    const AdaptivityParameters           parameters;
+    const AdaptivityParameters          &parameters;
     const TimeIntegration                time;
     RemeshingRule                        rule;
     std::optional<MeshGoal<dim>>         goal;     ///< if there is one
