@@ -32,12 +32,14 @@ namespace signorini
     bool is_far(const Cell &cell) const
     {
       return !touches(cell->material_id())
-             || distance(cell) > far_away * sizes[cell->material_id()];
+             || distance(cell) > of_distances * far_away * sizes[cell->material_id()];
     }
 
   private:
     /** Measured, on discs and balls that hit a plane fast and slowly (doc/adaptivity.md). */
     static constexpr double far_away = 4.;
+    /** On regular meshes distances are often equal; then no round-off decides. */
+    static constexpr double of_distances = 1. + 1e-9;
 
     const std::vector<bool>        &in_contact;
     std::vector<dealii::Point<dim>> centres;
