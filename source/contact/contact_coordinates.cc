@@ -154,6 +154,20 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<unsigned int> ContactCoordinates<dim>::clamped_nodes() const
+  {
+    std::map<unsigned int, unsigned int> n_prescribed;
+    for (const unsigned int entry : prescribed)
+      ++n_prescribed[entry / dim];
+    std::vector<unsigned int> nodes;
+    for (const auto &[node, n] : n_prescribed)
+      if (n == dim)
+        nodes.push_back(node);
+    return nodes;
+  }
+
+
+  template <int dim>
   void ContactCoordinates<dim>::displacement_to_cartesian(Vector &vector) const
   {
     const auto rotate = [&](const unsigned int level) {

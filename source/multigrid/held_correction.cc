@@ -7,7 +7,7 @@ namespace signorini
 {
   namespace
   {
-    /** Parts of the same node become one. */
+    /** Parts of the same node become one, without room for more: there are many rows. */
     template <typename Row>
     void unite(Row &row)
     {
@@ -20,6 +20,7 @@ namespace signorini
         else
           row[n++] = row[k];
       row.resize(n);
+      row.shrink_to_fit();
     }
   } // namespace
 

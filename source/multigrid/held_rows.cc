@@ -38,6 +38,7 @@ namespace signorini
     , coordinates(coordinates)
     , sum(sum)
     , relative_rows(coordinates)
+    , clamped(coordinates.clamped_nodes())
     , owner(matrices.pattern.n_owned, matrices.pattern.partitioner->get_mpi_communicator())
     , mask_values(matrices.pattern.partitioner)
   {
@@ -85,8 +86,10 @@ namespace signorini
 
 
   template <int dim>
-  std::vector<unsigned int> HeldRows<dim>::set_mask(const Mask &mask)
+  std::vector<unsigned int> HeldRows<dim>::set_mask(Mask mask)
   {
+    for (const unsigned int node : clamped)
+      std::fill_n(mask.begin() + dim * node, dim, 0);
     mask_values.zero_out_ghost_values();
     for (unsigned int i = 0; i < mask.size(); ++i)
       mask_values.local_element(i) = mask[i];

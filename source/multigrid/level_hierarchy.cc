@@ -7,7 +7,9 @@
 #include <signorini/multigrid/galerkin_product.h>
 #include <signorini/multigrid/level_hierarchy.h>
 
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace signorini
 {
@@ -69,13 +71,39 @@ namespace signorini
           }
       return result;
     }
+
+
+    /** Clamped nodes are no parents, and have none. */
+    void take_out_clamped(const std::vector<char> &is_clamped, Coarsening &coarsening)
+    {
+      std::vector<unsigned int>            kept;
+      std::map<unsigned int, unsigned int> place; // by the place before
+      for (std::size_t k = 0; k < coarsening.kept.size(); ++k)
+        if (!is_clamped[coarsening.kept[k]])
+          {
+            place[k] = kept.size();
+            kept.push_back(coarsening.kept[k]);
+          }
+      coarsening.kept = std::move(kept);
+      for (std::size_t node = 0; node < coarsening.parents.size(); ++node)
+        {
+          const auto before = std::exchange(coarsening.parents[node], {});
+          for (const auto &[parent, weight] : before)
+            if (const auto found = place.find(parent); found != place.end() && !is_clamped[node])
+              coarsening.parents[node].emplace_back(found->second, weight);
+        }
+    }
   } // namespace
 
 
   template <int dim>
-  LevelHierarchy<dim>::LevelHierarchy(const Discretization<dim> &discretization)
+  LevelHierarchy<dim>::LevelHierarchy(const Discretization<dim>       &discretization,
+                                      const std::vector<unsigned int> &clamped)
     : finest(&discretization.matrices())
+    , is_clamped(finest->pattern.n_owned, 0)
   {
+    for (const unsigned int node : clamped)
+      is_clamped[node] = 1;
     const std::vector<NodeOrigin> origins = node_origins(discretization);
     unsigned int                  top     = 0;
     for (const NodeOrigin &origin : origins)
@@ -102,7 +130,7 @@ namespace signorini
     std::vector<unsigned int>            kept;
     std::vector<types::global_dof_index> number(origins.size(), no_node);
     for (const unsigned int node : nodes)
-      if (origins[node].level < level && !finest_nodes.is_empty(node))
+      if (origins[node].level < level && !finest_nodes.is_empty(node) && !is_clamped[node])
         kept.push_back(node);
     const auto first_coarse = first_of_process(kept.size(), communicator);
     for (std::size_t k = 0; k < kept.size(); ++k)
@@ -127,7 +155,11 @@ namespace signorini
         is_new[k] = origins[nodes[k]].level == level;
         if (is_new[k])
           for (const auto &[parent, weight] : origins[nodes[k]].parents)
-            parents[k].emplace_back(*next++, weight);
+            {
+              const auto number_of_parent = *next++;
+              if (number_of_parent != no_node && !is_clamped[nodes[k]])
+                parents[k].emplace_back(number_of_parent, weight);
+            }
         else if (number[nodes[k]] != no_node)
           parents[k].emplace_back(number[nodes[k]], 1.);
       }
@@ -145,8 +177,10 @@ namespace signorini
     std::vector<Point<dim>> positions;
     for (const unsigned int node : nodes)
       positions.push_back(discretization.node_positions()[node]);
-    const Coarsening coarsening = coarsen(matrices(0), positions);
-    const auto       n_before   = matrices(0).pattern.partitioner->size() / dim,
+    Coarsening coarsening = coarsen(matrices(0), positions);
+    if (coarse.empty())
+      take_out_clamped(is_clamped, coarsening);
+    const auto n_before = matrices(0).pattern.partitioner->size() / dim,
                n_after =
                  Utilities::MPI::sum(types::global_dof_index(coarsening.kept.size()), communicator);
     const auto n_not_affine = Utilities::MPI::sum(coarsening.n_not_affine, communicator);

@@ -7,6 +7,9 @@ namespace signorini
 {
   namespace
   {
+    /** Of sums over a row of the stiffness, in parts of its diagonal block. */
+    constexpr double round_off = 1e-10;
+
     template <int dim>
     LocalNodes nodes_of(const NodePattern &pattern)
     {
@@ -152,6 +155,7 @@ namespace signorini
   {
     const NodePattern      &pattern     = matrices.pattern;
     const std::vector<char> with_ghosts = ghosts.with_ghosts(smoothed);
+    reserve(pattern, with_ghosts);
     group_start.assign(1, 0);
     diagonal_mass.assign(nodes.n_owned, Number(0));
     diagonal_blocks.assign(nodes.n_owned, Block::Zero());
@@ -164,6 +168,51 @@ namespace signorini
               to_smooth.push_back(row);
           }
         group_start.push_back(groups.size());
+      }
+    find_supports(matrices, scale * sum.stiffness);
+  }
+
+
+  template <int dim, typename Number>
+  void LevelMatrix<dim, Number>::reserve(const NodePattern       &pattern,
+                                         const std::vector<char> &smoothed)
+  {
+    std::size_t n_groups = 0, n_ghost_entries = 0;
+    for (unsigned int row = 0; row < nodes.n_owned; ++row)
+      {
+        std::size_t n_columns = 0;
+        for (unsigned int k = pattern.row_start[row] + 1; k < pattern.row_start[row + 1]; ++k)
+          if (smoothed[row] || smoothed[pattern.columns[k]])
+            ++(pattern.columns[k] < nodes.n_owned ? n_columns : n_ghost_entries);
+        n_groups += (n_columns + n_side_by_side - 1) / n_side_by_side;
+      }
+    groups.reserve(n_groups);
+    ghost_entries.reserve(n_ghost_entries);
+  }
+
+
+  template <int dim, typename Number>
+  void LevelMatrix<dim, Number>::find_supports(const ElasticMatrices<dim> &matrices,
+                                               const double                factor)
+  {
+    const NodePattern &pattern = matrices.pattern;
+    std::vector<Block> sums(nodes.n_owned, Block::Zero());
+    for (unsigned int row = 0; row < nodes.n_owned; ++row)
+      for (unsigned int k = pattern.row_start[row]; k < pattern.row_start[row + 1]; ++k)
+        {
+          const Eigen::Map<const Block> block(matrices.stiffness[k].data());
+          sums[row] += block;
+          if (pattern.columns[k] != row && pattern.columns[k] < nodes.n_owned)
+            sums[pattern.columns[k]] += block.transpose();
+        }
+    for (const unsigned int node : to_smooth)
+      {
+        const Eigen::Map<const Block> own(matrices.stiffness[pattern.row_start[node]].data());
+        if (sums[node].norm() <= round_off * own.norm())
+          continue;
+        supports.push_back({{}, node});
+        for (unsigned int i = 0; i < dim * dim; ++i)
+          supports.back().stiffness[i] = factor * sums[node].data()[i];
       }
   }
 
@@ -244,6 +293,11 @@ namespace signorini
         const Lanes<Number> sum{sum_of(sums[0]), sum_of(sums[1]), sum_of(sums[2]), Number(0)};
         set_value(r, row, value(r, row) - diagonal_mass[row] * load(x_row) - sum);
       }
+    for (const Support &support : supports)
+      set_value(r,
+                support.node,
+                value(r, support.node)
+                  - block_product<dim, Number>(support.stiffness, value(x, support.node)));
     for (const GhostEntry &entry : ghost_entries)
       {
         const Lanes<Number> x_column = ghosts.value(x, entry.column);

@@ -251,10 +251,11 @@ namespace signorini
             && ratio_of_stiffness(discretization.matrices()) > most_for_multigrid))
       return std::make_unique<Multilevel<dim>>(discretization, coordinates, mass_factors);
     if (kind == PreconditionerKind::multigrid || kind == PreconditionerKind::automatic)
-      return make_geometric_multigrid(std::make_shared<const LevelHierarchy<dim>>(discretization),
-                                      coordinates,
-                                      MatrixSum{largest, 1.},
-                                      in_double_precision);
+      return make_geometric_multigrid(
+        std::make_shared<const LevelHierarchy<dim>>(discretization, coordinates.clamped_nodes()),
+        coordinates,
+        MatrixSum{largest, 1.},
+        in_double_precision);
     return make_preconditioner(kind, discretization.matrices(), coordinates, {largest, 1.});
   }
 

@@ -35,26 +35,25 @@ namespace signorini
                               const Eigen::VectorXd          &amplitudes)
   {
     constexpr unsigned int n = RigidModes<dim>::n_motions;
-    AssertDimension(rigid.size(), n * names.size());
     AssertDimension(amplitudes.size(), rigid.size());
     const double least = negligible * amplitudes.norm();
     std::string  text;
-    for (std::size_t body = 0; body < names.size(); ++body)
+    for (std::size_t k = 0; k < rigid.bodies().size(); ++k)
       {
-        const auto of_body     = amplitudes.segment(n * body, n);
+        const auto of_body     = amplitudes.segment(n * k, n);
         const auto translation = of_body.head(dim);
         const bool turns       = of_body.tail(n - dim).norm() > least;
         if (of_body.norm() <= least)
           continue;
-        text += (text.empty() ? "'" : "; '") + names[body] + "' ";
+        text += (text.empty() ? "'" : "; '") + names[rigid.bodies()[k]] + "' ";
         if (translation.norm() > least)
           text += "moves along " + direction_in_words(translation) + (turns ? " and " : "");
         if (!turns)
           continue;
         Eigen::VectorXd rotation = Eigen::VectorXd::Zero(3);
-        for (unsigned int k = dim; k < n; ++k)
+        for (unsigned int which = dim; which < n; ++which)
           for (unsigned int c = 0; c < 3; ++c)
-            rotation[c] += of_body[k] * rigid.rotation(n * body + k)[c];
+            rotation[c] += of_body[which] * rigid.rotation(n * k + which)[c];
         text += "turns about " + (dim == 2 ? "z" : direction_in_words(rotation));
       }
     return text;

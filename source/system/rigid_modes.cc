@@ -15,6 +15,12 @@ namespace signorini
 {
   namespace
   {
+    /**
+     * Of the largest eigenvalue: motions that Dirichlet conditions hold less than this may be free,
+     * which is looked at more closely.
+     */
+    constexpr double held_for_sure = 1e-6;
+
     /** Translations, then rotations about the axes through the origin. */
     template <int dim>
     dealii::Tensor<1, dim> rigid_motion(const unsigned int which, const dealii::Point<dim> &x)
@@ -31,6 +37,44 @@ namespace signorini
         }
       return u;
     }
+
+
+    /** The bodies of which Dirichlet conditions leave a rigid motion, or more. Collective. */
+    template <int dim>
+    std::vector<unsigned int> bodies_that_move(const Discretization<dim>       &discretization,
+                                               const ContactCoordinates<dim>   &coordinates,
+                                               const std::vector<unsigned int> &body_of_node)
+    {
+      constexpr unsigned int n    = RigidModes<dim>::n_motions;
+      const Mesh<dim>       &mesh = discretization.mesh();
+      // Products of the motions of prescribed entries, in units of the size of the body.
+      std::vector<double> products(mesh.bodies().size() * n * n, 0.);
+      for (const unsigned int entry : coordinates.dirichlet_entries())
+        {
+          const unsigned int node = entry / dim, body = body_of_node[node];
+          const auto        &frame = coordinates.node_frames().at(node);
+          const auto         place = dealii::Point<dim>(
+            (discretization.node_positions()[node] - mesh.bounding_box(body).center())
+            / mesh.body_size(body));
+          Eigen::Matrix<double, n, 1> parts = Eigen::Matrix<double, n, 1>::Zero();
+          for (unsigned int which = 0; which < n; ++which)
+            for (unsigned int c = 0; c < dim; ++c)
+              parts[which] += frame[dim * (entry % dim) + c] * rigid_motion(which, place)[c];
+          Eigen::Map<Eigen::Matrix<double, n, n>>(&products[body * n * n]) +=
+            parts * parts.transpose();
+        }
+      dealii::Utilities::MPI::sum(products, discretization.communicator(), products);
+      std::vector<unsigned int> result;
+      for (unsigned int body = 0; body < mesh.bodies().size(); ++body)
+        {
+          const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, n, n>> eigen(
+            Eigen::Map<Eigen::Matrix<double, n, n>>(&products[body * n * n]),
+            Eigen::EigenvaluesOnly);
+          if (eigen.eigenvalues()[0] <= held_for_sure * eigen.eigenvalues()[n - 1])
+            result.push_back(body);
+        }
+      return result;
+    }
   } // namespace
 
 
@@ -41,7 +85,8 @@ namespace signorini
     , coordinates(coordinates)
   {
     const std::vector<unsigned int> bodies = discretization.bodies_of_nodes();
-    for (unsigned int body = 0; body < discretization.mesh().bodies().size(); ++body)
+    loose_bodies                           = bodies_that_move(discretization, coordinates, bodies);
+    for (const unsigned int body : loose_bodies)
       {
         const std::size_t first = modes.size();
         for (unsigned int which = 0; which < n_motions; ++which)
@@ -120,7 +165,9 @@ namespace signorini
     for ([[maybe_unused]] const unsigned int entry : entries)
       AssertIndexRange(entry, dim * discretization.matrices().pattern.n_owned);
     // Motions of displacement 1: bodies may differ in mass by many orders of magnitude.
-    const Eigen::Index    n     = modes.size();
+    const Eigen::Index n = modes.size();
+    if (n == 0)
+      return {};
     const Eigen::VectorXd scale = Eigen::Map<const Eigen::VectorXd>(sizes.data(), n).cwiseInverse();
     Eigen::MatrixXd       gram  = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index i = 0; i < n; ++i)

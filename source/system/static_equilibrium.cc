@@ -53,14 +53,31 @@ namespace signorini
 
     /** Mass that makes the matrix of the preconditioner definite, for bodies with free motions. */
     template <int dim>
-    std::vector<double> mass_factors(const Eigen::MatrixXd &loose, const double factor)
+    std::vector<double> mass_factors(const Discretization<dim> &discretization,
+                                     const RigidModes<dim>     &rigid,
+                                     const Eigen::MatrixXd     &loose,
+                                     const double               factor)
     {
       constexpr Eigen::Index n_motions = RigidModes<dim>::n_motions;
-      std::vector<double>    factors(loose.rows() / n_motions);
-      for (std::size_t body = 0; body < factors.size(); ++body)
-        factors[body] =
-          loose.middleRows(body * n_motions, n_motions).cwiseAbs().sum() > 0. ? factor : 0.;
+      std::vector<double>    factors(discretization.mesh().bodies().size(), 0.);
+      for (std::size_t k = 0; k < rigid.bodies().size(); ++k)
+        if (loose.middleRows(k * n_motions, n_motions).cwiseAbs().sum() > 0.)
+          factors[rigid.bodies()[k]] = factor;
       return factors;
+    }
+
+
+    /**
+     * Whether motions with next to no energy have to be told from none, for which single precision
+     * is not enough. A body that is held on one side bends more slowly than a free one.
+     */
+    template <int dim>
+    bool has_slow_motions(const Discretization<dim> &discretization, const Eigen::MatrixXd &loose)
+    {
+      constexpr double as_free = 10.;
+      return loose.cols() > 0
+             || needs_double_precision(discretization,
+                                       2. * as_free / discretization.mesh().lowest_frequency());
     }
   } // namespace
 
@@ -78,11 +95,12 @@ namespace signorini
     , stiffness_of_springs(std::pow(0.1 * discretization.mesh().lowest_frequency(), 2))
     , stiffness(discretization.matrices(), coordinates, {0., 1.})
     , matrix(stiffness, rigid)
-    , preconditioner(make_static_preconditioner(parameters.preconditioner,
-                                                discretization,
-                                                coordinates,
-                                                mass_factors<dim>(loose, stiffness_of_springs),
-                                                true))
+    , preconditioner(
+        make_static_preconditioner(parameters.preconditioner,
+                                   discretization,
+                                   coordinates,
+                                   mass_factors(discretization, rigid, loose, stiffness_of_springs),
+                                   has_slow_motions(discretization, loose)))
     , with_friction(with_friction)
     , weakness(with_friction ? not_weak : weak)
     , solver(make_solver(with_friction, parameters.inequality, parameters.limits))

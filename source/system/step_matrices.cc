@@ -105,7 +105,8 @@ namespace signorini
     if (kind == PreconditionerKind::multigrid)
       {
         if (!hierarchy)
-          hierarchy = std::make_shared<const LevelHierarchy<dim>>(discretization);
+          hierarchy = std::make_shared<const LevelHierarchy<dim>>(discretization,
+                                                                  coordinates.clamped_nodes());
         matrix.preconditioner = make_geometric_multigrid(
           hierarchy, coordinates, matrix.sum, needs_double_precision(discretization, step_size));
       }

@@ -118,3 +118,21 @@ TEST(MultigridCycle, WorksOnASingleCell)
   const Vector x = irregular_field(problem.discretization, 4.);
   EXPECT_GT(x * apply(cycle, x), 0.);
 }
+
+TEST(MultigridCycle, WorksWhereEveryCoarseNodeIsClamped)
+{
+  BodyDescription<2> body  = box<2>();
+  box_of(body).repetitions = {{1, 1}};
+  body.refinements         = 1;
+  for (const dealii::types::boundary_id side : {0, 1, 2, 3})
+    body.dirichlet.push_back({side, {{"0", "0"}}});
+  const LevelProblem<2> problem(contact_scene<2>(body, {floor_at<2>(0.)}));
+  ASSERT_EQ(dealii::Utilities::MPI::sum(problem.coordinates.clamped_nodes().size(),
+                                        problem.discretization.communicator()),
+            8U);
+  GeometricMultigrid<2, float> cycle(
+    problem.shared_hierarchy, problem.coordinates, problem.step(5.));
+  cycle.set_mask(problem.mask(-1.));
+  const Vector x = irregular_field(problem.discretization, 4.);
+  EXPECT_GT(x * apply(cycle, x), 0.);
+}

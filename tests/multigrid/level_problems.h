@@ -20,7 +20,8 @@ namespace signorini::tests
       , dirichlet(this->discretization)
       , surface(this->discretization, dirichlet, scene.obstacles, scene.pairs)
       , coordinates(this->discretization, surface, dirichlet)
-      , shared_hierarchy(std::make_shared<const LevelHierarchy<dim>>(this->discretization))
+      , shared_hierarchy(std::make_shared<const LevelHierarchy<dim>>(this->discretization,
+                                                                     coordinates.clamped_nodes()))
       , hierarchy(*shared_hierarchy)
     {
     }

@@ -181,3 +181,24 @@ TEST(RigidModes, OfTwoBodiesInContact)
   expect_pair<2>(1);
   expect_pair<3>(3);
 }
+
+TEST(RigidModes, AreOfBodiesThatDirichletConditionsDoNotHold)
+{
+  // The lower body is clamped, another one slides on a plane and turns there, a third one is free.
+  Scene<3>           scene  = stacked<3>(cube<3>("upper", 0., 3), cube<3>("lower", -1., 2));
+  BodyDescription<3> slider = cube<3>("slider", 5., 2);
+  const std::string  free   = "-";
+  scene.bodies[1].dirichlet = {{4, {{"0", "0", "0"}}}};
+  slider.dirichlet          = {{4, {{free, free, "0"}}}};
+  scene.bodies.push_back(slider);
+  const Bodies<3> bodies(scene);
+  EXPECT_EQ(bodies.modes.bodies(), (std::vector<unsigned int>{0, 2}));
+  const auto basis = expect_basis(bodies, bodies.coordinates.dirichlet_entries(), 6 + 3);
+  expect_in_span<3>(bodies, basis, {{}, {}, {{"1 - 0.5*y", "0.5*x", "0"}}});
+
+  scene.bodies.erase(scene.bodies.begin() + 2);
+  scene.bodies[0].dirichlet = scene.bodies[1].dirichlet;
+  const Bodies<3> clamped(scene);
+  EXPECT_EQ(clamped.modes.size(), 0U);
+  EXPECT_TRUE(clamped.modes.free_of(clamped.coordinates.dirichlet_entries()).empty());
+}

@@ -93,6 +93,9 @@ namespace signorini
     /** Prescribed entries, in contact coordinates. */
     const std::vector<unsigned int> &dirichlet_entries() const { return prescribed; }
 
+    /** The owned nodes of which all entries are prescribed. */
+    std::vector<unsigned int> clamped_nodes() const;
+
     /** The owned nodes of the contact surface, with what is known about them. */
     const std::vector<ContactNode<dim>> &surface_nodes() const { return owned_contact_nodes; }
 

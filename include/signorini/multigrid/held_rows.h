@@ -20,7 +20,7 @@ namespace signorini
    * For entries of contact coordinates that are held: the direction n_e, the row rho_e that
    * measures the entry (of its node, and of its partners as far as they are not prescribed), and
    * the forces K n_e, all by global nodes. Made when an entry of an owned node or a ghost is held
-   * for the first time.
+   * for the first time. Clamped nodes are left out: no coarser level moves them (LevelHierarchy).
    */
   template <int dim>
   class HeldRows
@@ -42,7 +42,7 @@ namespace signorini
              const MatrixSum               &sum);
 
     /** Take note of what is held. Collective. @return the numbers of entries that are new */
-    std::vector<unsigned int> set_mask(const Mask &mask);
+    std::vector<unsigned int> set_mask(Mask mask);
 
     unsigned int size() const { return entries.size(); }
 
@@ -82,14 +82,15 @@ namespace signorini
         archive &directions &measures;
       }
     };
-    const ElasticMatrices<dim>    &matrices;
-    const ContactCoordinates<dim> &coordinates;
-    const MatrixSum                sum;
-    const RelativeRows<dim>        relative_rows;
-    NodeOwners                     owner;
-    mutable Vector                 mask_values;
-    std::vector<Entry>             entries;
-    std::vector<unsigned int>      owned;
+    const ElasticMatrices<dim>     &matrices;
+    const ContactCoordinates<dim>  &coordinates;
+    const MatrixSum                 sum;
+    const RelativeRows<dim>         relative_rows;
+    const std::vector<unsigned int> clamped; ///< nodes
+    NodeOwners                      owner;
+    mutable Vector                  mask_values;
+    std::vector<Entry>              entries;
+    std::vector<unsigned int>       owned;
     /** The prescribed directions of partners. */
     std::map<Node, std::vector<std::array<double, dim>>> prescribed_of_partners;
     /** Numbers of the entries of a local node; unknown ones are invalid. */

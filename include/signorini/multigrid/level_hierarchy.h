@@ -16,13 +16,17 @@ namespace signorini
    * The levels of the mesh, each with the matrices of all step sizes: those of the finest are the
    * discretisation's, those of the others Galerkin products. Where the coarse mesh is too large for
    * a direct factor, levels go on below it by their couplings. Built once for a mesh and its mass.
+   *
+   * Nodes of which all entries are prescribed are in no coarser level, and follow nothing: the
+   * displacements of coarser levels are zero there.
    */
   template <int dim>
   class LevelHierarchy
   {
   public:
-    /** Collective. The discretisation must outlive the object. */
-    explicit LevelHierarchy(const Discretization<dim> &discretization);
+    /** Collective. The discretisation must outlive the object. @param clamped owned nodes */
+    LevelHierarchy(const Discretization<dim>       &discretization,
+                   const std::vector<unsigned int> &clamped);
 
     /** With the finest one: two at least. */
     unsigned int n_levels() const { return coarse.size() + 1; }
@@ -74,7 +78,8 @@ namespace signorini
       GhostValues          ghosts;         ///< nodes that local finer nodes follow
     };
     const ElasticMatrices<dim> *finest;
-    std::deque<Level>           coarse; ///< from level 0 on
+    std::vector<char>           is_clamped; ///< nodes of the finest level
+    std::deque<Level>           coarse;     ///< from level 0 on
 
     /** @param nodes of the coarsest level so far, by number in the finest; then of the new one */
     void add_level_of_mesh(const Discretization<dim>     &discretization,

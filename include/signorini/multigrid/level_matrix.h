@@ -77,9 +77,19 @@ namespace signorini
     std::vector<unsigned int> group_start; ///< by row
     std::vector<Group>        groups;
     std::vector<GhostEntry>   ghost_entries;
-    std::vector<Number>       diagonal_mass;
-    std::vector<Block>        diagonal_blocks;
-    GhostValues               ghosts;
+    /**
+     * Forces on a node if all nodes move alike: there are some beside clamped nodes, which coarser
+     * levels do not have.
+     */
+    struct Support
+    {
+      Number       stiffness[dim * dim + 4]; ///< column by column; see Lanes
+      unsigned int node;
+    };
+    std::vector<Support> supports;
+    std::vector<Number>  diagonal_mass;
+    std::vector<Block>   diagonal_blocks;
+    GhostValues          ghosts;
 
     /** @param smoothed with ghosts */
     void add_row(const ElasticMatrices<dim> &matrices,
@@ -87,6 +97,10 @@ namespace signorini
                  const MatrixSum            &sum,
                  double                      scale,
                  unsigned int                row);
+    /** Room for all that rows will have. @param smoothed with ghosts */
+    void reserve(const NodePattern &pattern, const std::vector<char> &smoothed);
+    /** Where the level smooths. */
+    void find_supports(const ElasticMatrices<dim> &matrices, double factor);
   };
 } // namespace signorini
 

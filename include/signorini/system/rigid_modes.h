@@ -29,8 +29,9 @@ namespace signorini
   };
 
   /**
-   * The rigid motions of all bodies (translations and infinitesimal rotations of each), orthonormal
-   * in the mass matrix. Keeps three vectors for each: 9 per body in 2d, 18 in 3d.
+   * The rigid motions (translations and infinitesimal rotations) of all bodies that Dirichlet
+   * conditions do not hold altogether, orthonormal in the mass matrix. Keeps three vectors for
+   * each: 9 per body in 2d, 18 in 3d.
    */
   template <int dim>
   class RigidModes
@@ -38,10 +39,14 @@ namespace signorini
   public:
     static constexpr unsigned int n_motions = dim * (dim + 1) / 2; ///< of a body
 
+    /** Collective. */
     RigidModes(const Discretization<dim>     &discretization,
                const ContactCoordinates<dim> &coordinates);
 
-    /** Number of motions: those of the first body, then those of the next. */
+    /** The bodies that can move, ascending. */
+    const std::vector<unsigned int> &bodies() const { return loose_bodies; }
+
+    /** Number of motions: those of the first of these bodies, then those of the next. */
     unsigned int size() const { return modes.size(); }
 
     /** The momenta M u of all motions as generalised forces in contact coordinates, T'M u. */
@@ -74,6 +79,7 @@ namespace signorini
   private:
     const Discretization<dim>        &discretization;
     const ContactCoordinates<dim>    &coordinates;
+    std::vector<unsigned int>         loose_bodies;
     std::vector<Motion>               modes;
     std::vector<Vector>               local; ///< their displacements in contact coordinates
     std::vector<double>               sizes; ///< their largest displacements
