@@ -25,8 +25,8 @@ if(NOT OPENSSL_FOUND)
   message(FATAL_ERROR "signorini needs OpenSSL. On Debian: apt-get install libssl-dev.")
 endif()
 
-find_package(Eigen3 3.3 QUIET NO_MODULE)
+find_package(Eigen3 3.4 QUIET NO_MODULE)
 if(NOT Eigen3_FOUND)
-  message(FATAL_ERROR "signorini needs Eigen 3.3 or newer. "
+  message(FATAL_ERROR "signorini needs Eigen 3.4 or newer. "
                       "On Debian: apt-get install libeigen3-dev.")
 endif()

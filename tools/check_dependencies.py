@@ -42,10 +42,11 @@ MAY_USE["contact"] = MAY_USE["finite_elements"] | {"friction", "obstacles", "sur
 MAY_USE["mass"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["multigrid"] = MAY_USE["contact"] | {"contact"}
 MAY_USE["preconditioners"] = MAY_USE["multigrid"] | {"multigrid", "sweeps"}
+MAY_USE["condensation"] = MAY_USE["contact"] | {"contact", "variational_inequality"}
 MAY_USE["system"] = (
     MAY_USE["mass"]
     | MAY_USE["variational_inequality"]
-    | {"mass", "variational_inequality", "multigrid", "preconditioners", "time"}
+    | {"mass", "variational_inequality", "multigrid", "preconditioners", "condensation", "time"}
 )
 MAY_USE["adaptivity"] = MAY_USE["system"] | {"system", "finite_elements"}
 MAY_USE["diagnostics"] = MAY_USE["contact"] | {"contact", "time"}
@@ -84,6 +85,7 @@ HOLDS = {
     ),
     "multigrid": "geometric multigrid: levels, transfer, smoothing, what held entries change",
     "preconditioners": "preconditioners of a step, in contact coordinates",
+    "condensation": "steps solved for the nodes in contact, with a direct factor of the rest",
     "system": "implements `DynamicalSystem`: the one place where the three chains meet",
     "adaptivity": "error indicators, which cells they change, the state on the new mesh",
     "diagnostics": "energy ledger, momentum, contact force, penetration, errors",

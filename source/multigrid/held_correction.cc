@@ -33,7 +33,10 @@ namespace signorini
     : hierarchy(hierarchy)
     , scale(scale)
     , any_partners(coordinates.coupling().any())
-    , rows(hierarchy.matrices(hierarchy.n_levels() - 1), coordinates, sum)
+    , rows(hierarchy.matrices(hierarchy.n_levels() - 1),
+           coordinates,
+           sum,
+           hierarchy.clamped_nodes())
     , levels(hierarchy.n_levels() - 1)
   {
     for (unsigned int level = 0; level < levels.size(); ++level)

@@ -31,14 +31,15 @@ namespace signorini
 
 
   template <int dim>
-  HeldRows<dim>::HeldRows(const ElasticMatrices<dim>    &matrices,
-                          const ContactCoordinates<dim> &coordinates,
-                          const MatrixSum               &sum)
+  HeldRows<dim>::HeldRows(const ElasticMatrices<dim>      &matrices,
+                          const ContactCoordinates<dim>   &coordinates,
+                          const MatrixSum                 &sum,
+                          const std::vector<unsigned int> &clamped)
     : matrices(matrices)
     , coordinates(coordinates)
     , sum(sum)
     , relative_rows(coordinates)
-    , clamped(coordinates.clamped_nodes())
+    , clamped(clamped)
     , owner(matrices.pattern.n_owned, matrices.pattern.partitioner->get_mpi_communicator())
     , mask_values(matrices.pattern.partitioner)
   {

@@ -98,8 +98,9 @@ namespace signorini
 
   template <int dim>
   LevelHierarchy<dim>::LevelHierarchy(const Discretization<dim>       &discretization,
-                                      const std::vector<unsigned int> &clamped)
+                                      const std::vector<unsigned int> &clamped_nodes)
     : finest(&discretization.matrices())
+    , clamped(clamped_nodes)
     , is_clamped(finest->pattern.n_owned, 0)
   {
     for (const unsigned int node : clamped)
@@ -108,7 +109,13 @@ namespace signorini
     unsigned int                  top     = 0;
     for (const NodeOrigin &origin : origins)
       top = std::max(top, origin.level);
-    top = Utilities::MPI::max(top, discretization.communicator());
+    top                     = Utilities::MPI::max(top, discretization.communicator());
+    unsigned int n_coarsest = 0;
+    for (std::size_t node = 0; node < origins.size(); ++node)
+      n_coarsest +=
+        origins[node].level == 0 && !finest->pattern.is_empty(node) && !is_clamped[node];
+    if (Utilities::MPI::sum(n_coarsest, discretization.communicator()) == 0)
+      forget_clamped();
     std::vector<unsigned int> nodes(origins.size()); // of the level, by number in the finest
     std::iota(nodes.begin(), nodes.end(), 0);
     for (unsigned int level = top; level > 0; --level)
@@ -116,6 +123,14 @@ namespace signorini
     while (coarse.empty() || matrices(0).pattern.partitioner->size() > largest_coarse_level)
       if (!add_algebraic_level(discretization, nodes))
         break;
+  }
+
+
+  template <int dim>
+  void LevelHierarchy<dim>::forget_clamped()
+  {
+    clamped.clear();
+    is_clamped.assign(is_clamped.size(), 0);
   }
 
 
@@ -179,7 +194,16 @@ namespace signorini
       positions.push_back(discretization.node_positions()[node]);
     Coarsening coarsening = coarsen(matrices(0), positions);
     if (coarse.empty())
-      take_out_clamped(is_clamped, coarsening);
+      {
+        const Coarsening with_clamped = coarsening;
+        take_out_clamped(is_clamped, coarsening);
+        if (Utilities::MPI::sum(static_cast<unsigned int>(coarsening.kept.size()), communicator)
+            == 0)
+          {
+            forget_clamped();
+            coarsening = with_clamped;
+          }
+      }
     const auto n_before = matrices(0).pattern.partitioner->size() / dim,
                n_after =
                  Utilities::MPI::sum(types::global_dof_index(coarsening.kept.size()), communicator);

@@ -169,7 +169,7 @@ namespace signorini
           }
         group_start.push_back(groups.size());
       }
-    find_supports(matrices, scale * sum.stiffness);
+    find_supports(matrices, sum, scale);
   }
 
 
@@ -193,7 +193,8 @@ namespace signorini
 
   template <int dim, typename Number>
   void LevelMatrix<dim, Number>::find_supports(const ElasticMatrices<dim> &matrices,
-                                               const double                factor)
+                                               const MatrixSum            &sum,
+                                               const double                scale)
   {
     const NodePattern &pattern = matrices.pattern;
     std::vector<Block> sums(nodes.n_owned, Block::Zero());
@@ -210,6 +211,7 @@ namespace signorini
         const Eigen::Map<const Block> own(matrices.stiffness[pattern.row_start[node]].data());
         if (sums[node].norm() <= round_off * own.norm())
           continue;
+        const double factor = scale * matrices.at_node(node, sum).stiffness;
         supports.push_back({{}, node});
         for (unsigned int i = 0; i < dim * dim; ++i)
           supports.back().stiffness[i] = factor * sums[node].data()[i];

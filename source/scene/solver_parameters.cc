@@ -40,6 +40,13 @@ namespace signorini
                       "(solves in single precision, refined), incomplete-cholesky, "
                       "multigrid (geometric), ml (algebraic multigrid), or automatic (chosen from "
                       "Courant number and mesh; multigrid for static problems).");
+    prm.declare_entry("Condensation",
+                      name_of(defaults.condensation),
+                      choices_of<CondensationKind>(),
+                      "Whether steps are solved for the contact nodes alone, with a direct factor "
+                      "of the rest: automatic (where that is faster: in the plane, unless a "
+                      "preconditioner is asked for), always, or never. On one process; runs on "
+                      "several ones do without.");
     prm.declare_entry("Tolerance",
                       as_text(defaults.tolerance),
                       Double(),
@@ -67,6 +74,7 @@ namespace signorini
               "knows no friction, which is no minimisation. Remove the key, or set the `Friction "
               "coefficient` of all pairs to 0.");
     solver.preconditioner = in.choice<PreconditionerKind>("Preconditioner");
+    solver.condensation   = in.choice<CondensationKind>("Condensation");
     solver.tolerance =
       in.positive_number("Tolerance", "it bounds an error; give for example 2e-11");
     if (solver.tolerance > max_tolerance)

@@ -8,6 +8,7 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -52,6 +53,37 @@ namespace signorini
       cost.solves_roughly   = true;
       return choose_preconditioner(cost) == PreconditionerKind::multigrid;
     }
+
+
+    /** What the factor of condensed steps takes: in the plane, by a line through measured sizes. */
+    template <int dim>
+    double memory_of_condensation(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
+    {
+      const auto &discretization = meshed.discretization;
+      if (dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1
+          || scene.solver.condensation == CondensationKind::never
+          || !scheme_info(scene.time.scheme).inertia)
+        return 0.;
+      const double n_dofs = discretization.dof_handler().n_dofs();
+      const bool   is_free_to_choose =
+        scene.solver.condensation == CondensationKind::automatic
+        && scene.solver.preconditioner == PreconditionerKind::automatic;
+      const CondensationCost cost{dim,
+                                  discretization.dof_handler().n_dofs(),
+                                  discretization.mesh().courant_number(scene.time.step_size),
+                                  scene.time.n_steps(),
+                                  has_friction(scene.pairs),
+                                  scene.motion == ContactMotion::follow,
+                                  n_contact_entries(meshed.coordinates)};
+      if (scene.solver.condensation == CondensationKind::automatic
+          && !(is_free_to_choose && condensation_pays(cost)))
+        return 0.;
+      constexpr double bytes_per_number = 12., of_the_matrix = 25.;
+      const double     numbers_per_row = 8.5 * std::log2(n_dofs) - 57.;
+      return bytes_per_number * n_dofs * (std::max(0., numbers_per_row) + of_the_matrix);
+    }
+
+
     /** Of this process: now, and the most so far. */
     std::pair<double, double> resident_bytes()
     {
@@ -68,9 +100,11 @@ namespace signorini
       std::ostringstream  no_table;
       dealii::TimerOutput timer(
         no_table, dealii::TimerOutput::never, dealii::TimerOutput::wall_times);
-      const double      step = scene.time.step_size, before = resident_bytes().first;
-      StepMatrices<dim> matrices(
-        meshed.discretization, meshed.coordinates, {PreconditionerKind::multigrid, 1}, timer);
+      const double         step = scene.time.step_size, before = resident_bytes().first;
+      PreconditionerChoice multigrid;
+      multigrid.kind         = PreconditionerKind::multigrid;
+      multigrid.condensation = CondensationKind::never;
+      StepMatrices<dim> matrices(meshed.discretization, meshed.coordinates, multigrid, timer);
       matrices.get(0.25 * step * step, 0., step);
       return std::max(0., resident_bytes().first - before);
     }
@@ -87,10 +121,11 @@ namespace signorini
     dealii::Utilities::System::MemoryStats measured;
     dealii::Utilities::System::get_memory_stats(measured);
     const double prepared  = 1024. * measured.VmHWM; // kB
-    const bool   multigrid = takes_multigrid(scene, meshed);
+    const double condensed = memory_of_condensation(scene, meshed);
+    const bool   multigrid = condensed == 0. && takes_multigrid(scene, meshed);
     const double steps =
       bytes_per_unknown<dim>(multigrid) * discretization.locally_owned().n_elements()
-      + (multigrid ? memory_of_multigrid(scene, meshed) : 0.);
+      + (multigrid ? memory_of_multigrid(scene, meshed) : 0.) + condensed;
     const double fields =
       scene.output.vtu ? bytes_per_cell<dim> * triangulation.n_locally_owned_active_cells() : 0.;
     // While levels are made they may take more than they keep.

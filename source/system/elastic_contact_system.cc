@@ -48,7 +48,13 @@ namespace signorini
         {parameters.solver.preconditioner,
          parameters.mesh_life_time,
          (friction.any() || parameters.solver.inequality == InequalityMethod::active_set)
-           && sweeps_know_all(coordinates, discretization.communicator())},
+           && sweeps_know_all(coordinates, discretization.communicator()),
+         friction.any(),
+         parameters.solver.condensation,
+         [this] {
+           return make_solver(
+             friction.any(), this->parameters.solver.inequality, this->parameters.solver.limits);
+         }},
         timer)
     , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
     , solver(make_solver(friction.any(), parameters.solver.inequality, parameters.solver.limits))
@@ -62,6 +68,7 @@ namespace signorini
                                                      ContactSurface<dim>            &moving_surface,
                                                      ContactCoordinates<dim> &moving_coordinates)
   {
+    step_matrices.let_contact_follow();
     step_contact = std::make_unique<StepContact<dim>>(
       discretization, dirichlet, moving_surface, moving_coordinates, [this] {
         std::vector<bool> held = mass_problems.held_by_projection();
@@ -219,7 +226,8 @@ namespace signorini
       friction_of_nodes,
       continues,
       step_contact && step_contact->steps_are_trials()};
-    solution.effort = solver->solve(constrained, active, increment, residual);
+    ConstrainedSolver &of_step = matrix.condensed ? *matrix.condensed : *solver;
+    solution.effort            = of_step.solve(constrained, active, increment, residual);
     matrix.effort.add(solution.effort);
 
     extract(friction_of_nodes, residual, problem.further_reaction != nullptr, drag, solution);
@@ -331,6 +339,9 @@ namespace signorini
     if (!step_matrices.preconditioner_name().empty())
       text << "; preconditioner " << step_matrices.preconditioner_name();
     text << "\n";
+    if (step_matrices.n_factors() > 0)
+      text << "  condensation      steps were solved for contact nodes, with "
+           << step_matrices.n_factors() << " direct factors of the rest\n";
     if (step_matrices.n_built() > 1)
       text << "  step matrices     " << step_matrices.n_built() << " preconditioners built\n";
     return text.str();

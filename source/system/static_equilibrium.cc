@@ -67,17 +67,35 @@ namespace signorini
     }
 
 
+    /** The largest extent of a body over about its thickness: 1 for a cube. Collective. */
+    template <int dim>
+    double largest_slenderness(const Mesh<dim> &mesh)
+    {
+      std::vector<double> volumes(mesh.bodies().size(), 0.);
+      for (const auto &cell : mesh.active_cells())
+        if (cell->is_locally_owned())
+          volumes[cell->material_id()] += cell->measure();
+      dealii::Utilities::MPI::sum(volumes, mesh.communicator(), volumes);
+      double largest = 1.;
+      for (std::size_t body = 0; body < volumes.size(); ++body)
+        largest = std::max(largest, std::pow(mesh.body_size(body), dim) / volumes[body]);
+      return largest;
+    }
+
+
     /**
      * Whether motions with next to no energy have to be told from none, for which single precision
-     * is not enough. A body that is held on one side bends more slowly than a free one.
+     * is not enough: bodies that may move freely, or bend slowly. A body that is held on one side
+     * does so more slowly than a free one.
      */
     template <int dim>
     bool has_slow_motions(const Discretization<dim> &discretization, const Eigen::MatrixXd &loose)
     {
-      constexpr double as_free = 10.;
+      constexpr double as_free = 3.;
+      const Mesh<dim> &mesh    = discretization.mesh();
       return loose.cols() > 0
-             || needs_double_precision(discretization,
-                                       2. * as_free / discretization.mesh().lowest_frequency());
+             || needs_double_precision(
+               discretization, 2. * as_free * largest_slenderness(mesh) / mesh.lowest_frequency());
     }
   } // namespace
 

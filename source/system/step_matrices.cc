@@ -5,6 +5,7 @@
 #include <signorini/system/step_matrices.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace signorini
 {
@@ -15,6 +16,38 @@ namespace signorini
     /** In solutions: older increments belong to another phase of the motion. */
     constexpr unsigned int forget_age = 4;
   } // namespace
+
+
+  bool condensation_pays(const CondensationCost &cost)
+  {
+    // In space a factor fills up: at 10 000 degrees of freedom a solution takes ten iterations'
+    // time. In the plane it is faster than iterations from the first steps with a wave through a
+    // few cells on. What the factor costs comes back after some solutions: fewer where they are
+    // dearer, in long steps and with friction.
+    constexpr double least_courant_number = 1.5, most_dofs = 2e5;
+    // What is left is a full matrix, with a factor for each set of closed nodes.
+    constexpr unsigned int most_contact_entries = 1200;
+    if (cost.dim != 2 || cost.courant_number < least_courant_number || cost.n_dofs > most_dofs
+        || cost.n_contact_entries > most_contact_entries)
+      return false;
+    // The factor takes longer, too, compared with iterations, the larger the mesh is.
+    const double     dear      = cost.with_friction || cost.contact_follows ? 2.5 : 1.;
+    constexpr double of_a_step = 4.; // where contact follows the motion
+    return (cost.contact_follows ? of_a_step : 1.) * cost.steps
+           > 100. / (dear * std::max(1., cost.courant_number / 2.))
+               + 3. * std::sqrt(cost.n_dofs / 1e4);
+  }
+
+
+  template <int dim>
+  unsigned int n_contact_entries(const ContactCoordinates<dim> &coordinates)
+  {
+    return dim
+           * (coordinates.surface_nodes().size() + coordinates.coupling().owned_partners().size());
+  }
+
+  template unsigned int n_contact_entries(const ContactCoordinates<2> &);
+  template unsigned int n_contact_entries(const ContactCoordinates<3> &);
 
 
   template <int dim>
@@ -58,6 +91,7 @@ namespace signorini
           {sum,
            std::make_unique<StepOperator<dim>>(discretization.matrices(), coordinates, sum),
            nullptr,
+           nullptr,
            IncrementForecast(parts),
            PreconditionerKind::automatic,
            uses,
@@ -68,9 +102,46 @@ namespace signorini
     if (uses - matrix.last_use > forget_age)
       matrix.forecast.clear();
     matrix.last_use = uses;
+    condense(matrix, step_size);
     choose(matrix, step_size);
     ++matrix.n_uses;
     return matrix;
+  }
+
+
+  template <int dim>
+  void StepMatrices<dim>::condense(StepMatrix<dim> &matrix, const double step_size)
+  {
+    if (matrix.condensed || preconditioner.condensation == CondensationKind::never
+        || dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
+      return;
+    // Steps that find events and halves of steps pass sizes that do not come back.
+    constexpr unsigned int uses_of_passing_sizes = 3;
+    if (recent.size() > 1 && matrix.n_uses < uses_of_passing_sizes)
+      return;
+    const CondensationCost cost{dim,
+                                discretization.dof_handler().n_dofs(),
+                                discretization.mesh().courant_number(step_size),
+                                std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses),
+                                preconditioner.with_friction,
+                                contact_follows,
+                                n_contact_entries(coordinates)};
+    const bool is_free_to_choose = preconditioner.condensation == CondensationKind::automatic
+                                   && preconditioner.kind == PreconditionerKind::automatic;
+    if (preconditioner.condensation == CondensationKind::always
+        || (is_free_to_choose && condensation_pays(cost)))
+      matrix.condensed = std::make_unique<CondensedContact<dim>>(
+        discretization.matrices(), coordinates, matrix.sum, preconditioner.make_solver());
+  }
+
+
+  template <int dim>
+  unsigned int StepMatrices<dim>::n_factors() const
+  {
+    unsigned int n = 0;
+    for (const StepMatrix<dim> &matrix : recent)
+      n += matrix.condensed ? matrix.condensed->n_factors() : 0;
+    return n;
   }
 
 
@@ -80,6 +151,8 @@ namespace signorini
     if ((matrix.n_uses & (matrix.n_uses - 1)) != 0)
       return; // only for the first use, and when their number has doubled
     PreconditionerKind kind = preconditioner.kind;
+    if (kind == PreconditionerKind::automatic && matrix.condensed) // it measures forces only
+      kind = matrix.preconditioner ? matrix.kind : PreconditionerKind::jacobi;
     if (kind == PreconditionerKind::automatic)
       {
         StepCost cost;

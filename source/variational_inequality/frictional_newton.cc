@@ -20,8 +20,10 @@ namespace signorini
     class IterateSizes
     {
     public:
-      IterateSizes(const Vector &first, const double tolerance)
+      /** @param negligible a length */
+      IterateSizes(const Vector &first, const double tolerance, const double negligible)
         : tolerance(tolerance)
+        , negligible(negligible)
         , at_start(first.l2_norm())
         , now(at_start)
         , largest(at_start)
@@ -39,7 +41,7 @@ namespace signorini
       }
 
       /** Newton's method is lost. */
-      bool went_astray() const { return !(now <= 1e4 * at_start); }
+      bool went_astray() const { return !(now <= 1e4 * std::max(at_start, negligible)); }
       /** The round-off of larger iterates, or of a solver, is in the residual that they leave. */
       bool left_round_off() const { return largest > 10. * now || all_lost > 0.1 * tolerance; }
       void forget()
@@ -51,6 +53,7 @@ namespace signorini
       double tolerance;
 
     private:
+      double negligible;
       double at_start, now, largest, all_lost = 0.;
       bool   is_first = true;
     };
@@ -102,7 +105,7 @@ namespace signorini
     const ActiveSet at_start  = status;
     stiffness                 = node_stiffness(problem);
     start(problem, status, solution, residual);
-    IterateSizes sizes(solution, tolerance);
+    IterateSizes sizes(solution, tolerance, problem.bound_tolerance);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
@@ -118,7 +121,8 @@ namespace signorini
             solution = 0.;
             residual = problem.right_hand_side;
             start(problem, status = at_start, solution, residual);
-            sizes = IterateSizes(solution, tolerance = std::max(tolerance, sizes.tolerance));
+            sizes = IterateSizes(
+              solution, tolerance = std::max(tolerance, sizes.tolerance), problem.bound_tolerance);
             if (!may_be_for_want_of_accuracy(record, precision))
               break;
             continue;

@@ -329,18 +329,24 @@ class SmallScenes(check_history.SceneTest):
             runs = [
                 check_history.Run(
                     text,
-                    f"small-{name}-{preconditioner}-{method}",
-                    [f"Solver/Preconditioner={preconditioner}", f"Solver/Inequality={method}"],
+                    f"small-{name}-{preconditioner}-{method}-{condensation}",
+                    [
+                        f"Solver/Preconditioner={preconditioner}",
+                        f"Solver/Inequality={method}",
+                        f"Solver/Condensation={condensation}",
+                    ],
                 )
-                for preconditioner, method in (
-                    ("jacobi", "active-set"),
-                    ("symmetric-gauss-seidel", "active-set"),
-                    ("incomplete-cholesky", "active-set"),
-                    ("ml", "active-set"),
-                    ("multigrid", "active-set"),
-                    ("multigrid", "truncated-newton-multigrid"),
-                    ("incomplete-cholesky", "truncated-newton-multigrid"),
-                    ("symmetric-gauss-seidel", "truncated-newton-multigrid"),
+                for preconditioner, method, condensation in (
+                    ("jacobi", "active-set", "never"),
+                    ("symmetric-gauss-seidel", "active-set", "never"),
+                    ("incomplete-cholesky", "active-set", "automatic"),
+                    ("ml", "active-set", "automatic"),
+                    ("multigrid", "active-set", "automatic"),
+                    ("multigrid", "truncated-newton-multigrid", "automatic"),
+                    ("incomplete-cholesky", "truncated-newton-multigrid", "automatic"),
+                    ("symmetric-gauss-seidel", "truncated-newton-multigrid", "automatic"),
+                    ("automatic", "active-set", "always"),
+                    ("automatic", "truncated-newton-multigrid", "always"),
                 )
             ]
             self.expect_contact(runs[0])

@@ -6,6 +6,7 @@
 
 #include <signorini/base/inequality_method.h>
 #include <signorini/base/solve_report.h>
+#include <signorini/model/condensation_kind.h>
 
 namespace signorini
 {
@@ -37,6 +38,7 @@ namespace signorini
   {
     InequalityMethod   inequality     = InequalityMethod::active_set;
     PreconditionerKind preconditioner = PreconditionerKind::automatic;
+    CondensationKind   condensation   = CondensationKind::automatic;
     /**
      * Solutions are accepted when their error in the energy norm of the velocity is below
      * `tolerance` times the root of the largest energy of the run so far; the energy ledger then

@@ -36,10 +36,11 @@ namespace signorini
     };
     using Row = std::vector<Part>;
 
-    /** Collective. All must outlive the object. */
-    HeldRows(const ElasticMatrices<dim>    &matrices,
-             const ContactCoordinates<dim> &coordinates,
-             const MatrixSum               &sum);
+    /** Collective. All must outlive the object. @param clamped owned nodes that are left out */
+    HeldRows(const ElasticMatrices<dim>      &matrices,
+             const ContactCoordinates<dim>   &coordinates,
+             const MatrixSum                 &sum,
+             const std::vector<unsigned int> &clamped);
 
     /** Take note of what is held. Collective. @return the numbers of entries that are new */
     std::vector<unsigned int> set_mask(Mask mask);
@@ -82,15 +83,15 @@ namespace signorini
         archive &directions &measures;
       }
     };
-    const ElasticMatrices<dim>     &matrices;
-    const ContactCoordinates<dim>  &coordinates;
-    const MatrixSum                 sum;
-    const RelativeRows<dim>         relative_rows;
-    const std::vector<unsigned int> clamped; ///< nodes
-    NodeOwners                      owner;
-    mutable Vector                  mask_values;
-    std::vector<Entry>              entries;
-    std::vector<unsigned int>       owned;
+    const ElasticMatrices<dim>      &matrices;
+    const ContactCoordinates<dim>   &coordinates;
+    const MatrixSum                  sum;
+    const RelativeRows<dim>          relative_rows;
+    const std::vector<unsigned int> &clamped;
+    NodeOwners                       owner;
+    mutable Vector                   mask_values;
+    std::vector<Entry>               entries;
+    std::vector<unsigned int>        owned;
     /** The prescribed directions of partners. */
     std::map<Node, std::vector<std::array<double, dim>>> prescribed_of_partners;
     /** Numbers of the entries of a local node; unknown ones are invalid. */

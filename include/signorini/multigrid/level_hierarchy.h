@@ -18,7 +18,7 @@ namespace signorini
    * a direct factor, levels go on below it by their couplings. Built once for a mesh and its mass.
    *
    * Nodes of which all entries are prescribed are in no coarser level, and follow nothing: the
-   * displacements of coarser levels are zero there.
+   * displacements of coarser levels are zero there. (Unless there would be no coarser level.)
    */
   template <int dim>
   class LevelHierarchy
@@ -27,6 +27,9 @@ namespace signorini
     /** Collective. The discretisation must outlive the object. @param clamped owned nodes */
     LevelHierarchy(const Discretization<dim>       &discretization,
                    const std::vector<unsigned int> &clamped);
+
+    /** The owned nodes of the finest level that are in no coarser one for what is prescribed. */
+    const std::vector<unsigned int> &clamped_nodes() const { return clamped; }
 
     /** With the finest one: two at least. */
     unsigned int n_levels() const { return coarse.size() + 1; }
@@ -78,6 +81,7 @@ namespace signorini
       GhostValues          ghosts;         ///< nodes that local finer nodes follow
     };
     const ElasticMatrices<dim> *finest;
+    std::vector<unsigned int>   clamped;
     std::vector<char>           is_clamped; ///< nodes of the finest level
     std::deque<Level>           coarse;     ///< from level 0 on
 
@@ -86,6 +90,7 @@ namespace signorini
                            const std::vector<NodeOrigin> &origins,
                            unsigned int                   level,
                            std::vector<unsigned int>     &nodes);
+    void forget_clamped();
     /** @return false if it would hardly be coarser */
     bool add_algebraic_level(const Discretization<dim> &discretization,
                              std::vector<unsigned int> &nodes);

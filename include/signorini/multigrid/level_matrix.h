@@ -100,7 +100,7 @@ namespace signorini
     /** Room for all that rows will have. @param smoothed with ghosts */
     void reserve(const NodePattern &pattern, const std::vector<char> &smoothed);
     /** Where the level smooths. */
-    void find_supports(const ElasticMatrices<dim> &matrices, double factor);
+    void find_supports(const ElasticMatrices<dim> &matrices, const MatrixSum &sum, double scale);
   };
 } // namespace signorini
 

@@ -4,12 +4,15 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
+#include <signorini/condensation/condensed_contact.h>
+#include <signorini/model/condensation_kind.h>
 #include <signorini/multigrid/level_hierarchy.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/increment_forecast.h>
 
 #include <deal.II/base/timer.h>
 
+#include <functional>
 #include <list>
 
 namespace signorini
@@ -24,7 +27,9 @@ namespace signorini
     MatrixSum                             sum; ///< 1, s and c
     std::unique_ptr<StepOperator<dim>>    product;
     std::unique_ptr<MaskedPreconditioner> preconditioner;
-    IncrementForecast                     forecast;
+    /** Solves for contact nodes alone, if that is faster. */
+    std::unique_ptr<CondensedContact<dim>> condensed;
+    IncrementForecast                      forecast;
     /** Of the preconditioner; automatic: there is none yet. */
     PreconditionerKind kind     = PreconditionerKind::automatic;
     unsigned int       last_use = 0; ///< counted in solutions
@@ -41,7 +46,31 @@ namespace signorini
     /** See StepCost. */
     bool solves_roughly = false;
     bool with_friction  = false;
+
+    CondensationKind condensation = CondensationKind::automatic;
+    /** Makes the solver of condensed problems. */
+    std::function<std::unique_ptr<ConstrainedSolver>()> make_solver;
   };
+
+  /** What decides whether steps are solved for the contact nodes alone. */
+  struct CondensationCost
+  {
+    unsigned int                    dim;
+    dealii::types::global_dof_index n_dofs;
+    double                          courant_number;
+    /** Steps that are expected with one factor. */
+    unsigned int steps;
+    bool         with_friction;
+    bool         contact_follows;
+    unsigned int n_contact_entries; ///< of nodes that may touch, and of partners
+  };
+
+  /** Of this process. */
+  template <int dim>
+  unsigned int n_contact_entries(const ContactCoordinates<dim> &coordinates);
+
+  /** Whether a direct factor saves more than it costs (doc/performance.md). */
+  bool condensation_pays(const CondensationCost &cost);
 
   /**
    * The matrices of the step sizes that are in use: the latest few. Steps that are doubled come
@@ -63,6 +92,9 @@ namespace signorini
      */
     StepMatrix<dim> &get(double stiffness_factor, double damping_factor, double step_size);
 
+    /** From now on a step has several solutions. */
+    void let_contact_follow() { contact_follows = true; }
+
     /** Of the last matrix; empty if there was none. */
     std::string preconditioner_name() const
     {
@@ -72,6 +104,9 @@ namespace signorini
     /** Number of preconditioners built so far. */
     unsigned int n_built() const { return built; }
 
+    /** Number of direct factors that the matrices in use were condensed with. */
+    unsigned int n_factors() const;
+
   private:
     const Discretization<dim>                 &discretization;
     const ContactCoordinates<dim>             &coordinates;
@@ -79,11 +114,14 @@ namespace signorini
     dealii::TimerOutput                       &timer;
     std::list<StepMatrix<dim>>                 recent; ///< latest first
     unsigned int                               uses = 0, built = 0;
+    bool                                       contact_follows = false;
     std::shared_ptr<const LevelHierarchy<dim>> hierarchy; ///< once it is needed
     std::shared_ptr<const SeparateParts>       parts;     ///< with guesses of their own; likewise
 
     /** Give the matrix the preconditioner that pays, unless it has it. */
     void choose(StepMatrix<dim> &matrix, double step_size);
+    /** Condense it from now on if that pays. */
+    void condense(StepMatrix<dim> &matrix, double step_size);
   };
 } // namespace signorini
 
