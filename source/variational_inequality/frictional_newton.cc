@@ -30,6 +30,11 @@ namespace signorini
       {
       }
 
+      void restart(const Vector &first, const double new_tolerance)
+      {
+        *this = IterateSizes(first, new_tolerance, negligible);
+      }
+
       /** @param lost of the residual, on the way there */
       void add(const Vector &iterate, const double lost)
       {
@@ -121,8 +126,7 @@ namespace signorini
             solution = 0.;
             residual = problem.right_hand_side;
             start(problem, status = at_start, solution, residual);
-            sizes = IterateSizes(
-              solution, tolerance = std::max(tolerance, sizes.tolerance), problem.bound_tolerance);
+            sizes.restart(solution, tolerance = std::max(tolerance, sizes.tolerance));
             if (!may_be_for_want_of_accuracy(record, precision))
               break;
             continue;
