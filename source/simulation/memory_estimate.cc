@@ -68,13 +68,16 @@ namespace signorini
       const bool   is_free_to_choose =
         scene.solver.condensation == CondensationKind::automatic
         && scene.solver.preconditioner == PreconditionerKind::automatic;
+      const bool             are_coupled = meshed.coordinates.coupling().any();
+      const auto             parts = SeparateParts::of<dim>(discretization.matrices().pattern);
       const CondensationCost cost{dim,
                                   discretization.dof_handler().n_dofs(),
                                   discretization.mesh().courant_number(scene.time.step_size),
                                   scene.time.n_steps(),
                                   has_friction(scene.pairs),
                                   scene.motion == ContactMotion::follow,
-                                  n_contact_entries(meshed.coordinates)};
+                                  n_contact_entries(meshed.coordinates),
+                                  are_coupled ? 1 : parts.n};
       if (scene.solver.condensation == CondensationKind::automatic
           && !(is_free_to_choose && condensation_pays(cost)))
         return 0.;

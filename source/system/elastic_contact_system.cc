@@ -336,12 +336,14 @@ namespace signorini
     std::ostringstream  text;
     text << "  products          " << products.combined << " with M + s A, " << products.stiffness
          << " with A, " << products.mass << " with M";
-    if (!step_matrices.preconditioner_name().empty())
+    const unsigned int n_factors = step_matrices.n_factors();
+    if (n_factors == 0 && !step_matrices.preconditioner_name().empty())
       text << "; preconditioner " << step_matrices.preconditioner_name();
     text << "\n";
-    if (step_matrices.n_factors() > 0)
+    if (n_factors > 0)
       text << "  condensation      steps were solved for contact nodes, with "
-           << step_matrices.n_factors() << " direct factors of the rest\n";
+           << (n_factors == 1 ? "a direct factor" : std::to_string(n_factors) + " direct factors")
+           << " of the rest of the last mesh\n";
     if (step_matrices.n_built() > 1)
       text << "  step matrices     " << step_matrices.n_built() << " preconditioners built\n";
     return text.str();

@@ -13,6 +13,8 @@ namespace signorini
   {
     /** Matrices: sizes of steps and half steps, and their neighbours. */
     constexpr unsigned int n_kept = 4;
+    /** About, where contact follows the motion. */
+    constexpr unsigned int solutions_of_a_step = 4;
     /** In solutions: older increments belong to another phase of the motion. */
     constexpr unsigned int forget_age = 4;
   } // namespace
@@ -28,12 +30,11 @@ namespace signorini
     // What is left is a full matrix, with a factor for each set of closed nodes.
     constexpr unsigned int most_contact_entries = 1200;
     if (cost.dim != 2 || cost.courant_number < least_courant_number || cost.n_dofs > most_dofs
-        || cost.n_contact_entries > most_contact_entries)
+        || cost.n_contact_entries > most_contact_entries || cost.n_parts > 1)
       return false;
     // The factor takes longer, too, compared with iterations, the larger the mesh is.
-    const double     dear      = cost.with_friction || cost.contact_follows ? 2.5 : 1.;
-    constexpr double of_a_step = 4.; // where contact follows the motion
-    return (cost.contact_follows ? of_a_step : 1.) * cost.steps
+    const double dear = cost.with_friction || cost.contact_follows ? 2.5 : 1.;
+    return (cost.contact_follows ? solutions_of_a_step : 1U) * cost.steps
            > 100. / (dear * std::max(1., cost.courant_number / 2.))
                + 3. * std::sqrt(cost.n_dofs / 1e4);
   }
@@ -119,13 +120,15 @@ namespace signorini
     constexpr unsigned int uses_of_passing_sizes = 3;
     if (recent.size() > 1 && matrix.n_uses < uses_of_passing_sizes)
       return;
+    const unsigned int steps_so_far = matrix.n_uses / (contact_follows ? solutions_of_a_step : 1U);
     const CondensationCost cost{dim,
                                 discretization.dof_handler().n_dofs(),
                                 discretization.mesh().courant_number(step_size),
-                                std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses),
+                                std::max(preconditioner.mesh_life_time, 2 * steps_so_far),
                                 preconditioner.with_friction,
                                 contact_follows,
-                                n_contact_entries(coordinates)};
+                                n_contact_entries(coordinates),
+                                parts->n};
     const bool is_free_to_choose = preconditioner.condensation == CondensationKind::automatic
                                    && preconditioner.kind == PreconditionerKind::automatic;
     if (preconditioner.condensation == CondensationKind::always

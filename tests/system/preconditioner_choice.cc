@@ -93,6 +93,9 @@ TEST(CondensationChoice, IsForThePlane)
   cost.n_dofs            = 10000;
   cost.n_contact_entries = 2000;
   EXPECT_FALSE(condensation_pays(cost)) << "the matrix that is left is full";
+  cost.n_contact_entries = 200;
+  cost.n_parts           = 2;
+  EXPECT_FALSE(condensation_pays(cost)) << "iterations leave out what nothing happens to";
 }
 
 TEST(CondensationChoice, PaysAfterFewerSolutionsWhereTheyAreDear)

@@ -63,6 +63,8 @@ namespace signorini
     bool         with_friction;
     bool         contact_follows;
     unsigned int n_contact_entries; ///< of nodes that may touch, and of partners
+    /** Bodies that nothing couples: iterations leave out those to which nothing happens. */
+    unsigned int n_parts = 1;
   };
 
   /** Of this process. */
