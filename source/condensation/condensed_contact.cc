@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/contact_status.h>
 #include <signorini/base/user_error.h>
 #include <signorini/condensation/condensed_contact.h>
+#include <signorini/variational_inequality/held_values.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,20 +50,6 @@ namespace signorini
       std::sort(list.begin(), list.end());
       list.erase(std::unique(list.begin(), list.end()), list.end());
     }
-
-    /** Prescribed entries are along axes, or against them. */
-    template <int dim>
-    std::vector<char> prescribed_components(const ContactCoordinates<dim> &coordinates, Vector held)
-    {
-      held = 0.;
-      for (const unsigned int entry : coordinates.dirichlet_entries())
-        held.local_element(entry) = 1.;
-      coordinates.rotate_from_frames(held);
-      std::vector<char> result(held.locally_owned_size());
-      for (std::size_t i = 0; i < result.size(); ++i)
-        result[i] = std::abs(held.local_element(i)) > 0.5;
-      return result;
-    }
   } // namespace
 
 
@@ -76,7 +62,7 @@ namespace signorini
     , coordinates(coordinates)
     , sum(sum)
     , small(std::move(small))
-    , prescribed(prescribed_components<dim>(coordinates, Vector(matrices.pattern.partitioner)))
+    , prescribed(coordinates.prescribed_components())
     , diagonal_over_matrix(largest_ratio_to_mass(matrices, sum))
     , work(matrices.pattern.partitioner)
   {
@@ -91,7 +77,7 @@ namespace signorini
   {
     check_sizes(problem, active, solution, residual);
     // Steps from the guess: where it is the solution they are zero, without round-off.
-    put_to_values(problem, {}, solution);
+    move_to_values(problem, {}, solution);
     compute_residual(problem, solution, residual);
     if (const auto needed = nodes_at_bounds(problem, active, solution); !factor || !has(needed))
       choose_nodes(problem, needed, solution);
@@ -111,7 +97,7 @@ namespace signorini
             choose_nodes(problem, needed, next);
           }
         solution = next;
-        put_to_values(problem, active, solution);
+        move_to_values(problem, active, solution);
         compute_residual(problem, solution, residual);
         const double before = std::exchange(error, error_bound(problem, active, residual));
         if (!std::isfinite(error))
@@ -120,16 +106,6 @@ namespace signorini
           break;
       }
     return report;
-  }
-
-
-  template <int dim>
-  void CondensedContact<dim>::compute_residual(const ConstrainedProblem &problem,
-                                               const Vector             &solution,
-                                               Vector                   &residual) const
-  {
-    problem.matrix.vmult(residual, solution);
-    residual.sadd(-1., 1., problem.right_hand_side);
   }
 
 
@@ -178,24 +154,6 @@ namespace signorini
     for (unsigned int i = 0; i < work.locally_owned_size(); ++i)
       square += work.local_element(i) * work.local_element(i) / diagonal.local_element(i);
     return std::sqrt(diagonal_over_matrix * square);
-  }
-
-
-  template <int dim>
-  void CondensedContact<dim>::put_to_values(const ConstrainedProblem &problem,
-                                            const ActiveSet          &active,
-                                            Vector                   &solution) const
-  {
-    for (std::size_t k = 0; k < active.size(); ++k)
-      {
-        if (contact_status::is_closed(active[k]))
-          solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
-        if (contact_status::sticks(active[k]))
-          for (std::size_t j = 0; j < problem.friction[k].entries.size(); ++j)
-            solution.local_element(problem.friction[k].entries[j]) = -problem.friction[k].past[j];
-      }
-    for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
-      solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
   }
 
 

@@ -154,6 +154,22 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<char> ContactCoordinates<dim>::prescribed_components() const
+  {
+    std::vector<char> components(n_owned_entries, 0);
+    for (const unsigned int entry : prescribed) // along axes, or against them
+      {
+        const Frame       &frame = frames.at(entry / dim);
+        const unsigned int node = entry / dim, row = entry % dim;
+        for (unsigned int c = 0; c < dim; ++c)
+          if (std::abs(frame[dim * row + c]) > 0.5)
+            components[dim * node + c] = 1;
+      }
+    return components;
+  }
+
+
+  template <int dim>
   std::vector<unsigned int> ContactCoordinates<dim>::clamped_nodes() const
   {
     std::map<unsigned int, unsigned int> n_prescribed;

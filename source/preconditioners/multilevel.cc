@@ -65,12 +65,10 @@ namespace signorini
     Vector dirichlet_components(const Discretization<dim>     &discretization,
                                 const ContactCoordinates<dim> &coordinates)
     {
-      Vector held = discretization.make_vector();
-      for (const unsigned int entry : coordinates.dirichlet_entries())
-        held.local_element(entry) = 1.;
-      coordinates.rotate_from_frames(held); // prescribed entries are along axes, or against them
-      for (unsigned int i = 0; i < held.locally_owned_size(); ++i)
-        held.local_element(i) = std::abs(held.local_element(i)) > 0.5 ? 1. : 0.;
+      const std::vector<char> components = coordinates.prescribed_components();
+      Vector                  held       = discretization.make_vector();
+      for (unsigned int i = 0; i < components.size(); ++i)
+        held.local_element(i) = components[i];
       held.update_ghost_values();
       return held;
     }

@@ -8,7 +8,6 @@
 #include <deal.II/base/utilities.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <sstream>
 #include <utility>
@@ -55,35 +54,22 @@ namespace signorini
     }
 
 
-    /** What the factor of condensed steps takes: in the plane, by a line through measured sizes. */
+    /** What the factor of condensed steps takes. */
     template <int dim>
     double memory_of_condensation(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
     {
-      const auto &discretization = meshed.discretization;
-      if (dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1
-          || scene.solver.condensation == CondensationKind::never
-          || !scheme_info(scene.time.scheme).inertia)
-        return 0.;
-      const double n_dofs = discretization.dof_handler().n_dofs();
-      const bool   is_free_to_choose =
-        scene.solver.condensation == CondensationKind::automatic
-        && scene.solver.preconditioner == PreconditionerKind::automatic;
-      const bool             are_coupled = meshed.coordinates.coupling().any();
-      const auto             parts = SeparateParts::of<dim>(discretization.matrices().pattern);
-      const CondensationCost cost{dim,
-                                  discretization.dof_handler().n_dofs(),
-                                  discretization.mesh().courant_number(scene.time.step_size),
-                                  scene.time.n_steps(),
-                                  has_friction(scene.pairs),
-                                  scene.motion == ContactMotion::follow,
-                                  n_contact_entries(meshed.coordinates),
-                                  are_coupled ? 1 : parts.n};
-      if (scene.solver.condensation == CondensationKind::automatic
-          && !(is_free_to_choose && condensation_pays(cost)))
-        return 0.;
-      constexpr double bytes_per_number = 12., of_the_matrix = 25.;
-      const double     numbers_per_row = 8.5 * std::log2(n_dofs) - 57.;
-      return bytes_per_number * n_dofs * (std::max(0., numbers_per_row) + of_the_matrix);
+      const StepsOfMatrix use{scene.time.step_size,
+                              scene.time.n_steps(),
+                              has_friction(scene.pairs),
+                              scene.motion == ContactMotion::follow};
+      return scheme_info(scene.time.scheme).inertia
+                 && condenses(scene.solver.condensation,
+                              scene.solver.preconditioner,
+                              meshed.discretization,
+                              meshed.coordinates,
+                              use)
+               ? memory_of_factor(meshed.discretization.dof_handler().n_dofs())
+               : 0.;
     }
 
 

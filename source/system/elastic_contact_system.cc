@@ -51,10 +51,8 @@ namespace signorini
            && sweeps_know_all(coordinates, discretization.communicator()),
          friction.any(),
          parameters.solver.condensation,
-         [this] {
-           return make_solver(
-             friction.any(), this->parameters.solver.inequality, this->parameters.solver.limits);
-         }},
+         parameters.solver.inequality,
+         parameters.solver.limits},
         timer)
     , mass_problems(discretization, surface, coordinates, parameters.solver, parameters.mass, timer)
     , solver(make_solver(friction.any(), parameters.solver.inequality, parameters.solver.limits))

@@ -3,9 +3,9 @@
 
 #include <signorini/multigrid/geometric_multigrid.h>
 #include <signorini/system/step_matrices.h>
+#include <signorini/variational_inequality/make_solver.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace signorini
 {
@@ -13,42 +13,9 @@ namespace signorini
   {
     /** Matrices: sizes of steps and half steps, and their neighbours. */
     constexpr unsigned int n_kept = 4;
-    /** About, where contact follows the motion. */
-    constexpr unsigned int solutions_of_a_step = 4;
     /** In solutions: older increments belong to another phase of the motion. */
     constexpr unsigned int forget_age = 4;
   } // namespace
-
-
-  bool condensation_pays(const CondensationCost &cost)
-  {
-    // In space a factor fills up: at 10 000 degrees of freedom a solution takes ten iterations'
-    // time. In the plane it is faster than iterations from the first steps with a wave through a
-    // few cells on. What the factor costs comes back after some solutions: fewer where they are
-    // dearer, in long steps and with friction.
-    constexpr double least_courant_number = 1.5, most_dofs = 2e5;
-    // What is left is a full matrix, with a factor for each set of closed nodes.
-    constexpr unsigned int most_contact_entries = 1200;
-    if (cost.dim != 2 || cost.courant_number < least_courant_number || cost.n_dofs > most_dofs
-        || cost.n_contact_entries > most_contact_entries || cost.n_parts > 1)
-      return false;
-    // The factor takes longer, too, compared with iterations, the larger the mesh is.
-    const double dear = cost.with_friction || cost.contact_follows ? 2.5 : 1.;
-    return (cost.contact_follows ? solutions_of_a_step : 1U) * cost.steps
-           > 100. / (dear * std::max(1., cost.courant_number / 2.))
-               + 3. * std::sqrt(cost.n_dofs / 1e4);
-  }
-
-
-  template <int dim>
-  unsigned int n_contact_entries(const ContactCoordinates<dim> &coordinates)
-  {
-    return dim
-           * (coordinates.surface_nodes().size() + coordinates.coupling().owned_partners().size());
-  }
-
-  template unsigned int n_contact_entries(const ContactCoordinates<2> &);
-  template unsigned int n_contact_entries(const ContactCoordinates<3> &);
 
 
   template <int dim>
@@ -103,8 +70,12 @@ namespace signorini
     if (uses - matrix.last_use > forget_age)
       matrix.forecast.clear();
     matrix.last_use = uses;
-    condense(matrix, step_size);
-    choose(matrix, step_size);
+    // Only for the first use, and when their number has doubled.
+    if ((matrix.n_uses & (matrix.n_uses - 1)) == 0)
+      {
+        condense(matrix, step_size);
+        choose(matrix, step_size);
+      }
     ++matrix.n_uses;
     return matrix;
   }
@@ -113,28 +84,23 @@ namespace signorini
   template <int dim>
   void StepMatrices<dim>::condense(StepMatrix<dim> &matrix, const double step_size)
   {
-    if (matrix.condensed || preconditioner.condensation == CondensationKind::never
-        || dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
-      return;
     // Steps that find events and halves of steps pass sizes that do not come back.
     constexpr unsigned int uses_of_passing_sizes = 3;
-    if (recent.size() > 1 && matrix.n_uses < uses_of_passing_sizes)
+    if (matrix.condensed || (recent.size() > 1 && matrix.n_uses < uses_of_passing_sizes))
       return;
-    const unsigned int steps_so_far = matrix.n_uses / (contact_follows ? solutions_of_a_step : 1U);
-    const CondensationCost cost{dim,
-                                discretization.dof_handler().n_dofs(),
-                                discretization.mesh().courant_number(step_size),
-                                std::max(preconditioner.mesh_life_time, 2 * steps_so_far),
-                                preconditioner.with_friction,
-                                contact_follows,
-                                n_contact_entries(coordinates),
-                                parts->n};
-    const bool is_free_to_choose = preconditioner.condensation == CondensationKind::automatic
-                                   && preconditioner.kind == PreconditionerKind::automatic;
-    if (preconditioner.condensation == CondensationKind::always
-        || (is_free_to_choose && condensation_pays(cost)))
+    const unsigned int  so_far = matrix.n_uses / (contact_follows ? solutions_of_a_step : 1U);
+    const StepsOfMatrix use{step_size,
+                            std::max(preconditioner.mesh_life_time, 2 * so_far),
+                            preconditioner.with_friction,
+                            contact_follows};
+    if (condenses(
+          preconditioner.condensation, preconditioner.kind, discretization, coordinates, use))
       matrix.condensed = std::make_unique<CondensedContact<dim>>(
-        discretization.matrices(), coordinates, matrix.sum, preconditioner.make_solver());
+        discretization.matrices(),
+        coordinates,
+        matrix.sum,
+        make_solver(
+          preconditioner.with_friction, preconditioner.inequality, preconditioner.limits));
   }
 
 
@@ -151,8 +117,6 @@ namespace signorini
   template <int dim>
   void StepMatrices<dim>::choose(StepMatrix<dim> &matrix, const double step_size)
   {
-    if ((matrix.n_uses & (matrix.n_uses - 1)) != 0)
-      return; // only for the first use, and when their number has doubled
     PreconditionerKind kind = preconditioner.kind;
     if (kind == PreconditionerKind::automatic && matrix.condensed) // it measures forces only
       kind = matrix.preconditioner ? matrix.kind : PreconditionerKind::jacobi;

@@ -3,6 +3,7 @@
 
 #include <signorini/variational_inequality/attainable_norm.h>
 #include <signorini/variational_inequality/frictional_newton.h>
+#include <signorini/variational_inequality/held_values.h>
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/status_record.h>
 
@@ -62,37 +63,6 @@ namespace signorini
       double at_start, now, largest, all_lost = 0.;
       bool   is_first = true;
     };
-
-
-    void
-    compute_residual(const ConstrainedProblem &problem, const Vector &solution, Vector &residual)
-    {
-      problem.matrix.vmult(residual, solution);
-      residual.sadd(-1., 1., problem.right_hand_side);
-    }
-
-
-    /** Move fixed entries, and those that statuses hold, to their values. @return how many moved */
-    unsigned int
-    move_to_values(const ConstrainedProblem &problem, const ActiveSet &status, Vector &solution)
-    {
-      unsigned int n_moved = 0;
-      const auto   move    = [&](const unsigned int i, const double value) {
-        n_moved += (solution.local_element(i) != value);
-        solution.local_element(i) = value;
-      };
-      for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
-        move(problem.fixed_entries[j], problem.fixed_values[j]);
-      for (std::size_t k = 0; k < status.size(); ++k)
-        {
-          if (contact_status::is_closed(status[k]))
-            move(problem.bounded_entries[k], problem.upper_bounds[k]);
-          if (contact_status::sticks(status[k]))
-            for (unsigned int j = 0; j < problem.friction[k].entries.size(); ++j)
-              move(problem.friction[k].entries[j], -problem.friction[k].past[j]);
-        }
-      return n_moved;
-    }
   } // namespace
 
 

@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/variational_inequality/held_values.h>
 #include <signorini/variational_inequality/mprgp.h>
 
 #include <deal.II/base/mpi.h>
@@ -243,8 +244,7 @@ namespace signorini
         }
       for (std::size_t j = 0; j < problem.fixed_entries.size(); ++j)
         solution.local_element(problem.fixed_entries[j]) = problem.fixed_values[j];
-      problem.matrix.vmult(residual, solution);
-      residual.sadd(-1., 1., problem.right_hand_side);
+      compute_residual(problem, solution, residual);
     }
   } // namespace
 

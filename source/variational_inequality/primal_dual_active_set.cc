@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/variational_inequality/held_values.h>
 #include <signorini/variational_inequality/primal_dual_active_set.h>
 #include <signorini/variational_inequality/status_record.h>
 
@@ -85,8 +86,7 @@ namespace signorini
     for (std::size_t k = 0; k < active.size(); ++k)
       if (active[k])
         solution.local_element(problem.bounded_entries[k]) = problem.upper_bounds[k];
-    problem.matrix.vmult(residual, solution);
-    residual.sadd(-1., 1., problem.right_hand_side);
+    compute_residual(problem, solution, residual);
   }
 
 

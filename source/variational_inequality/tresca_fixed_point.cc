@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/variational_inequality/attainable_norm.h>
+#include <signorini/variational_inequality/held_values.h>
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/tresca_fixed_point.h>
 
@@ -41,8 +42,7 @@ namespace signorini
 
     SolveReport report;
     double      relaxation = 1., last_change = 0.;
-    problem.matrix.vmult(residual, solution);
-    residual.sadd(-1., 1., problem.right_hand_side);
+    compute_residual(problem, solution, residual);
     for (std::size_t k = 0; k < status.size(); ++k)
       bounds[k] = bound(k);
     for (unsigned int n = 0; n < maximum_iterations; ++n)

@@ -4,6 +4,7 @@
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/variational_inequality/attainable_norm.h>
+#include <signorini/variational_inequality/held_values.h>
 #include <signorini/variational_inequality/node_stiffness.h>
 #include <signorini/variational_inequality/slip_system.h>
 #include <signorini/variational_inequality/status_record.h>
@@ -299,11 +300,7 @@ namespace signorini
         update_residual();
       }
 
-      void update_residual()
-      {
-        problem.matrix.vmult(residual, solution);
-        residual.sadd(-1., 1., problem.right_hand_side);
-      }
+      void update_residual() { compute_residual(problem, solution, residual); }
 
       /**
        * @param longest of the lengths that the last step could have had

@@ -4,6 +4,7 @@
 #include <signorini/linear_algebra/improved_guess.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/variational_inequality/attainable_norm.h>
+#include <signorini/variational_inequality/held_values.h>
 #include <signorini/variational_inequality/truncated_newton_multigrid.h>
 
 #include <deal.II/base/mpi.h>
@@ -36,8 +37,7 @@ namespace signorini
         for_each_bound([&](const unsigned int i, const double bound) {
           x.local_element(i) = std::min(x.local_element(i), bound);
         });
-        problem.matrix.vmult(r, x);
-        r.sadd(-1., 1., problem.right_hand_side);
+        compute_residual(problem, x, r);
         problem.matrix.diagonal(diagonal);
         truncate();
       }

@@ -5,10 +5,9 @@
 // too many iterations. Else: the diagonal where the mass rules or the matrix is used a few times
 // only, multigrid where the stiffness rules, the earlier the larger the mesh, the incomplete factor
 // in between. The order is the one that was measured (doc/performance.md); the edges are not
-// tested. And when steps are solved for contact nodes alone: in the plane, if the factor is used
-// often enough.
+// tested.
 
-#include <signorini/system/step_matrices.h>
+#include <signorini/preconditioners/preconditioners.h>
 
 #include <gtest/gtest.h>
 
@@ -76,37 +75,4 @@ TEST(PreconditionerChoice, KeepsMultigridFromBodiesThatDifferTooMuch)
   cost.solves_roughly = true;
   cost.iterations     = 80.;
   EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::incomplete_cholesky);
-}
-
-TEST(CondensationChoice, IsForThePlane)
-{
-  CondensationCost cost{2, 10000, 10., 1000, false, false, 200};
-  EXPECT_TRUE(condensation_pays(cost));
-  cost.dim = 3;
-  EXPECT_FALSE(condensation_pays(cost));
-  cost.dim            = 2;
-  cost.courant_number = 0.5;
-  EXPECT_FALSE(condensation_pays(cost)) << "a few iterations are enough";
-  cost.courant_number = 10.;
-  cost.n_dofs         = 1000000;
-  EXPECT_FALSE(condensation_pays(cost)) << "for the memory";
-  cost.n_dofs            = 10000;
-  cost.n_contact_entries = 2000;
-  EXPECT_FALSE(condensation_pays(cost)) << "the matrix that is left is full";
-  cost.n_contact_entries = 200;
-  cost.n_parts           = 2;
-  EXPECT_FALSE(condensation_pays(cost)) << "iterations leave out what nothing happens to";
-}
-
-TEST(CondensationChoice, PaysAfterFewerSolutionsWhereTheyAreDear)
-{
-  CondensationCost cost{2, 10000, 4., 30, false, false, 200};
-  EXPECT_FALSE(condensation_pays(cost));
-  cost.contact_follows = true;
-  EXPECT_TRUE(condensation_pays(cost));
-  cost.contact_follows = false;
-  cost.courant_number  = 100.;
-  EXPECT_TRUE(condensation_pays(cost));
-  cost.steps = 1;
-  EXPECT_FALSE(condensation_pays(cost));
 }

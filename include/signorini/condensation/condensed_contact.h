@@ -80,13 +80,6 @@ namespace signorini
     /** The small matrix in contact coordinates as they are now. */
     void turn();
 
-    void compute_residual(const ConstrainedProblem &problem,
-                          const Vector             &solution,
-                          Vector                   &residual) const;
-    /** Prescribed entries, and those that statuses hold. */
-    void put_to_values(const ConstrainedProblem &problem,
-                       const ActiveSet          &active,
-                       Vector                   &solution) const;
     /** Of the error in the norm of K that free entries of the residual stand for. */
     double
     error_bound(const ConstrainedProblem &problem, const ActiveSet &active, const Vector &residual);

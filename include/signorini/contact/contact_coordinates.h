@@ -93,6 +93,9 @@ namespace signorini
     /** Prescribed entries, in contact coordinates. */
     const std::vector<unsigned int> &dirichlet_entries() const { return prescribed; }
 
+    /** By owned entry: 1 for Cartesian components that are prescribed. */
+    std::vector<char> prescribed_components() const;
+
     /** The owned nodes of which all entries are prescribed. */
     std::vector<unsigned int> clamped_nodes() const;
 

@@ -4,15 +4,15 @@
 #ifndef signorini_system_step_matrices_h
 #define signorini_system_step_matrices_h
 
+#include <signorini/base/inequality_method.h>
+#include <signorini/condensation/condensation_choice.h>
 #include <signorini/condensation/condensed_contact.h>
-#include <signorini/model/condensation_kind.h>
 #include <signorini/multigrid/level_hierarchy.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/increment_forecast.h>
 
 #include <deal.II/base/timer.h>
 
-#include <functional>
 #include <list>
 
 namespace signorini
@@ -48,31 +48,10 @@ namespace signorini
     bool with_friction  = false;
 
     CondensationKind condensation = CondensationKind::automatic;
-    /** Makes the solver of condensed problems. */
-    std::function<std::unique_ptr<ConstrainedSolver>()> make_solver;
+    /** Of condensed problems. */
+    InequalityMethod inequality = InequalityMethod::active_set;
+    ActiveSetLimits  limits     = {};
   };
-
-  /** What decides whether steps are solved for the contact nodes alone. */
-  struct CondensationCost
-  {
-    unsigned int                    dim;
-    dealii::types::global_dof_index n_dofs;
-    double                          courant_number;
-    /** Steps that are expected with one factor. */
-    unsigned int steps;
-    bool         with_friction;
-    bool         contact_follows;
-    unsigned int n_contact_entries; ///< of nodes that may touch, and of partners
-    /** Bodies that nothing couples: iterations leave out those to which nothing happens. */
-    unsigned int n_parts = 1;
-  };
-
-  /** Of this process. */
-  template <int dim>
-  unsigned int n_contact_entries(const ContactCoordinates<dim> &coordinates);
-
-  /** Whether a direct factor saves more than it costs (doc/performance.md). */
-  bool condensation_pays(const CondensationCost &cost);
 
   /**
    * The matrices of the step sizes that are in use: the latest few. Steps that are doubled come
