@@ -16,7 +16,7 @@ namespace signorini
   {
     constexpr unsigned int not_there = dealii::numbers::invalid_unsigned_int;
 
-    /** Nodes that may come into contact next, beside twice those that are. */
+    /** Nodes that may come into contact next: at least so many. */
     constexpr std::size_t spare_nodes = 16;
 
     /** Solutions for what the factor has left of the residual by its round-off. */
@@ -64,6 +64,7 @@ namespace signorini
     , small(std::move(small))
     , prescribed(coordinates.prescribed_components())
     , diagonal_over_matrix(largest_ratio_to_mass(matrices, sum))
+    , place(matrices.pattern.n_owned, not_there)
     , work(matrices.pattern.partitioner)
   {
   }
@@ -204,15 +205,15 @@ namespace signorini
       if (const unsigned int i = problem.bounded_entries[k]; std::isfinite(problem.upper_bounds[k]))
         gaps.emplace_back(problem.upper_bounds[k] - solution.local_element(i), i / dim);
     std::sort(gaps.begin(), gaps.end());
-    // A dense matrix of many nodes costs little beside the factor of a large mesh.
-    const std::size_t n_chosen =
-      2 * chosen.size()
-      + std::max<std::size_t>(spare_nodes, std::sqrt(matrices.pattern.n_owned) / 4.);
-    for (std::size_t k = 0; k < gaps.size() && chosen.size() < n_chosen; ++k)
-      chosen.push_back(gaps[k].second);
+    // Needed nodes are among the nearest. A dense matrix of more costs little beside the factor of
+    // a large mesh.
+    const std::size_t spare = std::max<std::size_t>(spare_nodes, std::sqrt(place.size()) / 4.);
+    gaps.resize(std::min(gaps.size(), chosen.size() + spare));
+    for (const auto &[gap, node] : gaps)
+      chosen.push_back(node);
 
     nodes = with_partners(std::move(chosen));
-    place.assign(matrices.pattern.n_owned, not_there);
+    std::fill(place.begin(), place.end(), not_there);
     for (std::size_t k = 0; k < nodes.size(); ++k)
       place[nodes[k]] = k;
     factor = std::make_unique<NodalFactor<dim>>(matrices, sum, prescribed, nodes);
@@ -222,49 +223,51 @@ namespace signorini
 
 
   template <int dim>
-  void CondensedContact<dim>::turn()
+  Eigen::SparseMatrix<double> CondensedContact<dim>::contact_to_cartesian()
   {
-    if (matrix && known_turns == coordinates.n_turns())
-      return;
     const unsigned int                  n = dim * nodes.size();
     std::vector<Eigen::Triplet<double>> triplets;
-    work                 = 0.;
-    const auto transform = [&](const std::vector<unsigned int> &columns, const bool own_node_only) {
+    work                  = 0.;
+    const auto large      = [&](const unsigned int i) { return dim * nodes[i / dim] + i % dim; };
+    const auto move_alone = [&](const std::vector<unsigned int> &columns, const auto &column_of) {
       for (const unsigned int column : columns)
-        work.local_element(dim * nodes[column / dim] + column % dim) = 1.;
+        work.local_element(large(column)) = 1.;
       coordinates.displacement_to_cartesian(work);
       for (unsigned int row = 0; row < n; ++row)
-        if (const double value = work.local_element(dim * nodes[row / dim] + row % dim);
-            value != 0.)
-          triplets.emplace_back(
-            row, own_node_only ? row - row % dim + columns[0] % dim : columns[0], value);
-      // Others may have been carried along.
-      for (const unsigned int node : nodes)
-        for (unsigned int c = 0; c < dim; ++c)
-          work.local_element(dim * node + c) = 0.;
-      for (const ContactNode<dim> &node : coordinates.surface_nodes())
+        if (const double value = work.local_element(large(row)); value != 0.)
+          triplets.emplace_back(row, column_of(row), value);
+      for (unsigned int i = 0; i < n; ++i)
+        work.local_element(large(i)) = 0.;
+      for (const ContactNode<dim> &node : coordinates.surface_nodes()) // they may be carried along
         for (unsigned int c = 0; c < dim; ++c)
           work.local_element(dim * node.node + c) = 0.;
     };
     if (coordinates.coupling().any())
       for (unsigned int column = 0; column < n; ++column)
-        transform({column}, false);
-    else // nodes by themselves: one component of all at once
+        move_alone({column}, [&](unsigned int) { return column; });
+    else // each node moves itself only: one component of all of them at once
       for (unsigned int c = 0; c < dim; ++c)
         {
           std::vector<unsigned int> columns;
           for (std::size_t k = 0; k < nodes.size(); ++k)
             columns.push_back(dim * k + c);
-          if (!columns.empty())
-            transform(columns, true);
+          move_alone(columns, [&](const unsigned int row) { return row - row % dim + c; });
         }
-    to_cartesian.resize(n, n);
-    to_cartesian.setFromTriplets(triplets.begin(), triplets.end());
+    Eigen::SparseMatrix<double> result(n, n);
+    result.setFromTriplets(triplets.begin(), triplets.end());
+    return result;
+  }
+
+
+  template <int dim>
+  void CondensedContact<dim>::turn()
+  {
+    if (matrix && known_turns == coordinates.n_turns())
+      return;
+    to_cartesian                 = contact_to_cartesian();
     const Eigen::MatrixXd turned = factor->schur_complement() * to_cartesian;
-    entries                      = to_cartesian.transpose() * turned;
-    matrix                       = std::make_unique<DenseOperator>(entries);
-    inverse                      = std::make_unique<DenseInverse>(entries);
-    known_turns                  = coordinates.n_turns();
+    matrix.emplace(to_cartesian.transpose() * turned);
+    known_turns = coordinates.n_turns();
   }
 
 
@@ -304,15 +307,15 @@ namespace signorini
     turn();
     work = residual;
     coordinates.force_to_cartesian(work);
-    const unsigned int    n       = entries.rows();
+    const unsigned int    n       = dim * nodes.size();
     const Eigen::VectorXd reduced = to_cartesian.transpose() * factor->condense(work);
     Vector                b(n), x(n), r(n);
     std::copy_n(reduced.data(), n, b.begin());
 
     SmallProblem              now = small_problem(problem, start, active);
     const std::vector<double> nothing(now.fixed.size(), 0.);
-    const SolveReport         report = small->solve({*matrix,
-                                                     *inverse,
+    const SolveReport         report = small->solve({matrix->product,
+                                                     matrix->inverse,
                                                      b,
                                                      now.bounded,
                                                      now.bounds,

@@ -9,6 +9,8 @@
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/variational_inequality/constrained_solver.h>
 
+#include <optional>
+
 namespace signorini
 {
   /**
@@ -21,9 +23,9 @@ namespace signorini
    * done once more for the residual, which products tell more accurately: they know that rigid
    * translations have no stress.
    *
-   * The factor stays as long as the matrix does. It has those nodes at its end that are closed, as
-   * many again that are next to the other side, and what moves it there (partners). If others turn
-   * out to be beyond their bounds it is made anew, with twice as many. On one process.
+   * The factor stays as long as the matrix does. It has those nodes at its end that are closed,
+   * some that are next to the other side, and what moves it there (partners). If others turn out to
+   * be beyond their bounds it is made anew, with these as well. On one process.
    */
   template <int dim>
   class CondensedContact : public ConstrainedSolver
@@ -59,13 +61,26 @@ namespace signorini
     std::unique_ptr<NodalFactor<dim>>        factor;
     unsigned int                             factors_made = 0;
 
+    /** Of the small problem. */
+    struct SmallMatrix
+    {
+      explicit SmallMatrix(Eigen::MatrixXd matrix)
+        : entries(std::move(matrix))
+        , product(entries)
+        , inverse(entries)
+      {
+      }
+
+      const Eigen::MatrixXd entries;
+      DenseOperator         product;
+      DenseInverse          inverse;
+    };
+
     /** Contact coordinates of these nodes to Cartesian ones, and when that was so. */
-    Eigen::SparseMatrix<double>    to_cartesian;
-    unsigned int                   known_turns = 0;
-    std::unique_ptr<DenseOperator> matrix; ///< of the small problem
-    std::unique_ptr<DenseInverse>  inverse;
-    Eigen::MatrixXd                entries; ///< of that matrix
-    Vector                         work, diagonal;
+    Eigen::SparseMatrix<double> to_cartesian;
+    unsigned int                known_turns = 0;
+    std::optional<SmallMatrix>  matrix;
+    Vector                      work, diagonal;
 
     /** Closed nodes, those beyond their bounds, and those that may stick without being closed. */
     std::vector<unsigned int> nodes_at_bounds(const ConstrainedProblem &problem,
@@ -73,10 +88,11 @@ namespace signorini
                                               const Vector             &solution) const;
     std::vector<unsigned int> with_partners(std::vector<unsigned int> needed) const;
     bool                      has(const std::vector<unsigned int> &needed) const;
-    /** A factor with these contact nodes, and as many again that are nearest to their bounds. */
-    void choose_nodes(const ConstrainedProblem        &problem,
-                      const std::vector<unsigned int> &needed,
-                      const Vector                    &solution);
+    /** A factor with these contact nodes, and some that are nearest to their bounds. */
+    void                        choose_nodes(const ConstrainedProblem        &problem,
+                                             const std::vector<unsigned int> &needed,
+                                             const Vector                    &solution);
+    Eigen::SparseMatrix<double> contact_to_cartesian();
     /** The small matrix in contact coordinates as they are now. */
     void turn();
 
