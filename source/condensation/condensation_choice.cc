@@ -24,10 +24,9 @@ namespace signorini
         || cost.n_contact_entries > most_contact_entries || cost.n_parts > 1)
       return false;
     // The factor takes longer, too, compared with iterations, the larger the mesh is.
-    const double dear = cost.use.with_friction || cost.use.contact_follows ? 2.5 : 1.;
-    return (cost.use.contact_follows ? solutions_of_a_step : 1U) * cost.use.steps
-           > 100. / (dear * std::max(1., cost.courant_number / 2.))
-               + 3. * std::sqrt(cost.n_dofs / 1e4);
+    const double dear = cost.use.with_friction ? 2.5 : 1.;
+    return cost.use.steps > 100. / (dear * std::max(1., cost.courant_number / 2.))
+                              + 3. * std::sqrt(cost.n_dofs / 1e4);
   }
 
 

@@ -58,10 +58,8 @@ namespace signorini
     template <int dim>
     double memory_of_condensation(const Scene<dim> &scene, const MeshedScene<dim> &meshed)
     {
-      const StepsOfMatrix use{scene.time.step_size,
-                              scene.time.n_steps(),
-                              has_friction(scene.pairs),
-                              scene.motion == ContactMotion::follow};
+      const StepsOfMatrix use{
+        scene.time.step_size, scene.time.n_steps(), has_friction(scene.pairs)};
       return scheme_info(scene.time.scheme).inertia
                  && condenses(scene.solver.condensation,
                               scene.solver.preconditioner,

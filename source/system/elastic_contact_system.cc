@@ -66,7 +66,6 @@ namespace signorini
                                                      ContactSurface<dim>            &moving_surface,
                                                      ContactCoordinates<dim> &moving_coordinates)
   {
-    step_matrices.let_contact_follow();
     step_contact = std::make_unique<StepContact<dim>>(
       discretization, dirichlet, moving_surface, moving_coordinates, [this] {
         std::vector<bool> held = mass_problems.held_by_projection();

@@ -88,11 +88,9 @@ namespace signorini
     constexpr unsigned int uses_of_passing_sizes = 3;
     if (matrix.condensed || (recent.size() > 1 && matrix.n_uses < uses_of_passing_sizes))
       return;
-    const unsigned int  so_far = matrix.n_uses / (contact_follows ? solutions_of_a_step : 1U);
     const StepsOfMatrix use{step_size,
-                            std::max(preconditioner.mesh_life_time, 2 * so_far),
-                            preconditioner.with_friction,
-                            contact_follows};
+                            std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses),
+                            preconditioner.with_friction};
     if (condenses(
           preconditioner.condensation, preconditioner.kind, discretization, coordinates, use))
       matrix.condensed = std::make_unique<CondensedContact<dim>>(

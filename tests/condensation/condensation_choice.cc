@@ -12,7 +12,7 @@ using namespace signorini;
 
 TEST(CondensationChoice, IsForThePlane)
 {
-  CondensationCost cost{2, 10000, 10., {1e-3, 1000, false, false}, 200};
+  CondensationCost cost{2, 10000, 10., {1e-3, 1000, false}, 200};
   EXPECT_TRUE(condensation_pays(cost));
   cost.dim = 3;
   EXPECT_FALSE(condensation_pays(cost));
@@ -32,12 +32,12 @@ TEST(CondensationChoice, IsForThePlane)
 
 TEST(CondensationChoice, PaysAfterFewerSolutionsWhereTheyAreDear)
 {
-  CondensationCost cost{2, 10000, 4., {1e-3, 30, false, false}, 200};
+  CondensationCost cost{2, 10000, 4., {1e-3, 30, false}, 200};
   EXPECT_FALSE(condensation_pays(cost));
-  cost.use.contact_follows = true;
+  cost.use.with_friction = true;
   EXPECT_TRUE(condensation_pays(cost));
-  cost.use.contact_follows = false;
-  cost.courant_number      = 100.;
+  cost.use.with_friction = false;
+  cost.courant_number    = 100.;
   EXPECT_TRUE(condensation_pays(cost));
   cost.use.steps = 1;
   EXPECT_FALSE(condensation_pays(cost));

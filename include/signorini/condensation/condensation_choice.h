@@ -10,16 +10,12 @@
 
 namespace signorini
 {
-  /** About, where contact follows the motion. */
-  constexpr unsigned int solutions_of_a_step = 4;
-
   /** The steps that a matrix is for. */
   struct StepsOfMatrix
   {
     double       step_size;
     unsigned int steps; ///< that are expected
     bool         with_friction;
-    bool         contact_follows;
   };
 
   /** What decides whether steps are solved for the contact nodes alone. */

@@ -73,9 +73,6 @@ namespace signorini
      */
     StepMatrix<dim> &get(double stiffness_factor, double damping_factor, double step_size);
 
-    /** From now on a step has several solutions. */
-    void let_contact_follow() { contact_follows = true; }
-
     /** Of the last matrix; empty if there was none. */
     std::string preconditioner_name() const
     {
@@ -95,7 +92,6 @@ namespace signorini
     dealii::TimerOutput                       &timer;
     std::list<StepMatrix<dim>>                 recent; ///< latest first
     unsigned int                               uses = 0, built = 0;
-    bool                                       contact_follows = false;
     std::shared_ptr<const LevelHierarchy<dim>> hierarchy; ///< once it is needed
     std::shared_ptr<const SeparateParts>       parts;     ///< with guesses of their own; likewise
 
