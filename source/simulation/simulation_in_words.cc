@@ -141,6 +141,12 @@ namespace signorini
              "' keeps the surface of its first mesh, parabolas with small kinks between them: the "
              "pressure of a contact that is small beside these is wrong by per cents, its force by "
              "less; `Refinements = 4` is smooth enough");
+    if (const unsigned int n = dealii::Utilities::MPI::n_mpi_processes(mesh.communicator());
+        scene.solver.condensation == CondensationKind::always
+        && (n > 1 || !scheme_info(scene.time.scheme).inertia))
+      note("`Solver/Condensation = always` has no effect ",
+           n > 1 ? "on several processes" : "with `Time/Scheme = " + scene.time.scheme + "`",
+           ": iterations solve it");
     if (perturbation_of_velocities() != 0.)
       note("SIGNORINI_PERTURB changes the initial velocities by ",
            perturbation_of_velocities(),

@@ -167,6 +167,24 @@ class Warnings(check_history.SceneTest):
         )
         self.expect_close(degrees, math.degrees(2 * 0.2), 0.01, "2 rad/s for 0.2")
 
+    def test_condensation_that_is_asked_for_in_vain(self):
+        sliding = check_history.scene_file("sliding_block")
+        pressed = check_history.scene_file("static_hertz")
+        note = "`Solver/Condensation = always` has no effect"
+        short = ["Time/End time=0.02"]
+        for name, scene, overrides, processes, reason in (
+            ("here", sliding, short, 1, None),
+            ("processes", sliding, short, 2, "on several processes"),
+            ("static", pressed, [], 1, "Scheme = static"),
+        ):
+            with self.subTest(name=name):
+                overrides = [*overrides, "Solver/Condensation=always"]
+                run = check_history.Run(scene, f"condensed_{name}", overrides, processes)
+                self.assertEqual(note in run.log, reason is not None)
+                self.assertEqual("steps were solved for contact nodes" in run.log, reason is None)
+                if reason is not None:
+                    self.assertIn(reason, next(x for x in run.log.splitlines() if note in x))
+
     def test_a_run_may_stop_at_its_first_warning(self):
         """With the row of that step, the sixth, although only each fourth is due."""
         result, folder = self.run_quietly(
