@@ -226,20 +226,24 @@ namespace signorini
     set_flags(triangulation, wishes, threshold);
     change.estimate = std::sqrt(distribution.total());
     count_flags(triangulation, change);
+    // Refinement alone needs no projection of the state. What the estimate of the energy wants is
+    // coarsened layer by layer, and must not wait; equal shares of a target leave less to coarsen.
+    const auto drop_little_coarsening = [&] {
+      if ((!change.refines() || parameters.has_target()) && change.n_to_coarsen > 0
+          && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
+        {
+          for (const auto &cell : triangulation.active_cell_iterators())
+            cell->clear_coarsen_flag();
+          change.n_to_coarsen = 0;
+        }
+    };
+    drop_little_coarsening();
     if (!change.any())
       return change;
     keep_families_beside_finer_cells(triangulation);
     triangulation.prepare_coarsening_and_refinement(); // may add flags and remove some
     count_flags(triangulation, change);
-    // Refinement alone needs no projection of the state. What the estimate of the energy wants is
-    // coarsened layer by layer, and must not wait; equal shares of a target leave less to coarsen.
-    if ((!change.refines() || parameters.has_target())
-        && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
-      {
-        for (const auto &cell : triangulation.active_cell_iterators())
-          cell->clear_coarsen_flag();
-        change.n_to_coarsen = 0;
-      }
+    drop_little_coarsening();
     constexpr double of_a_family = 1. - 1. / (1 << dim);
     change.spared_part           = of_a_family * change.n_to_coarsen / distribution.n_cells();
     return change;

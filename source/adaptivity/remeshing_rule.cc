@@ -24,13 +24,14 @@ namespace signorini
   RemeshingRule::RemeshingRule(const AdaptivityParameters &parameters)
     : steps_between(parameters.repetitions > 0 ? std::max(parameters.steps_between, 1u)
                                                : parameters.steps_between)
-    , longest_wait(parameters.longest_wait())
     , next_judgement(std::max(steps_between, 1u))
   {
   }
 
 
-  bool RemeshingRule::pays(const MeshChange &change, const unsigned int step)
+  bool RemeshingRule::pays(const MeshChange  &change,
+                           const unsigned int step,
+                           const unsigned int longest_wait)
   {
     const double n_steps = step - last_judgement;
     last_judgement       = step;

@@ -54,6 +54,13 @@ namespace signorini
   }
 
 
+  double ForceReading::expected_force() const
+  {
+    return elastic_energy > 0. ? force * std::min(2., std::sqrt(1. + of_approach / elastic_energy))
+                               : force;
+  }
+
+
   ForceError::ForceError(const double target, const unsigned int dim)
     : target(target)
     , dim(dim)
@@ -69,6 +76,7 @@ namespace signorini
       tolerances.clear();
     latest        = reading;
     largest_force = std::max(largest_force, reading.force);
+    force_scale   = std::max(force_scale, reading.expected_force());
     if (reading.force <= 0. || reading.elastic_energy <= 0.)
       return;
     const double force_per_error = reading.force / (effectivity(dim) * 2. * reading.elastic_energy);
@@ -92,7 +100,7 @@ namespace signorini
     if (latest.force <= 0. || latest.elastic_energy <= 0.)
       return largest_tolerance > 0. ? largest_tolerance : beyond_bounds;
     const double of_target =
-      target * effectivity(dim) * 2. * latest.elastic_energy * largest_force / latest.force;
+      target * effectivity(dim) * 2. * latest.elastic_energy * force_scale / latest.force;
     return std::sqrt(std::max(of_target, 2. * latest.at_limit));
   }
 

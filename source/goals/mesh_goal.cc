@@ -4,6 +4,7 @@
 #include <signorini/adaptivity/marking.h>
 #include <signorini/goals/bodies_in_touch.h>
 #include <signorini/goals/mesh_goal.h>
+#include <signorini/goals/slow_approach.h>
 #include <signorini/goals/weigh_waves.h>
 
 #include <deal.II/base/mpi.h>
@@ -39,6 +40,7 @@ namespace signorini
     , parameters(parameters)
     , starts_at_rest(time.starts_at_rest)
     , step_size(time.step_size)
+    , masses(body_masses(mesh))
     , force_error(parameters.target_error, dim)
     , base_levels(mesh)
     , has_touched(mesh.bodies().size(), false)
@@ -56,9 +58,16 @@ namespace signorini
   {
     dealii::Vector<double> squares = indicator;
     squares.scale(indicator);
-    const double      soon    = (parameters.longest_wait() + 1) * step_size;
+    const double      length  = std::max(step_size, step.step_size);
+    const double      soon    = (parameters.longest_wait() + 1) * length;
     std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end, soon);
-    awaits_contact            = std::find(matters.begin(), matters.end(), true) != matters.end();
+    const auto        any     = [](const std::vector<bool> &bodies) {
+      return std::find(bodies.begin(), bodies.end(), true) != bodies.end();
+    };
+    awaits_contact     = any(matters);
+    const double later = 2. * parameters.longest_wait(true) * length;
+    in_flight          = !awaits_contact && parameters.distance == 0.
+                && !any(bodies_in_touch(discretization, surface, step.end, later));
     const ContactZones<dim> zones(mesh, in_contact);
     bool                    lasts = false; // what contact has brought about
     for (unsigned int body = 0; body < matters.size(); ++body)
@@ -80,8 +89,9 @@ namespace signorini
       {
         ForceReading reading =
           force_reading(discretization, surface, step.end, indicator, parameters.maximum_level);
-        reading.n_near = n_near;
-        reading.n_free = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
+        reading.of_approach = energy_of_slow_approach(discretization, step.end, masses);
+        reading.n_near      = n_near;
+        reading.n_free      = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
         force_error.see(reading);
       }
     if (!stresses.empty() && force_error.has_seen_contact())

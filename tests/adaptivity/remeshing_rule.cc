@@ -14,7 +14,7 @@ using namespace signorini;
 
 namespace
 {
-  constexpr unsigned int never = 1000;
+  constexpr unsigned int never = 1000, longest_wait = 2;
 
   RemeshingRule automatic()
   {
@@ -38,9 +38,9 @@ namespace
     for (unsigned int step = 1, last = 0; step < never; ++step)
       if (rule.is_due(step))
         {
-          EXPECT_LE(step, last + AdaptivityParameters().longest_wait());
+          EXPECT_LE(step, last + longest_wait);
           last = step;
-          if (rule.pays(change, step))
+          if (rule.pays(change, step, longest_wait))
             return step;
         }
     return never;
@@ -58,11 +58,11 @@ TEST(RemeshingRule, KeepsAGivenNumberOfSteps)
       EXPECT_EQ(rule.is_due(step), step % 3 == 0);
       if (rule.is_due(step))
         {
-          EXPECT_TRUE(rule.pays(refinement(1e-3), step));
+          EXPECT_TRUE(rule.pays(refinement(1e-3), step, longest_wait));
           rule.mesh_changes(step);
         }
     }
-  EXPECT_FALSE(rule.pays(MeshChange(), 21)) << "nothing to change";
+  EXPECT_FALSE(rule.pays(MeshChange(), 21, longest_wait)) << "nothing to change";
 }
 
 TEST(RemeshingRule, ChangesTheMeshWhenLossesAmountToTheCost)
@@ -101,16 +101,18 @@ TEST(RemeshingRule, DoesNotLetContactWait)
 TEST(RemeshingRule, ReactsToAnErrorThatComesUp)
 {
   RemeshingRule rule = automatic();
-  EXPECT_FALSE(rule.pays(refinement(0.1, 1.), 1));
-  EXPECT_TRUE(rule.pays(refinement(0.1, 10.), 2)) << "a hundred times the squared estimate";
+  EXPECT_FALSE(rule.pays(refinement(0.1, 1.), 1, longest_wait));
+  EXPECT_TRUE(rule.pays(refinement(0.1, 10.), 2, longest_wait))
+    << "a hundred times the squared estimate";
   // The new mesh has its own measure.
   rule.mesh_changes(2);
   EXPECT_TRUE(rule.is_due(3));
-  EXPECT_FALSE(rule.pays(refinement(0.1, 10.), 3));
+  EXPECT_FALSE(rule.pays(refinement(0.1, 10.), 3, longest_wait));
 
   RemeshingRule at_rest = automatic();
-  EXPECT_FALSE(at_rest.pays(MeshChange(), 1));
-  EXPECT_TRUE(at_rest.pays(refinement(0.5, 1e-3), 2)) << "after flight without any error";
+  EXPECT_FALSE(at_rest.pays(MeshChange(), 1, longest_wait));
+  EXPECT_TRUE(at_rest.pays(refinement(0.5, 1e-3), 2, longest_wait))
+    << "after flight without any error";
 }
 
 TEST(RemeshingRule, JudgesEachStepThatMayBeRepeated)
@@ -124,9 +126,9 @@ TEST(RemeshingRule, JudgesEachStepThatMayBeRepeated)
 TEST(RemeshingRule, ChangesTheMeshBeforeTheFirstStepAtNoCost)
 {
   RemeshingRule rule = automatic();
-  EXPECT_TRUE(rule.pays(refinement(0.2, 0.), 0));
+  EXPECT_TRUE(rule.pays(refinement(0.2, 0.), 0, longest_wait));
   rule.mesh_changes(0);
-  EXPECT_FALSE(rule.pays(MeshChange(), 0));
+  EXPECT_FALSE(rule.pays(MeshChange(), 0, longest_wait));
   EXPECT_TRUE(rule.is_due(1)) << "its estimate is the first one";
-  EXPECT_FALSE(rule.pays(refinement(0.2), 1)) << "and no growth";
+  EXPECT_FALSE(rule.pays(refinement(0.2), 1, longest_wait)) << "and no growth";
 }

@@ -30,8 +30,12 @@ namespace signorini
     /** Whether the mesh is to be judged after a step. */
     bool is_due(unsigned int step) const { return step >= next_judgement; }
 
-    /** The mesh was judged after a step. @return whether it should change as the flags say */
-    bool pays(const MeshChange &change, unsigned int step);
+    /**
+     * The mesh was judged after a step.
+     * @param longest_wait steps until it is judged again, at most
+     * @return whether it should change as the flags say
+     */
+    bool pays(const MeshChange &change, unsigned int step, unsigned int longest_wait);
 
     /** The mesh changes after a step. */
     void mesh_changes(unsigned int step);
@@ -43,7 +47,6 @@ namespace signorini
 
   private:
     unsigned int steps_between; ///< 0: when it pays
-    unsigned int longest_wait;  ///< until the next judgement
     double       lost                         = 0.;
     double       squared_estimate_of_new_mesh = 0.;
     unsigned int last_judgement = 0, next_judgement = 0;

@@ -22,15 +22,26 @@ namespace signorini
   }
 
 
+  /** Whether no process of the run is on another machine, as far as launchers tell. */
+  inline bool runs_on_one_machine()
+  {
+    const char *const here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");
+    const char *const all  = std::getenv("OMPI_COMM_WORLD_SIZE");
+    return launched_rank().empty() || (here && all && std::string(here) == all);
+  }
+
+
   /**
-   * Before MPI starts: keep OpenMPI from what would take a fifth of a second and lead to nothing.
-   * What is set already stays.
+   * Before MPI starts: keep OpenMPI from what would take up to four fifths of a second and lead to
+   * nothing. What is set already stays.
    */
   inline void make_mpi_start_quickly()
   {
-    // The driver of Omni-Path waits for its device.
+    // Libraries of networks look for their devices, and some of them wait.
     std::error_code unknown;
-    if (!std::filesystem::exists("/dev/hfi1_0", unknown))
+    if (runs_on_one_machine())
+      setenv("OMPI_MCA_pml", "ob1", 0);
+    else if (!std::filesystem::exists("/dev/hfi1_0", unknown)) // Omni-Path
       setenv("OMPI_MCA_mtl", "^psm2", 0);
     if (!launched_rank().empty())
       return;

@@ -26,6 +26,13 @@ namespace signorini
     double n_near          = 0.; ///< cells near the contact of their body
     double n_free          = 0.; ///< cells of bodies that touch nothing
     double n_coarsest      = 0.; ///< cells of level 0
+    double of_approach     = 0.; ///< energy_of_slow_approach()
+
+    /**
+     * What the force may rise to soon: with the root of all energy that may become elastic, as if
+     * contact were linear, and at most to twice as much as now.
+     */
+    double expected_force() const;
   };
 
   /**
@@ -58,16 +65,16 @@ namespace signorini
     ForceError(double target, unsigned int dim);
 
     /** Squared estimates in units of the squared error in the energy norm, which is 2 E of it. */
-    static constexpr double effectivity(const unsigned int dim) { return dim == 2 ? 15. : 65.; }
+    static constexpr double effectivity(const unsigned int dim) { return dim == 2 ? 24. : 75.; }
 
     /** A step was judged; a repeated one replaces what was seen of the same time. */
     void see(const ForceReading &reading);
 
     /**
      * The root of the energy that the estimate of the latest step must not exceed, so that its
-     * error is the target in units of the largest force so far; but what cells that may not become
-     * finer make may come from others, too. Without contact it is the largest one so far, and
-     * without any beyond bounds.
+     * error is the target in units of the largest force so far or to be expected; but what cells
+     * that may not become finer make may come from others, too. Without contact it is the largest
+     * one so far, and without any beyond bounds.
      */
     double tolerance() const;
 
@@ -102,7 +109,7 @@ namespace signorini
 
     void archive(Archive &archive)
     {
-      archive(latest, previous_force, largest_force, largest_tolerance, tolerances);
+      archive(latest, previous_force, largest_force, force_scale, largest_tolerance, tolerances);
       history.archive(archive);
     }
 
@@ -112,6 +119,7 @@ namespace signorini
     ForceReading latest;
     double       previous_force    = 0.; ///< in the judgement before
     double       largest_force     = 0.;
+    double       force_scale       = 0.; ///< largest expected force so far
     double       largest_tolerance = 0.;
 
     struct Tolerance

@@ -64,6 +64,9 @@ namespace signorini
      */
     bool is_expectant() const { return awaits_contact && !force_error.is_settled(); }
 
+    /** Whether nothing touches anything after the step that was seen, nor will for long. */
+    bool is_in_flight() const { return in_flight; }
+
     /** For the end of the run: entries of the summary. */
     std::string summary() const;
 
@@ -72,7 +75,7 @@ namespace signorini
       force_error.archive(archive);
       base_levels.archive(archive);
       std::size_t n_stresses = stress_errors.size();
-      archive(awaits_contact, has_touched, n_stresses);
+      archive(masses, awaits_contact, has_touched, n_stresses);
       stress_errors.resize(n_stresses, StressError<dim>(parameters.target_error));
       for (StressError<dim> &error : stress_errors)
         error.archive(archive);
@@ -83,10 +86,12 @@ namespace signorini
     const AdaptivityParameters    parameters;
     const bool                    starts_at_rest;
     const double                  step_size; ///< the first one
+    std::vector<double>           masses;    ///< of bodies
     ForceError                    force_error;
     BaseLevels<dim>               base_levels;
     bool                          awaits_contact = true; ///< or has it
-    std::vector<char>             has_touched;           ///< bodies, so far
+    bool                          in_flight      = false;
+    std::vector<char>             has_touched; ///< bodies, so far
     std::vector<StressError<dim>> stress_errors;
 
     /** Of the indicators of the step that was seen, for mark_cells(). */

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_goals_slow_approach_h
+#define signorini_goals_slow_approach_h
+
+#include <signorini/discretization/discretization.h>
+#include <signorini/time/state.h>
+
+#include <vector>
+
+namespace signorini
+{
+  /** Of the bodies, from density and the volume of their cells. Collective. */
+  template <int dim>
+  std::vector<double> body_masses(const Mesh<dim> &mesh);
+
+  /**
+   * The kinetic energy that contact can still take from bodies that approach one another slowly:
+   * what impulses along the present contact forces take until they stop,
+   *
+   *   (F.v)^2 / (2 F.M^-1 F),   F.v = sum of F_b.v_b < 0,
+   *
+   * with the sum F_b of the contact forces, mean velocity v_b and mass of each body; rotations are
+   * left out. Zero if they separate or are fast: at more than 1/300 of the speed of a wave the
+   * contact of a ball becomes larger than a tenth of its radius (Hertz), and what its first touch
+   * does to the ball comes back to it. Collective.
+   */
+  template <int dim>
+  double energy_of_slow_approach(const Discretization<dim> &discretization,
+                                 const State               &state,
+                                 const std::vector<double> &masses);
+} // namespace signorini
+
+#endif
