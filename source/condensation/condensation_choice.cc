@@ -25,8 +25,8 @@ namespace signorini
       return false;
     // The factor takes longer, too, compared with iterations, the larger the mesh is.
     const double dear = cost.use.with_friction ? 2.5 : 1.;
-    return cost.use.steps > 100. / (dear * std::max(1., cost.courant_number / 2.))
-                              + 3. * std::sqrt(cost.n_dofs / 1e4);
+    return cost.use.steps > 40. / (dear * std::max(1., cost.courant_number / 2.))
+                              + 1.5 * std::sqrt(cost.n_dofs / 1e4);
   }
 
 

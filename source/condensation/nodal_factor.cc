@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/user_error.h>
 #include <signorini/condensation/nodal_factor.h>
+
+#include <Eigen/OrderingMethods>
+
+#include <algorithm>
 
 namespace signorini
 {
@@ -37,20 +40,6 @@ namespace signorini
       return result;
     }
 
-
-    /** Call action with the size of a group as a constant. */
-    template <typename Action>
-    void with_size(const int size, const Action &action)
-    {
-      if (size == 1)
-        action(std::integral_constant<int, 1>());
-      else if (size == 2)
-        action(std::integral_constant<int, 2>());
-      else if (size == 3)
-        action(std::integral_constant<int, 3>());
-      else
-        action(std::integral_constant<int, 4>());
-    }
   } // namespace
 
 
@@ -67,19 +56,21 @@ namespace signorini
     for (const unsigned int node : last)
       is_last[node] = 1;
     std::vector<unsigned int> position(dim * pattern.n_owned, none);
-    const auto                add = [&](const unsigned int node) {
+    std::vector<int>          node_starts = {0};
+    const auto                add         = [&](const unsigned int node) {
       for (unsigned int entry = dim * node; entry < dim * (node + 1); ++entry)
         if (is_last[node] || !prescribed[entry])
           {
             position[entry] = entries.size();
             entries.push_back(entry);
           }
+      if (entries.size() > static_cast<std::size_t>(node_starts.back()))
+        node_starts.push_back(entries.size());
     };
-    for (const unsigned int node : elimination_order(pattern, is_last))
-      add(node);
-    n_eliminated = entries.size();
-    for (const unsigned int node : last)
-      add(node);
+    const std::vector<unsigned int> order = elimination_order(pattern, is_last);
+    std::for_each(order.begin(), order.end(), add);
+    const int n_eliminated = node_starts.size() - 1;
+    std::for_each(last.begin(), last.end(), add);
 
     std::vector<Eigen::Triplet<double>> lower;
     for (unsigned int row = 0; row < pattern.n_owned; ++row)
@@ -100,90 +91,9 @@ namespace signorini
         }
     Eigen::SparseMatrix<double> matrix(entries.size(), entries.size());
     matrix.setFromTriplets(lower.begin(), lower.end());
-    lower = {};
-    cholesky.compute(matrix);
-    if (cholesky.info() != Eigen::Success)
-      throw StepError("the matrix of a step has no Cholesky factor.");
-
-    const Eigen::Index n_last = entries.size() - n_eliminated;
-    Eigen::MatrixXd    of_factor =
-      Eigen::MatrixXd(factor().block(n_eliminated, n_eliminated, n_last, n_last));
-    of_last = of_factor * of_factor.transpose();
+    lower  = {};
+    factor = MultifrontalFactor(matrix, node_starts, n_eliminated);
     values.resize(entries.size());
-    find_groups();
-  }
-
-
-  template <int dim>
-  void NodalFactor<dim>::find_groups()
-  {
-    const int *start = factor().outerIndexPtr(), *row = factor().innerIndexPtr();
-    const auto continues = [&](const int column) { // the one before
-      const int n = start[column + 1] - start[column];
-      return start[column] - start[column - 1] == n + 1
-             && std::equal(
-               row + start[column], row + start[column + 1], row + start[column - 1] + 1);
-    };
-    groups = {0};
-    for (int column = 1; column < n_eliminated; ++column)
-      if (column - groups.back() == most_columns || !continues(column))
-        groups.push_back(column);
-    if (n_eliminated > 0)
-      groups.push_back(n_eliminated);
-  }
-
-
-  template <int dim>
-  template <int n_columns>
-  void NodalFactor<dim>::eliminate(const int first)
-  {
-    const double *columns[n_columns]; // without the rows of the group
-    double        known[n_columns];
-    for (int j = 0; j < n_columns; ++j)
-      {
-        const double *column = factor().valuePtr() + factor().outerIndexPtr()[first + j];
-        known[j]             = values[first + j] /= column[0];
-        for (int i = j + 1; i < n_columns; ++i)
-          values[first + i] -= column[i - j] * known[j];
-        columns[j] = column + n_columns - j;
-      }
-    const int *rows = factor().innerIndexPtr() + factor().outerIndexPtr()[first] + n_columns;
-    const int  n_rows =
-      factor().outerIndexPtr()[first + 1] - factor().outerIndexPtr()[first] - n_columns;
-    for (int p = 0; p < n_rows; ++p)
-      {
-        double sum = 0.;
-        for (int j = 0; j < n_columns; ++j)
-          sum += columns[j][p] * known[j];
-        values[rows[p]] -= sum;
-      }
-  }
-
-
-  template <int dim>
-  template <int n_columns>
-  void NodalFactor<dim>::substitute(const int first)
-  {
-    const int *rows = factor().innerIndexPtr() + factor().outerIndexPtr()[first] + n_columns;
-    const int  n_rows =
-      factor().outerIndexPtr()[first + 1] - factor().outerIndexPtr()[first] - n_columns;
-    const double *columns[n_columns];
-    double        sums[n_columns] = {};
-    for (int j = 0; j < n_columns; ++j)
-      columns[j] = factor().valuePtr() + factor().outerIndexPtr()[first + j] + n_columns - j;
-    for (int p = 0; p < n_rows; ++p)
-      {
-        const double value = values[rows[p]];
-        for (int j = 0; j < n_columns; ++j)
-          sums[j] += columns[j][p] * value;
-      }
-    for (int j = n_columns; j-- > 0;)
-      {
-        const double *column = factor().valuePtr() + factor().outerIndexPtr()[first + j];
-        for (int i = j + 1; i < n_columns; ++i)
-          sums[j] += column[i - j] * values[first + i];
-        values[first + j] = (values[first + j] - sums[j]) / column[0];
-      }
   }
 
 
@@ -192,21 +102,17 @@ namespace signorini
   {
     for (std::size_t k = 0; k < entries.size(); ++k)
       values[k] = force.local_element(entries[k]);
-    for (std::size_t g = 0; g + 1 < groups.size(); ++g)
-      with_size(groups[g + 1] - groups[g],
-                [&](const auto n_columns) { eliminate<n_columns>(groups[g]); });
-    return values.tail(values.size() - n_eliminated);
+    factor.eliminate(values.data());
+    return values.tail(schur_complement().rows());
   }
 
 
   template <int dim>
   void NodalFactor<dim>::expand(const Eigen::VectorXd &last, Vector &displacement)
   {
-    AssertDimension(last.size(), values.size() - n_eliminated);
+    AssertDimension(last.size(), schur_complement().rows());
     values.tail(last.size()) = last;
-    for (std::size_t g = groups.size() - 1; g-- > 0;)
-      with_size(groups[g + 1] - groups[g],
-                [&](const auto n_columns) { substitute<n_columns>(groups[g]); });
+    factor.substitute(values.data());
     displacement = 0.;
     for (std::size_t k = 0; k < entries.size(); ++k)
       displacement.local_element(entries[k]) = values[k];

@@ -32,7 +32,7 @@ TEST(CondensationChoice, IsForThePlane)
 
 TEST(CondensationChoice, PaysAfterFewerSolutionsWhereTheyAreDear)
 {
-  CondensationCost cost{2, 10000, 4., {1e-3, 30, false}, 200};
+  CondensationCost cost{2, 10000, 4., {1e-3, 20, false}, 200};
   EXPECT_FALSE(condensation_pays(cost));
   cost.use.with_friction = true;
   EXPECT_TRUE(condensation_pays(cost));

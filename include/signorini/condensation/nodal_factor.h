@@ -4,10 +4,8 @@
 #ifndef signorini_condensation_nodal_factor_h
 #define signorini_condensation_nodal_factor_h
 
+#include <signorini/condensation/multifrontal_factor.h>
 #include <signorini/linear_algebra/elastic_matrices.h>
-
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCholesky>
 
 namespace signorini
 {
@@ -35,7 +33,7 @@ namespace signorini
                 const std::vector<unsigned int> &last);
 
     /** S, by the entries of the chosen nodes in their order; prescribed ones by themselves. */
-    const Eigen::MatrixXd &schur_complement() const { return of_last; }
+    const Eigen::MatrixXd &schur_complement() const { return factor.schur_complement(); }
 
     /** f_c - K_ci K_ii^-1 f_i: what a force is for the chosen nodes. It is kept for expand(). */
     Eigen::VectorXd condense(const Vector &force);
@@ -48,30 +46,8 @@ namespace signorini
 
   private:
     std::vector<unsigned int> entries; ///< by position in the factor
-    Eigen::Index              n_eliminated;
-    Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>
-      cholesky;
-    /**
-     * Where eliminated columns begin that have their rows in common below the last of them, at most
-     * `most_columns` each: what they read is used for all of them.
-     */
-    std::vector<int> groups;
-    Eigen::MatrixXd  of_last;
-    Eigen::VectorXd  values; ///< while it is solved, by position
-
-    static constexpr int most_columns = 4;
-
-    /** Column by column, the diagonal first. */
-    const Eigen::SparseMatrix<double> &factor() const
-    {
-      return cholesky.matrixL().nestedExpression();
-    }
-
-    void find_groups();
-    template <int n_columns>
-    void eliminate(int first);
-    template <int n_columns>
-    void substitute(int first);
+    MultifrontalFactor        factor;
+    Eigen::VectorXd           values; ///< while it is solved, by position
   };
 } // namespace signorini
 
