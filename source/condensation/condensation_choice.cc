@@ -17,9 +17,13 @@ namespace signorini
     // time. In the plane it is faster than iterations from the first steps with a wave through a
     // few cells on. What the factor costs comes back after some solutions: fewer where they are
     // dearer, in long steps and with friction.
-    constexpr double least_courant_number = 1.5, most_dofs = 2e5;
-    // What is left is a full matrix, with a factor for each set of closed nodes.
-    constexpr unsigned int most_contact_entries = 1200;
+    constexpr double least_courant_number = 1.5;
+    // By then it takes 3 GB.
+    constexpr double most_dofs = 1e6;
+    // What is left is a full matrix, with a factor for each set of closed nodes. The rim of a disc
+    // has 2.5 n^(1/2) entries, of which few are closed.
+    const double most_contact_entries =
+      std::max(1200., 3. * std::sqrt(static_cast<double>(cost.n_dofs)));
     if (cost.dim != 2 || cost.courant_number < least_courant_number || cost.n_dofs > most_dofs
         || cost.n_contact_entries > most_contact_entries || cost.n_parts > 1)
       return false;

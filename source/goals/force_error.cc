@@ -76,7 +76,6 @@ namespace signorini
       tolerances.clear();
     latest        = reading;
     largest_force = std::max(largest_force, reading.force);
-    force_scale   = std::max(force_scale, reading.expected_force());
     if (reading.force <= 0. || reading.elastic_energy <= 0.)
       return;
     const double force_per_error = reading.force / (effectivity(dim) * 2. * reading.elastic_energy);
@@ -99,8 +98,8 @@ namespace signorini
   {
     if (latest.force <= 0. || latest.elastic_energy <= 0.)
       return largest_tolerance > 0. ? largest_tolerance : beyond_bounds;
-    const double of_target =
-      target * effectivity(dim) * 2. * latest.elastic_energy * force_scale / latest.force;
+    const double of_target = target * effectivity(dim) * 2. * latest.elastic_energy
+                             * std::max(largest_force, latest.expected_force()) / latest.force;
     return std::sqrt(std::max(of_target, 2. * latest.at_limit));
   }
 

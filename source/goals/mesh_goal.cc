@@ -61,13 +61,7 @@ namespace signorini
     const double      length  = std::max(step_size, step.step_size);
     const double      soon    = (parameters.longest_wait() + 1) * length;
     std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end, soon);
-    const auto        any     = [](const std::vector<bool> &bodies) {
-      return std::find(bodies.begin(), bodies.end(), true) != bodies.end();
-    };
-    awaits_contact     = any(matters);
-    const double later = 2. * parameters.longest_wait(true) * length;
-    in_flight          = !awaits_contact && parameters.distance == 0.
-                && !any(bodies_in_touch(discretization, surface, step.end, later));
+    awaits_contact            = std::find(matters.begin(), matters.end(), true) != matters.end();
     const ContactZones<dim> zones(mesh, in_contact);
     bool                    lasts = false; // what contact has brought about
     for (unsigned int body = 0; body < matters.size(); ++body)
@@ -77,6 +71,7 @@ namespace signorini
           if (has_touched[body] && stress->lasts_in(body))
             matters[body] = lasts = true;
       }
+    in_flight           = !awaits_contact && !lasts && parameters.distance == 0.;
     unsigned int n_free = 0;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned() && !matters[cell->material_id()])
@@ -89,7 +84,7 @@ namespace signorini
       {
         ForceReading reading =
           force_reading(discretization, surface, step.end, indicator, parameters.maximum_level);
-        reading.of_approach = energy_of_slow_approach(discretization, step.end, masses);
+        reading.of_approach = energy_of_slow_approach(discretization, surface, step.end, masses);
         reading.n_near      = n_near;
         reading.n_free      = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
         force_error.see(reading);

@@ -280,7 +280,7 @@ namespace signorini
   StepReport Simulation<dim>::advance(TimeStepping &stepping, Observation<dim> &observation)
   {
     flags = MeshChange();
-    if (!mesh_control.is_due(state.step + 1))
+    if (!mesh_control.may_be_due(state.step + 1))
       return advance_on_this_mesh(stepping);
     unsigned int rejected = 0;
     for (unsigned int repetition = 0;; ++repetition)
@@ -288,6 +288,8 @@ namespace signorini
         const State start  = state;
         StepReport  report = advance_on_this_mesh(stepping);
         report.rejected_steps += rejected;
+        if (!mesh_control.is_due(state))
+          return report;
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
           flags = mesh_control.judge(*meshed, {start, state, report.step_size});

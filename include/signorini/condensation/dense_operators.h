@@ -4,6 +4,7 @@
 #ifndef signorini_condensation_dense_operators_h
 #define signorini_condensation_dense_operators_h
 
+#include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/linear_operator.h>
 #include <signorini/linear_algebra/masked_preconditioner.h>
 
@@ -45,6 +46,7 @@ namespace signorini
     {
     }
 
+    /** @throws StepError if the free part of the matrix is not definite */
     void set_mask(const Mask &new_mask) override
     {
       if (is_set && new_mask == mask)
@@ -56,6 +58,8 @@ namespace signorini
         if (!mask[i])
           free.push_back(i);
       factor.compute(matrix(free, free));
+      if (factor.info() != Eigen::Success)
+        throw StepError("the matrix of a step has no Cholesky factor.");
     }
 
     void vmult(Vector &destination, const Vector &source) const override

@@ -25,7 +25,7 @@ namespace signorini
     /**
      * @param prescribed by entry: 1 for components that are zero
      * @param last       the chosen nodes
-     * @throws StepError if K is not definite
+     * @throws StepError if what is eliminated of K is not definite
      */
     NodalFactor(const ElasticMatrices<dim>      &matrices,
                 const MatrixSum                 &sum,

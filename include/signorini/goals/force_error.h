@@ -109,7 +109,7 @@ namespace signorini
 
     void archive(Archive &archive)
     {
-      archive(latest, previous_force, largest_force, force_scale, largest_tolerance, tolerances);
+      archive(latest, previous_force, largest_force, largest_tolerance, tolerances);
       history.archive(archive);
     }
 
@@ -119,7 +119,6 @@ namespace signorini
     ForceReading latest;
     double       previous_force    = 0.; ///< in the judgement before
     double       largest_force     = 0.;
-    double       force_scale       = 0.; ///< largest expected force so far
     double       largest_tolerance = 0.;
 
     struct Tolerance

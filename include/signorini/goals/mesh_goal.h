@@ -64,7 +64,10 @@ namespace signorini
      */
     bool is_expectant() const { return awaits_contact && !force_error.is_settled(); }
 
-    /** Whether nothing touches anything after the step that was seen, nor will for long. */
+    /**
+     * Whether nothing touched anything in the step that was seen, nor seemed to be about to. The
+     * first step with contact has to be judged then.
+     */
     bool is_in_flight() const { return in_flight; }
 
     /** For the end of the run: entries of the summary. */
@@ -75,7 +78,7 @@ namespace signorini
       force_error.archive(archive);
       base_levels.archive(archive);
       std::size_t n_stresses = stress_errors.size();
-      archive(masses, awaits_contact, has_touched, n_stresses);
+      archive(masses, awaits_contact, in_flight, has_touched, n_stresses);
       stress_errors.resize(n_stresses, StressError<dim>(parameters.target_error));
       for (StressError<dim> &error : stress_errors)
         error.archive(archive);

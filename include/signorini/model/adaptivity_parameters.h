@@ -90,7 +90,7 @@ namespace signorini
 
     /**
      * Steps until the mesh is judged again, at most, if it changes when that pays.
-     * @param in_flight no body touches anything, nor will in twice as many steps
+     * @param in_flight no body touches anything, nor seems to be about to
      */
     unsigned int longest_wait(const bool in_flight = false) const
     {

@@ -33,10 +33,21 @@ namespace signorini
      */
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
-    /** Whether the mesh is to be judged after a step: the indicator is evaluated only then. */
-    bool is_due(unsigned int step) const
+    /**
+     * Whether the mesh is to be judged after a step: the indicator is evaluated only then. In
+     * flight that depends on what the step brings, see is_due().
+     */
+    bool may_be_due(unsigned int step) const
     {
-      return any() && (rule.is_due(step) || (goal && goal->is_expectant()));
+      return any()
+             && (rule.is_due(step) || (goal && (goal->is_expectant() || goal->is_in_flight())));
+    }
+
+    /** The same after the step. What ends a flight has not been expected. Collective. */
+    bool is_due(const State &state) const
+    {
+      return rule.is_due(state.step) || (goal && goal->is_expectant())
+             || state.contact_force.linfty_norm() > 0.;
     }
 
     /**
