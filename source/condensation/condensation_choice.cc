@@ -18,8 +18,8 @@ namespace signorini
     // few cells on. What the factor costs comes back after some solutions: fewer where they are
     // dearer, in long steps and with friction.
     constexpr double least_courant_number = 1.5;
-    // By then it takes 3 GB.
-    constexpr double most_dofs = 1e6;
+    // By then it takes 9 GB.
+    constexpr double most_dofs = 3e6;
     // What is left is a full matrix, with a factor for each set of closed nodes. The rim of a disc
     // has 2.5 n^(1/2) entries, of which few are closed.
     const double most_contact_entries =

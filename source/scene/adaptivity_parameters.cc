@@ -191,7 +191,8 @@ namespace signorini
         Double(),
         "Of goals other than energy: the error that the mesh may cause, relative to the force or "
         "the stress and L2 in time (no unit), between 0 and 1. Estimated; cells get equal shares "
-        "of it in units of the largest force or stress so far.");
+        "of it in units of the largest force or stress so far, or of the force that a slow "
+        "approach will soon bring.");
     }
 
 
