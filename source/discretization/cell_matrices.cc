@@ -8,6 +8,7 @@
 #include <deal.II/fe/mapping_q.h>
 
 #include <boost/functional/hash.hpp>
+#include <Eigen/Core>
 
 #include <cmath>
 #include <limits>
@@ -35,6 +36,71 @@ namespace signorini
       for (const unsigned int l : cell->line_indices())
         flat = flat && cell->line(l)->manifold_id() == numbers::flat_manifold_id;
       return flat;
+    }
+
+    /** Integrals over a cell of products of two shape functions, and of their gradients. */
+    template <int dim>
+    class IntegratedProducts
+    {
+    public:
+      using Block = typename CellMatrix<dim>::Block;
+
+      explicit IntegratedProducts(const FEValues<dim> &fe_values)
+      {
+        const unsigned int                                n_points = fe_values.n_quadrature_points;
+        Eigen::Matrix<double, n_vertices, Eigen::Dynamic> value(n_vertices, n_points);
+        Eigen::Matrix<double, dim * n_vertices, Eigen::Dynamic> gradient(dim * n_vertices,
+                                                                         n_points);
+        Eigen::VectorXd                                         weight(n_points);
+        for (unsigned int q = 0; q < n_points; ++q)
+          {
+            weight(q) = fe_values.JxW(q);
+            for (unsigned int a = 0; a < n_vertices; ++a)
+              {
+                value(a, q) = fe_values.shape_value(a, q);
+                for (unsigned int c = 0; c < dim; ++c)
+                  gradient(dim * a + c, q) = fe_values.shape_grad(a, q)[c];
+              }
+          }
+        values.noalias()    = value * (value * weight.asDiagonal()).transpose();
+        gradients.noalias() = gradient * (gradient * weight.asDiagonal()).transpose();
+      }
+
+      double of_values(const unsigned int a, const unsigned int b) const { return values(a, b); }
+
+      /** Of the derivatives by c of function a and by d of function b, column by column. */
+      Block of_gradients(const unsigned int a, const unsigned int b) const
+      {
+        Block block;
+        for (unsigned int d = 0; d < dim; ++d)
+          for (unsigned int c = 0; c < dim; ++c)
+            block[dim * d + c] = gradients(dim * a + c, dim * b + d);
+        return block;
+      }
+
+    private:
+      static constexpr unsigned int n_vertices = CellMatrix<dim>::n_vertices;
+
+      Eigen::Matrix<double, n_vertices, n_vertices>             values;
+      Eigen::Matrix<double, dim * n_vertices, dim * n_vertices> gradients;
+    };
+
+
+    /** Of two vertices: all of it is made of the products of the derivatives. */
+    template <int dim>
+    typename CellMatrix<dim>::Block stiffness_block(const Material                        &material,
+                                                    const typename CellMatrix<dim>::Block &products)
+    {
+      double trace = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        trace += products[dim * c + c];
+      typename CellMatrix<dim>::Block block;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int c = 0; c < dim; ++c)
+          block[dim * d + c] = material.lambda() * products[dim * d + c]
+                               + material.mu() * products[dim * c + d]
+                               + (c == d ? material.mu() * trace : 0.);
+      return block;
     }
   } // namespace
 
@@ -164,43 +230,14 @@ namespace signorini
   {
     const Material &material = by_body[cell->material_id()].material;
     fe_values.reinit(cell);
-    result.mass.fill(0.);
-    for (auto &block : result.stiffness)
-      block.fill(0.);
-    // First the integrals of the products of derivatives, d_c phi_a d_d phi_b; all of the stiffness
-    // is made of them.
-    std::array<double, n_vertices>         value;
-    std::array<Tensor<1, dim>, n_vertices> gradient;
-    for (const unsigned int q : fe_values.quadrature_point_indices())
-      {
-        for (unsigned int a = 0; a < n_vertices; ++a)
-          {
-            value[a]    = fe_values.shape_value(a, q);
-            gradient[a] = fe_values.shape_grad(a, q);
-          }
-        const double JxW = fe_values.JxW(q);
-        unsigned int k   = 0;
-        for (unsigned int a = 0; a < n_vertices; ++a)
-          for (unsigned int b = a; b < n_vertices; ++b, ++k)
-            {
-              result.mass[k] += material.density * value[a] * value[b] * JxW;
-              for (unsigned int d = 0; d < dim; ++d)
-                for (unsigned int c = 0; c < dim; ++c)
-                  result.stiffness[k][dim * d + c] += gradient[a][c] * (gradient[b][d] * JxW);
-            }
-      }
-    for (auto &block : result.stiffness)
-      {
-        const auto products = block;
-        double     trace    = 0.;
-        for (unsigned int c = 0; c < dim; ++c)
-          trace += products[dim * c + c];
-        for (unsigned int d = 0; d < dim; ++d)
-          for (unsigned int c = 0; c < dim; ++c)
-            block[dim * d + c] = material.lambda() * products[dim * d + c]
-                                 + material.mu() * products[dim * c + d]
-                                 + (c == d ? material.mu() * trace : 0.);
-      }
+    const IntegratedProducts<dim> integrals(fe_values);
+    for (unsigned int a = 0; a < n_vertices; ++a)
+      for (unsigned int b = a; b < n_vertices; ++b)
+        {
+          const unsigned int k = CellMatrix<dim>::pair(a, b);
+          result.mass[k]       = material.density * integrals.of_values(a, b);
+          result.stiffness[k]  = stiffness_block<dim>(material, integrals.of_gradients(a, b));
+        }
     result.modes = CellModes<dim>();
     if (const auto &modes = strain_modes<dim>(by_body[cell->material_id()].element); !modes.empty())
       {

@@ -60,10 +60,11 @@ namespace signorini
   }
 
 
-  TangentVector slip_force(const FrictionLaw &law, const NodeForces &node)
+  TangentVector slip_force(const FrictionLaw &law, const NodeForces &node, const double stiffness)
   {
-    const TangentVector &along = node.slip.norm() > 0. ? node.slip : node.tangential;
-    const double         size  = along.norm();
-    return size > 0. ? TangentVector(law.bound(node.normal) / size * along) : along;
+    Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
+    const TangentVector y    = node.tangential + stiffness * node.slip;
+    const double        size = y.norm();
+    return size > 0. ? TangentVector(law.bound(node.normal) / size * y) : y;
   }
 } // namespace signorini

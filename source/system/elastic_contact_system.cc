@@ -227,7 +227,12 @@ namespace signorini
     solution.effort            = of_step.solve(constrained, active, increment, residual);
     matrix.effort.add(solution.effort);
 
-    extract(friction_of_nodes, residual, problem.further_reaction != nullptr, drag, solution);
+    extract(friction_of_nodes,
+            residual,
+            *matrix.product,
+            problem.further_reaction != nullptr,
+            drag,
+            solution);
     coordinates.force_to_cartesian(residual);
     matrix.forecast.remember(problem.right_hand_side, increment, residual);
     if (listener)
@@ -236,11 +241,12 @@ namespace signorini
 
 
   template <int dim>
-  void ElasticContactSystem<dim>::extract(const Friction    &friction_of_nodes,
-                                          const Vector      &residual,
-                                          const bool         pressed_from_elsewhere,
-                                          const Vector      &drag,
-                                          IncrementSolution &solution) const
+  void ElasticContactSystem<dim>::extract(const Friction       &friction_of_nodes,
+                                          const Vector         &residual,
+                                          const LinearOperator &matrix,
+                                          const bool            pressed_from_elsewhere,
+                                          const Vector         &drag,
+                                          IncrementSolution    &solution) const
   {
     solution.contact_reaction = coordinates.normal_reaction(active, residual);
     solution.normal_reaction.clear();
@@ -255,6 +261,7 @@ namespace signorini
                          active,
                          solution.increment,
                          residual,
+                         matrix,
                          pressed_from_elsewhere,
                          solution);
         coordinates.force_to_cartesian(solution.friction_reaction);

@@ -70,7 +70,7 @@ namespace signorini
     active             = found.status;
     solution.increment = found.increment;
     solution.effort    = found.effort;
-    extract(laws, found.residual, false, drag, solution);
+    extract(laws, found.residual, equilibrium.stiffness_matrix(), false, drag, solution);
   }
 
 

@@ -39,6 +39,7 @@ namespace signorini
                     const ContactCoordinates<dim> &coordinates,
                     const Friction                &laws,
                     const StaticSolution          &equilibrium,
+                    const LinearOperator          &matrix,
                     State                         &state)
     {
       const ActiveSet &status = equilibrium.status;
@@ -47,7 +48,8 @@ namespace signorini
       if (!friction.any())
         return;
       IncrementSolution solution;
-      friction.extract(laws, status, equilibrium.increment, equilibrium.residual, false, solution);
+      friction.extract(
+        laws, status, equilibrium.increment, equilibrium.residual, matrix, false, solution);
       coordinates.force_to_cartesian(solution.friction_reaction);
       state.contact_force += solution.friction_reaction;
       state.friction.force = solution.friction_reaction;
@@ -91,7 +93,7 @@ namespace signorini
       }
     state.displacement = solution.increment;
     coordinates.displacement_to_cartesian(state.displacement);
-    set_forces(friction, coordinates, laws, solution, state);
+    set_forces(friction, coordinates, laws, solution, equilibrium.stiffness_matrix(), state);
     const unsigned int n_products =
       discretization.matrices().products().stiffness - before.stiffness;
     return {n_products, solution.is_held ? "" : equilibrium.unheld_motion(solution)};

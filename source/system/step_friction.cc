@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/system/step_friction.h>
+#include <signorini/variational_inequality/node_stiffness.h>
 
 #include <deal.II/base/mpi.h>
 
@@ -67,12 +68,13 @@ namespace signorini
 
 
   template <int dim>
-  void StepFriction<dim>::extract(const Friction    &friction,
-                                  const ActiveSet   &status,
-                                  const Vector      &increment,
-                                  const Vector      &residual,
-                                  const bool         pressed_from_elsewhere,
-                                  IncrementSolution &solution) const
+  void StepFriction<dim>::extract(const Friction       &friction,
+                                  const ActiveSet      &status,
+                                  const Vector         &increment,
+                                  const Vector         &residual,
+                                  const LinearOperator &matrix,
+                                  const bool            pressed_from_elsewhere,
+                                  IncrementSolution    &solution) const
   {
     AssertDimension(friction.size(), status.size());
     AssertDimension(status.size(), coordinates.normal_entries().size());
@@ -81,6 +83,8 @@ namespace signorini
     solution.slip.reinit(increment);
     solution.slip_length.assign(status.size(), 0.);
     solution.status.resize(status.size());
+    const std::vector<double> stiffness =
+      node_stiffness(matrix, coordinates.normal_entries(), friction, increment);
     double work = 0.;
     for (std::size_t k = 0; k < status.size(); ++k)
       {
@@ -93,7 +97,8 @@ namespace signorini
           reported_status(status[k], pressed_from_elsewhere && node.law.constant > 0.);
         if (node.entries.empty() || (!sticks && node.law.bound(forces.normal) == 0.))
           continue;
-        const TangentVector force = sticks ? forces.tangential : slip_force(node.law, forces);
+        const TangentVector force =
+          sticks ? forces.tangential : slip_force(node.law, forces, stiffness[k]);
         for (unsigned int j = 0; j < node.entries.size(); ++j)
           {
             solution.friction_reaction.local_element(node.entries[j]) = -force[j];

@@ -92,6 +92,11 @@ TEST(SlipCondition, DecidesWhoSticks)
 
 TEST(SlipCondition, ForceIsOnTheCone)
 {
-  const TangentVector force = slip_force({0.5}, {4., {0.1, 0.1}, {-3., 4.}});
+  const NodeForces    node{4., {0.1, 0.1}, {-3., 4.}};
+  const TangentVector force = slip_force({0.5}, node, 1e17);
   EXPECT_LT((force - TangentVector(-1.2, 1.6)).norm(), 1e-15);
+  // A slip that is less than what the solver resolves has no direction of its own.
+  const TangentVector hardly = slip_force({0.5}, {4., {1.2, -1.6}, {0., 1e-14}}, 0.04);
+  EXPECT_LT((hardly - TangentVector(1.2, -1.6)).norm(), 1e-14);
+  EXPECT_NEAR(slip_force({0.5}, {4., {1., -1.5}, {0.3, 0.2}}, 2.).norm(), 2., 1e-15);
 }

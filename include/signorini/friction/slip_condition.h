@@ -59,10 +59,11 @@ namespace signorini
                                unsigned int       n_tangents);
 
   /**
-   * The friction of a slipping node: of the size of the bound, along the slip, or along t where
-   * there is none.
+   * The friction of a slipping node: of the size of the bound, in the direction of y as the solver
+   * takes it, which is that of a long slip, and that of t where slip is too small to have one.
+   * @param stiffness c > 0, of the size of K
    */
-  TangentVector slip_force(const FrictionLaw &law, const NodeForces &node);
+  TangentVector slip_force(const FrictionLaw &law, const NodeForces &node, double stiffness);
 } // namespace signorini
 
 #endif

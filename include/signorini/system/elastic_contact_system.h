@@ -184,11 +184,12 @@ namespace signorini
      * @param drag     what the increment is to get besides slip; empty: nothing
      * @param solution with the increment in contact coordinates
      */
-    void extract(const Friction    &friction_of_nodes,
-                 const Vector      &residual,
-                 bool               pressed_from_elsewhere,
-                 const Vector      &drag,
-                 IncrementSolution &solution) const;
+    void extract(const Friction       &friction_of_nodes,
+                 const Vector         &residual,
+                 const LinearOperator &matrix,
+                 bool                  pressed_from_elsewhere,
+                 const Vector         &drag,
+                 IncrementSolution    &solution) const;
 
     /**
      * Accepted error in the norm of K: its energy, seen as one of velocity, is tolerance^2 times

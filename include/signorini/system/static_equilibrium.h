@@ -83,6 +83,9 @@ namespace signorini
      */
     StaticSolution find_held(StaticProblem problem, const ActiveSet &status);
 
+    /** A. */
+    const LinearOperator &stiffness_matrix() const { return stiffness; }
+
     /** What is not held in a solution: bodies and their motions, in words. */
     std::string unheld_motion(const StaticSolution &solution) const;
 

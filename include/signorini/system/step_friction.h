@@ -41,17 +41,19 @@ namespace signorini
      * The friction in a solution.
      * @param status    of the solver
      * @param increment, residual in contact coordinates
+     * @param matrix    of the problem
      * @param pressed_from_elsewhere whether the laws contain a further reaction; an open node that
      *                               it entitles to friction is reported as closed
      * @param solution  gets friction_reaction (in contact coordinates), friction_work, slip
      *                  (Cartesian), slip_length, and status (open, slip or stick)
      */
-    void extract(const Friction    &friction,
-                 const ActiveSet   &status,
-                 const Vector      &increment,
-                 const Vector      &residual,
-                 bool               pressed_from_elsewhere,
-                 IncrementSolution &solution) const;
+    void extract(const Friction       &friction,
+                 const ActiveSet      &status,
+                 const Vector         &increment,
+                 const Vector         &residual,
+                 const LinearOperator &matrix,
+                 bool                  pressed_from_elsewhere,
+                 IncrementSolution    &solution) const;
 
   private:
     const ContactCoordinates<dim> &coordinates;

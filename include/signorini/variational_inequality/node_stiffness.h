@@ -11,22 +11,29 @@ namespace signorini
   /**
    * A number of the size of K for each bounded entry: the mean of the diagonal over the entry and
    * the tangential entries of its node. It does not depend on the choice of the tangents.
+   * @param diagonal any vector of the size of the matrix
    */
-  inline std::vector<double> node_stiffness(const ConstrainedProblem &problem)
+  inline std::vector<double> node_stiffness(const LinearOperator            &matrix,
+                                            const std::vector<unsigned int> &bounded_entries,
+                                            const Friction                  &friction,
+                                            Vector                           diagonal)
   {
-    Vector diagonal;
-    diagonal.reinit(problem.right_hand_side, true);
-    problem.matrix.diagonal(diagonal);
+    matrix.diagonal(diagonal);
     std::vector<double> stiffness;
-    for (std::size_t k = 0; k < problem.bounded_entries.size(); ++k)
+    for (std::size_t k = 0; k < bounded_entries.size(); ++k)
       {
-        const auto &entries = problem.friction[k].entries;
-        double      sum     = diagonal.local_element(problem.bounded_entries[k]);
-        for (const unsigned int i : entries)
+        double sum = diagonal.local_element(bounded_entries[k]);
+        for (const unsigned int i : friction[k].entries)
           sum += diagonal.local_element(i);
-        stiffness.push_back(sum / (1. + entries.size()));
+        stiffness.push_back(sum / (1. + friction[k].entries.size()));
       }
     return stiffness;
+  }
+
+  inline std::vector<double> node_stiffness(const ConstrainedProblem &problem)
+  {
+    return node_stiffness(
+      problem.matrix, problem.bounded_entries, problem.friction, problem.right_hand_side);
   }
 } // namespace signorini
 
