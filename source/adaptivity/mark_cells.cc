@@ -98,6 +98,24 @@ namespace signorini
     }
 
 
+    /**
+     * Refinement alone needs no projection of the state. What the estimate of the energy wants is
+     * coarsened layer by layer, and must not wait; equal shares of a target leave less to coarsen.
+     */
+    template <int dim>
+    void drop_little_coarsening(parallel::distributed::Triangulation<dim> &triangulation,
+                                const AdaptivityParameters                &parameters,
+                                MeshChange                                &change)
+    {
+      if (change.n_to_coarsen == 0 || (change.refines() && !parameters.has_target())
+          || change.n_to_coarsen >= parameters.hysteresis * triangulation.n_global_active_cells())
+        return;
+      for (const auto &cell : triangulation.active_cell_iterators())
+        cell->clear_coarsen_flag();
+      change.n_to_coarsen = 0;
+    }
+
+
     /** What may and what must be done with each cell of this process, by active_cell_index. */
     struct CellWishes
     {
@@ -226,24 +244,15 @@ namespace signorini
     set_flags(triangulation, wishes, threshold);
     change.estimate = std::sqrt(distribution.total());
     count_flags(triangulation, change);
-    // Refinement alone needs no projection of the state. What the estimate of the energy wants is
-    // coarsened layer by layer, and must not wait; equal shares of a target leave less to coarsen.
-    const auto drop_little_coarsening = [&] {
-      if ((!change.refines() || parameters.has_target()) && change.n_to_coarsen > 0
-          && change.n_to_coarsen < parameters.hysteresis * distribution.n_cells())
-        {
-          for (const auto &cell : triangulation.active_cell_iterators())
-            cell->clear_coarsen_flag();
-          change.n_to_coarsen = 0;
-        }
-    };
-    drop_little_coarsening();
+    // Before the smoothing of flags, which is most of the price of marking, and after it, as it
+    // takes some away.
+    drop_little_coarsening(triangulation, parameters, change);
     if (!change.any())
       return change;
     keep_families_beside_finer_cells(triangulation);
     triangulation.prepare_coarsening_and_refinement(); // may add flags and remove some
     count_flags(triangulation, change);
-    drop_little_coarsening();
+    drop_little_coarsening(triangulation, parameters, change);
     constexpr double of_a_family = 1. - 1. / (1 << dim);
     change.spared_part           = of_a_family * change.n_to_coarsen / distribution.n_cells();
     return change;

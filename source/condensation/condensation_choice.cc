@@ -18,7 +18,7 @@ namespace signorini
     // few cells on. What the factor costs comes back after some solutions: fewer where they are
     // dearer, in long steps and with friction.
     constexpr double least_courant_number = 1.5;
-    // By then it takes 9 GB.
+    // By then a run takes 9 GB.
     constexpr double most_dofs = 3e6;
     // What is left is a full matrix, with a factor for each set of closed nodes. The rim of a disc
     // has 2.5 n^(1/2) entries, of which few are closed.
@@ -62,6 +62,7 @@ namespace signorini
 
   double memory_of_factor(const dealii::types::global_dof_index n_dofs)
   {
+    // With the full matrices from which panels come, which are there for a moment.
     constexpr double bytes_per_number = 12., of_the_matrix = 25.;
     const double     per_row = 8.5 * std::log2(static_cast<double>(n_dofs)) - 57.;
     return bytes_per_number * n_dofs * (std::max(0., per_row) + of_the_matrix);

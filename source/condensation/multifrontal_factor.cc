@@ -7,6 +7,8 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <numeric>
+#include <type_traits>
 
 namespace signorini
 {
@@ -103,26 +105,49 @@ namespace signorini
     };
 
 
-    /** Add up a full matrix of some rows: lower triangle. @param place of each row in it */
-    void assemble(const Update &update, const std::vector<int> &place, Eigen::MatrixXd &front)
+    /**
+     * Add up, in the lower triangle of a full matrix, the first columns of some rows of a sparse
+     * one and what eliminated panels leave for these rows.
+     * @param place of each row in the full matrix: work space
+     */
+    void assemble(const Eigen::SparseMatrix<double> &lower,
+                  const int *const                   rows,
+                  const Eigen::Index                 n_rows,
+                  const Eigen::Index                 n_columns,
+                  const std::vector<Update>         &updates,
+                  std::vector<int>                  &place,
+                  Eigen::MatrixXd                   &front)
     {
-      for (Eigen::Index j = 0; j < update.matrix.cols(); ++j)
-        {
-          double       *column = &front(0, place[update.rows[j]]);
-          const double *more   = &update.matrix(0, j);
-          for (Eigen::Index i = j; i < update.matrix.rows(); ++i)
-            column[place[update.rows[i]]] += more[i];
-        }
+      for (Eigen::Index i = 0; i < n_rows; ++i)
+        place[rows[i]] = i;
+      front.setZero(n_rows, n_rows);
+      for (Eigen::Index j = 0; j < n_columns; ++j)
+        for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, rows[j]); entry; ++entry)
+          front(place[entry.row()], j) += entry.value();
+      for (const Update &update : updates)
+        for (Eigen::Index j = 0; j < update.matrix.cols(); ++j)
+          {
+            double       *column = &front(0, place[update.rows[j]]);
+            const double *more   = &update.matrix(0, j);
+            for (Eigen::Index i = j; i < update.matrix.rows(); ++i)
+              column[place[update.rows[i]]] += more[i];
+          }
     }
 
 
-    void assemble(const Eigen::SparseMatrix<double> &lower,
-                  const int                          column,
-                  const std::vector<int>            &place,
-                  Eigen::MatrixXd                   &front)
+    /** Columns of the factor in place of the first ones of a front. @return what they leave */
+    Eigen::MatrixXd eliminate_columns(Eigen::MatrixXd &front, const Eigen::Index n_columns)
     {
-      for (Eigen::SparseMatrix<double>::InnerIterator entry(lower, column); entry; ++entry)
-        front(place[entry.row()], place[column]) += entry.value();
+      const Eigen::Index n_left = front.rows() - n_columns;
+      auto               pivots = front.topLeftCorner(n_columns, n_columns);
+      auto               below  = front.bottomLeftCorner(n_left, n_columns);
+      const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(pivots);
+      if (factor.info() != Eigen::Success)
+        throw StepError("the matrix of a step has no Cholesky factor.");
+      pivots.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
+      Eigen::MatrixXd left = front.bottomRightCorner(n_left, n_left);
+      left.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.);
+      return left;
     }
   } // namespace
 
@@ -171,44 +196,24 @@ namespace signorini
     Eigen::MatrixXd front;
     for (int k = 0; k < n_panels; ++k)
       {
-        const Panel       &panel     = panels[k];
-        const int         *first     = rows.data() + panel.first_row;
-        const Eigen::Index n_rows    = panel.n_rows;
-        const Eigen::Index n_columns = panel.n_columns;
-        const Eigen::Index n_left    = n_rows - n_columns;
-        for (Eigen::Index i = 0; i < n_rows; ++i)
-          place[first[i]] = i;
-        front.setZero(n_rows, n_rows);
-        for (Eigen::Index i = 0; i < n_columns; ++i)
-          assemble(lower, first[i], place, front);
-        for (const Update &update : updates[k])
-          assemble(update, place, front);
-        updates[k] = {};
-
-        auto pivots = front.topLeftCorner(n_columns, n_columns);
-        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factor(pivots);
-        if (factor.info() != Eigen::Success)
-          throw StepError("the matrix of a step has no Cholesky factor.");
-        auto below = front.bottomLeftCorner(n_left, n_columns);
-        pivots.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(below);
-        for (Eigen::Index j = 0; j < n_columns; ++j)
-          std::copy_n(&front(j, j), n_rows - j, &numbers[panel.diagonal(j)]);
-        if (n_left == 0)
+        const Panel &panel = panels[k];
+        const int   *first = rows.data() + panel.first_row;
+        assemble(lower, first, panel.n_rows, panel.n_columns, updates[k], place, front);
+        updates[k]           = {};
+        Eigen::MatrixXd left = eliminate_columns(front, panel.n_columns);
+        for (int j = 0; j < panel.n_columns; ++j)
+          std::copy_n(&front(j, j), panel.n_rows - j, &numbers[panel.diagonal(j)]);
+        if (panel.n_rows == panel.n_columns)
           continue;
-        Update left{first + n_columns, front.bottomRightCorner(n_left, n_left)};
-        left.matrix.selfadjointView<Eigen::Lower>().rankUpdate(below, -1.);
-        const int next = left.rows[0];
-        updates[next < n_eliminated_rows ? panel_of[next] : n_panels].push_back(std::move(left));
+        const int *const left_rows = first + panel.n_columns;
+        const int taker = left_rows[0] < n_eliminated_rows ? panel_of[left_rows[0]] : n_panels;
+        updates[taker].push_back({left_rows, std::move(left)});
       }
 
-    const Eigen::Index n_others = lower.rows() - n_eliminated_rows;
-    of_others.setZero(n_others, n_others);
-    for (Eigen::Index i = 0; i < n_others; ++i)
-      place[n_eliminated_rows + i] = i;
-    for (Eigen::Index i = 0; i < n_others; ++i)
-      assemble(lower, n_eliminated_rows + i, place, of_others);
-    for (const Update &update : updates[n_panels])
-      assemble(update, place, of_others);
+    std::vector<int> others(lower.rows() - n_eliminated_rows);
+    std::iota(others.begin(), others.end(), n_eliminated_rows);
+    assemble(
+      lower, others.data(), others.size(), others.size(), updates[n_panels], place, of_others);
     of_others.triangularView<Eigen::StrictlyUpper>() = of_others.transpose();
   }
 

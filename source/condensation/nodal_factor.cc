@@ -39,7 +39,6 @@ namespace signorini
         result.push_back(nodes[order.indices()[k]]);
       return result;
     }
-
   } // namespace
 
 
@@ -67,10 +66,11 @@ namespace signorini
       if (entries.size() > static_cast<std::size_t>(node_starts.back()))
         node_starts.push_back(entries.size());
     };
-    const std::vector<unsigned int> order = elimination_order(pattern, is_last);
-    std::for_each(order.begin(), order.end(), add);
+    for (const unsigned int node : elimination_order(pattern, is_last))
+      add(node);
     const int n_eliminated = node_starts.size() - 1;
-    std::for_each(last.begin(), last.end(), add);
+    for (const unsigned int node : last)
+      add(node);
 
     std::vector<Eigen::Triplet<double>> lower;
     for (unsigned int row = 0; row < pattern.n_owned; ++row)

@@ -169,6 +169,18 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<double> Mesh<dim>::volumes_of_bodies() const
+  {
+    std::vector<double> volumes(bodies().size(), 0.);
+    for (const auto &cell : ordered_cells)
+      if (cell->is_locally_owned())
+        volumes[cell->material_id()] += cell->measure();
+    Utilities::MPI::sum(volumes, communicator(), volumes);
+    return volumes;
+  }
+
+
+  template <int dim>
   double Mesh<dim>::lowest_frequency() const
   {
     double slowest = std::numeric_limits<double>::max();

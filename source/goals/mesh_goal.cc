@@ -58,10 +58,11 @@ namespace signorini
   {
     dealii::Vector<double> squares = indicator;
     squares.scale(indicator);
-    const double      length  = std::max(step_size, step.step_size);
-    const double      soon    = (parameters.longest_wait() + 1) * length;
-    std::vector<bool> matters = bodies_in_touch(discretization, surface, step.end, soon);
-    awaits_contact            = std::find(matters.begin(), matters.end(), true) != matters.end();
+    // Steps that follow the motion may become longer, or short again.
+    const double      step_length = std::max(step_size, step.step_size);
+    const double      soon        = (parameters.longest_wait() + 1) * step_length;
+    std::vector<bool> matters     = bodies_in_touch(discretization, surface, step.end, soon);
+    awaits_contact = std::find(matters.begin(), matters.end(), true) != matters.end();
     const ContactZones<dim> zones(mesh, in_contact);
     bool                    lasts = false; // what contact has brought about
     for (unsigned int body = 0; body < matters.size(); ++body)
@@ -84,9 +85,11 @@ namespace signorini
       {
         ForceReading reading =
           force_reading(discretization, surface, step.end, indicator, parameters.maximum_level);
-        reading.of_approach = energy_of_slow_approach(discretization, surface, step.end, masses);
-        reading.n_near      = n_near;
-        reading.n_free      = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
+        if (reading.force > 0.)
+          reading.of_approach =
+            energy_of_slow_approach(discretization, surface, step.end, masses, reading.force);
+        reading.n_near = n_near;
+        reading.n_free = dealii::Utilities::MPI::sum(n_free, mesh.communicator());
         force_error.see(reading);
       }
     if (!stresses.empty() && force_error.has_seen_contact())

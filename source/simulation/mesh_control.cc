@@ -65,7 +65,7 @@ namespace signorini
       mesh, goal ? goal->marking() : parameters, latest, wishes.to_keep, wishes.to_refine);
     is_far_off       = goal && goal->is_far_off(change);
     change.is_urgent = change.is_urgent || is_far_off;
-    if (rule.pays(change, step.end.step, parameters.longest_wait(goal && goal->is_in_flight())))
+    if (rule.pays(change, step.end.step, goal ? goal->longest_wait() : parameters.longest_wait()))
       return change;
     clear_flags(mesh);
     return MeshChange();

@@ -227,12 +227,8 @@ namespace signorini
     solution.effort            = of_step.solve(constrained, active, increment, residual);
     matrix.effort.add(solution.effort);
 
-    extract(friction_of_nodes,
-            residual,
-            *matrix.product,
-            problem.further_reaction != nullptr,
-            drag,
-            solution);
+    const bool pressed_from_elsewhere = problem.further_reaction != nullptr;
+    extract(friction_of_nodes, residual, *matrix.product, pressed_from_elsewhere, drag, solution);
     coordinates.force_to_cartesian(residual);
     matrix.forecast.remember(problem.right_hand_side, increment, residual);
     if (listener)

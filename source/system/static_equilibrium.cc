@@ -71,12 +71,8 @@ namespace signorini
     template <int dim>
     double largest_slenderness(const Mesh<dim> &mesh)
     {
-      std::vector<double> volumes(mesh.bodies().size(), 0.);
-      for (const auto &cell : mesh.active_cells())
-        if (cell->is_locally_owned())
-          volumes[cell->material_id()] += cell->measure();
-      dealii::Utilities::MPI::sum(volumes, mesh.communicator(), volumes);
-      double largest = 1.;
+      const std::vector<double> volumes = mesh.volumes_of_bodies();
+      double                    largest = 1.;
       for (std::size_t body = 0; body < volumes.size(); ++body)
         largest = std::max(largest, std::pow(mesh.body_size(body), dim) / volumes[body]);
       return largest;

@@ -82,6 +82,9 @@ TEST(MultifrontalFactors, SolveWhatAFullMatrixSolves)
       for (const int n_eliminated : {0, n_nodes / 2, n_nodes - 1, n_nodes})
         expect_solution(problem, n_eliminated);
     }
+  const Problem large(3, 150, 6.); // with panels that have zeros in them
+  for (const int n_eliminated : {75, 150})
+    expect_solution(large, n_eliminated);
 }
 
 TEST(MultifrontalFactors, AreOfDefiniteMatrices)

@@ -32,8 +32,8 @@ namespace signorini
 
 
   /**
-   * Before MPI starts: keep OpenMPI from what would take up to four fifths of a second and lead to
-   * nothing. What the environment sets already stays.
+   * Before MPI starts: keep OpenMPI from what would take up to 0.4 seconds and lead to nothing.
+   * What the environment sets already stays.
    */
   inline void make_mpi_start_quickly()
   {

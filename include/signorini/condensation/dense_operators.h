@@ -51,7 +51,7 @@ namespace signorini
     {
       if (is_set && new_mask == mask)
         return;
-      is_set = true;
+      is_set = false;
       mask   = new_mask;
       free.clear();
       for (std::size_t i = 0; i < mask.size(); ++i)
@@ -60,6 +60,7 @@ namespace signorini
       factor.compute(matrix(free, free));
       if (factor.info() != Eigen::Success)
         throw StepError("the matrix of a step has no Cholesky factor.");
+      is_set = true;
     }
 
     void vmult(Vector &destination, const Vector &source) const override

@@ -10,8 +10,8 @@
 namespace signorini
 {
   /**
-   * The Cholesky factor of K = a M + b A in Cartesian components, on one process, with chosen nodes
-   * at the end: what is eliminated before leaves them the Schur complement
+   * The Cholesky factor of K = a M + b A in Cartesian components, on one process, but for
+   * chosen nodes: what is eliminated leaves them the Schur complement
    *
    *   S = K_cc - K_ci K_ii^-1 K_ic,
    *

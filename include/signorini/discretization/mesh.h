@@ -94,6 +94,9 @@ namespace signorini
     /** Largest extent of a body. */
     double body_size(const unsigned int body) const { return extents[body]; }
 
+    /** Areas in 2d; cells count with straight edges. Collective. */
+    std::vector<double> volumes_of_bodies() const;
+
     /** About the lowest one: the speed of the slowest pressure wave over body_size(). */
     double lowest_frequency() const;
 

@@ -65,10 +65,15 @@ namespace signorini
     bool is_expectant() const { return awaits_contact && !force_error.is_settled(); }
 
     /**
-     * Whether nothing touched anything in the step that was seen, nor seemed to be about to. The
-     * first step with contact has to be judged then.
+     * Whether nothing that the goal asks for happens: nothing touched anything in the step that was
+     * seen, nor seemed to be about to, and no stress is left. (With a given `Distance` cells are
+     * refined before they touch, so that flights are looked at as closely as contact.) The first
+     * step with contact has to be judged then.
      */
     bool is_in_flight() const { return in_flight; }
+
+    /** Steps until the mesh is judged again, at most: longer in flight, which contact ends. */
+    unsigned int longest_wait() const { return in_flight ? 15 : parameters.longest_wait(); }
 
     /** For the end of the run: entries of the summary. */
     std::string summary() const;
@@ -78,7 +83,7 @@ namespace signorini
       force_error.archive(archive);
       base_levels.archive(archive);
       std::size_t n_stresses = stress_errors.size();
-      archive(masses, awaits_contact, in_flight, has_touched, n_stresses);
+      archive(awaits_contact, in_flight, has_touched, n_stresses);
       stress_errors.resize(n_stresses, StressError<dim>(parameters.target_error));
       for (StressError<dim> &error : stress_errors)
         error.archive(archive);
@@ -89,7 +94,7 @@ namespace signorini
     const AdaptivityParameters    parameters;
     const bool                    starts_at_rest;
     const double                  step_size; ///< the first one
-    std::vector<double>           masses;    ///< of bodies
+    const std::vector<double>     masses;    ///< of bodies
     ForceError                    force_error;
     BaseLevels<dim>               base_levels;
     bool                          awaits_contact = true; ///< or has it

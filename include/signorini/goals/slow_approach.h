@@ -11,7 +11,7 @@
 
 namespace signorini
 {
-  /** Of the bodies, from density and the volume of their cells. Collective. */
+  /** Density times volume. Collective. */
   template <int dim>
   std::vector<double> body_masses(const Mesh<dim> &mesh);
 
@@ -26,12 +26,14 @@ namespace signorini
    * obstacle that moves, or are fast: at more than 1/300 of the speed of a wave the
    * contact of a ball becomes larger than a tenth of its radius (Hertz), and what its first touch
    * does to the ball comes back to it. Collective.
+   * @param force the sum of the sizes of all normal contact forces
    */
   template <int dim>
   double energy_of_slow_approach(const Discretization<dim> &discretization,
                                  const ContactSurface<dim> &surface,
                                  const State               &state,
-                                 const std::vector<double> &masses);
+                                 const std::vector<double> &masses,
+                                 double                     force);
 } // namespace signorini
 
 #endif

@@ -88,14 +88,8 @@ namespace signorini
     /** Of the indicator; 0: three times the size of each cell. Of others: see refines_contact(). */
     double distance = 0.;
 
-    /**
-     * Steps until the mesh is judged again, at most, if it changes when that pays.
-     * @param in_flight no body touches anything, nor seems to be about to
-     */
-    unsigned int longest_wait(const bool in_flight = false) const
-    {
-      return goal == GoalKind::energy ? 2 : in_flight ? 15 : 5;
-    }
+    /** Steps until the mesh is judged again, at most, if it changes when that pays. */
+    unsigned int longest_wait() const { return goal == GoalKind::energy ? 2 : 5; }
 
     /** Whether the mesh may change at all. */
     bool any() const { return indicator != IndicatorKind::none; }

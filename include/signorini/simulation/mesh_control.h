@@ -34,8 +34,8 @@ namespace signorini
     MeshChange judge(const MeshedScene<dim> &meshed, const StepRecord &step);
 
     /**
-     * Whether the mesh is to be judged after a step: the indicator is evaluated only then. In
-     * flight that depends on what the step brings, see is_due().
+     * Whether the mesh may have to be judged after a step. In flight that depends on what the step
+     * brings, see is_due().
      */
     bool may_be_due(unsigned int step) const
     {
@@ -43,7 +43,10 @@ namespace signorini
              && (rule.is_due(step) || (goal && (goal->is_expectant() || goal->is_in_flight())));
     }
 
-    /** The same after the step. What ends a flight has not been expected. Collective. */
+    /**
+     * Whether it is to be judged after a step that may_be_due(), by the state at its end: the
+     * indicator is evaluated only then. What ends a flight has not been expected. Collective.
+     */
     bool is_due(const State &state) const
     {
       return rule.is_due(state.step) || (goal && goal->is_expectant())
