@@ -166,7 +166,10 @@ namespace signorini
     // Beyond round-off GMRES would go on to a space that is exhausted, and spoil the forces.
     tolerance = std::max(problem.tolerance, attainable_norm(problem, solution));
     slipping.clear();
-    if (update(problem, status, solution, residual) > 0)
+    // What continues ended with its statuses, as the forces of the linearised law told them. Those
+    // are gone: the residual may tell others, which the first step would take back at the cost of
+    // what the latest iterate had achieved.
+    if (!problem.continues && update(problem, status, solution, residual) > 0)
       hold(problem, status, solution, residual);
   }
 
@@ -289,7 +292,7 @@ namespace signorini
                                        limits.maximum_linear_iterations,
                                        is_guess);
     const auto limits_for = [&](const double norm) {
-      double reduction = rough_reduction;
+      double reduction = problem.is_rough ? reduction_of_trial : rough_reduction;
       if (precision == Precision::settled && slip.any_turning() && last_norm > 0.)
         reduction = std::min(
           reduction, norm * norm / (last_norm * last_norm)); // what Newton's method may hope for

@@ -37,6 +37,8 @@ namespace signorini
   private:
     /** Of the error in a linear solve, while statuses still change. */
     static constexpr double rough_reduction = 5e-2;
+    /** The same if the problem is rough: what is left of the guess takes another solution. */
+    static constexpr double reduction_of_trial = 1e-2;
 
     const ActiveSetLimits    limits;
     ConjugateGradients       conjugate_gradients;
