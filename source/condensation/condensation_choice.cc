@@ -44,18 +44,31 @@ namespace signorini
     if (kind == CondensationKind::never
         || dealii::Utilities::MPI::n_mpi_processes(discretization.communicator()) > 1)
       return false;
-    if (kind == CondensationKind::always)
-      return true;
-    if (dim == 3 || preconditioner != PreconditionerKind::automatic)
+    return kind == CondensationKind::always
+           || would_condense_alone(kind, preconditioner, discretization, coordinates, use);
+  }
+
+
+  template <int dim>
+  bool would_condense_alone(const CondensationKind         kind,
+                            const PreconditionerKind       preconditioner,
+                            const Discretization<dim>     &discretization,
+                            const ContactCoordinates<dim> &coordinates,
+                            const StepsOfMatrix           &use)
+  {
+    if (dim == 3 || kind != CondensationKind::automatic
+        || preconditioner != PreconditionerKind::automatic)
       return false;
-    const auto &coupling = coordinates.coupling();
+    const auto        &coupling = coordinates.coupling();
+    const unsigned int n_nodes  = dealii::Utilities::MPI::sum(coordinates.surface_nodes().size()
+                                                               + coupling.owned_partners().size(),
+                                                             discretization.communicator());
     return condensation_pays(
       {dim,
        discretization.dof_handler().n_dofs(),
        discretization.mesh().courant_number(use.step_size),
        use,
-       static_cast<unsigned int>(
-         dim * (coordinates.surface_nodes().size() + coupling.owned_partners().size())),
+       dim * n_nodes,
        coupling.any() ? 1 : SeparateParts::of<dim>(discretization.matrices().pattern).n});
   }
 
@@ -74,7 +87,12 @@ namespace signorini
                           PreconditionerKind,                                                      \
                           const Discretization<dim> &,                                             \
                           const ContactCoordinates<dim> &,                                         \
-                          const StepsOfMatrix &);
+                          const StepsOfMatrix &);                                                  \
+  template bool would_condense_alone(CondensationKind,                                             \
+                                     PreconditionerKind,                                           \
+                                     const Discretization<dim> &,                                  \
+                                     const ContactCoordinates<dim> &,                              \
+                                     const StepsOfMatrix &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

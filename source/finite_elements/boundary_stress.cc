@@ -125,7 +125,7 @@ namespace signorini
   BoundaryStress<dim>::BoundaryStress(const Discretization<dim> &discretization)
     : discretization(discretization)
   {
-    for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+    for (const auto &cell : discretization.cells()) // in one order, whatever came before
       if (cell->is_locally_owned())
         for (const unsigned int face : cell->face_indices())
           if (cell->at_boundary(face))

@@ -39,6 +39,22 @@ namespace signorini
       return text.str();
     }
 
+    /** Part of the energy: a gain by a change of the mesh that is worth a warning. */
+    constexpr double much_brought = 5e-3;
+
+    /** @param part of the energy */
+    std::string about_transfer(const double part, const double time)
+    {
+      std::ostringstream text;
+      text << std::setprecision(3) << "the change of the mesh before time " << time << " brought "
+           << 100. * part
+           << " % of the energy. What the finer cells need more to keep a contact of few nodes, or "
+              "the coarser ones of a round body that has turned, could not be taken out of the "
+              "vibration. Let `Refinements` or `Local refinements` begin with finer cells at the "
+              "contact, or take `Element = standard`; for bodies that turn, `Mapping = linear`.";
+      return text.str();
+    }
+
     double energy_of_motion(const HistoryRow &row)
     {
       return row.energy.kinetic + row.energy.elastic;
@@ -72,6 +88,11 @@ namespace signorini
     work_damping += row.booking.damping;
     work_scheme += row.booking.scheme;
     transferred += row.booking.transfer;
+    if (row.booking.transfer > largest_transfer)
+      {
+        largest_transfer = row.booking.transfer;
+        time_of_transfer = row.state.time;
+      }
     n_impulse_solves += row.report.impulse_iterations > 0;
     n_impulse_iterations += row.report.impulse_iterations;
     n_common_impulses += row.report.common_impulses;
@@ -162,6 +183,8 @@ namespace signorini
           100. * largest_gain / largest_energy,
           " % of the energy in one step, which this scheme never does where a body keeps to its "
           "obstacle: it passed an edge or a corner, or began inside. Do not trust what follows.");
+    if (relative(largest_transfer) > much_brought)
+      result.push_back(about_transfer(relative(largest_transfer), time_of_transfer));
     if (relative(largest_missed_gap) > much_missed)
       result.push_back(about_missed_gaps(relative(largest_missed_gap)));
     if (!subject.has_inertia)
@@ -193,6 +216,7 @@ namespace signorini
     archive(largest_penetration, work_contact, impulse, work_friction, transferred, largest_slip);
     archive(work_damping, work_scheme, initial_potential, booked_from_outside, largest_brought);
     archive(largest_missed_gap, largest_gain, standard_change);
+    archive(largest_transfer, time_of_transfer);
     archive(n_mesh_changes, most_sticking, most_slipping, fewest_cells, most_cells);
     archive(n_impulse_solves, n_impulse_iterations, n_common_impulses, n_rejected, n_fallbacks);
     archive(iterations, saved_iterations);

@@ -141,12 +141,23 @@ namespace signorini
              "' keeps the surface of its first mesh, parabolas with small kinks between them: the "
              "pressure of a contact that is small beside these is wrong by per cents, its force by "
              "less; `Refinements = 4` is smooth enough");
-    if (const unsigned int n = dealii::Utilities::MPI::n_mpi_processes(mesh.communicator());
-        scene.solver.condensation == CondensationKind::always
-        && (n > 1 || !scheme_info(scene.time.scheme).inertia))
+    const unsigned int n           = dealii::Utilities::MPI::n_mpi_processes(mesh.communicator());
+    const bool         has_inertia = scheme_info(scene.time.scheme).inertia;
+    if (scene.solver.condensation == CondensationKind::always && (n > 1 || !has_inertia))
       note("`Solver/Condensation = always` has no effect ",
            n > 1 ? "on several processes" : "with `Time/Scheme = " + scene.time.scheme + "`",
            ": iterations solve it");
+    if (n > 1 && has_inertia
+        && would_condense_alone(
+          scene.solver.condensation,
+          scene.solver.preconditioner,
+          meshed->discretization,
+          meshed->coordinates,
+          {scene.time.step_size, mesh_control.mesh_life_time(), has_friction(scene.pairs)}))
+      note("on one process the steps of this scene would be solved for the contact nodes alone "
+           "(`Solver/Condensation`), which is often faster than ",
+           n,
+           " processes");
     if (perturbation_of_velocities() != 0.)
       note("SIGNORINI_PERTURB changes the initial velocities by ",
            perturbation_of_velocities(),

@@ -170,6 +170,22 @@ TEST(RunSummary, WarnsOfWhatIsDoubtful)
 }
 
 // A contact of a few steps is judged when it has ended, not when the run ends in the middle of it.
+TEST(RunSummary, WarnsOfEnergyThatAChangeOfTheMeshBrings)
+{
+  State state;
+  state.time     = 0.25;
+  HistoryRow row = pressed(state);
+  for (const double transfer : {-1., 0.009})
+    {
+      row.booking.transfer = transfer;
+      EXPECT_EQ(warnings_of(row).find("change of the mesh"), std::string::npos) << transfer;
+    }
+  row.booking.transfer = 0.04;
+  EXPECT_NE(warnings_of(row).find("the change of the mesh before time 0.25 brought 2 %"),
+            std::string::npos)
+    << warnings_of(row);
+}
+
 TEST(RunSummary, WarnsOfAContactOfAFewSteps)
 {
   const State state;

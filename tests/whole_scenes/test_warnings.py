@@ -185,6 +185,17 @@ class Warnings(check_history.SceneTest):
                 if reason is not None:
                     self.assertIn(reason, next(x for x in run.log.splitlines() if note in x))
 
+    def test_more_processes_than_a_plane_scene_wants(self):
+        """A factor is for one process. It has to pay: not for two steps."""
+        note = "on one process the steps of this scene would be solved for the contact nodes alone"
+        scene = check_history.scene_file("sliding_block")
+        for end, processes, expected in ((1, 2, True), (1, 1, False), (0.002, 2, False)):
+            with self.subTest(end=end, processes=processes):
+                folder, step = f"alone_{end}_{processes}", "Time/Step size=1e-3"
+                overrides = [f"Time/End time={end}", step, "Output/VTU=false"]
+                run = check_history.Run(scene, folder, overrides, processes)
+                self.assertEqual(note in run.log, expected)
+
     def test_a_run_may_stop_at_its_first_warning(self):
         """With the row of that step, the sixth, although only each fourth is due."""
         result, folder = self.run_quietly(

@@ -44,6 +44,15 @@ namespace signorini
                  const ContactCoordinates<dim> &coordinates,
                  const StepsOfMatrix           &use);
 
+  /** Whether steps would be condensed without being asked for if there were one process.
+   * Collective. */
+  template <int dim>
+  bool would_condense_alone(CondensationKind               kind,
+                            PreconditionerKind             preconditioner,
+                            const Discretization<dim>     &discretization,
+                            const ContactCoordinates<dim> &coordinates,
+                            const StepsOfMatrix           &use);
+
   /** Bytes that a factor takes in the plane, by a line through measured sizes. */
   double memory_of_factor(dealii::types::global_dof_index n_dofs);
 } // namespace signorini
