@@ -44,7 +44,7 @@ namespace signorini
       balance.start_time = balance.end_time;
     else
       balance.displacement.sadd(
-        0.5 + time.stiffness_damping, 0.5 - time.stiffness_damping, step.start.displacement);
+        0.5 + step.stiffness_damping, 0.5 - step.stiffness_damping, step.start.displacement);
     if (kind == StepBalance::both_ends)
       balance.contact_force.sadd(0.5, 0.5, step.start.contact_force);
     balance.specific_force = body_force.at(balance.end_time);

@@ -135,6 +135,11 @@ namespace signorini
         return join(split(text.substr(10), '|'), ", ");
       if (text == "Bool")
         return "true, false";
+      // The limits of numbers are those of the reader, and in the text.
+      if (text.rfind("Integer range", 0) == 0)
+        return "an integer";
+      if (text.rfind("Double ", 0) == 0)
+        return "a number";
       return text == "Anything" ? "" : text;
     }
 

@@ -25,45 +25,14 @@ namespace signorini
 
   namespace
   {
-    /**
-     * Settle what is automatic. A mesh that changes counts with the smallest cells that it may
-     * get, so that the scheme is one and the same throughout the run.
-     */
     template <int dim>
-    SchemeParameters with_spectral_radius(const Scene<dim> &scene, const Mesh<dim> &mesh)
-    {
-      SchemeParameters parameters = scene.time.parameters;
-      if (parameters.spectral_radius || !scheme_info(scene.time.scheme).damps_unresolved)
-        return parameters;
-      double    courant_number = mesh.courant_number(scene.time.step_size);
-      const int finest         = mesh.triangulation().n_global_levels() - 1;
-      if (scene.adaptivity.any())
-        courant_number *=
-          std::exp2(std::max(0, static_cast<int>(scene.adaptivity.maximum_level) - finest));
-      parameters.spectral_radius = automatic_spectral_radius(courant_number);
-      return parameters;
-    }
-
-
-    template <int dim>
-    std::unique_ptr<TimeScheme> make_scheme(const Scene<dim>       &scene,
-                                            const SchemeParameters &parameters)
+    std::unique_ptr<TimeScheme> make_scheme_with(const Scene<dim>       &scene,
+                                                 const SchemeParameters &parameters)
     {
       auto scheme = make_time_scheme(scene.time.scheme, parameters);
       if (scene.motion == ContactMotion::linearised)
         return scheme;
       return std::make_unique<FollowingContact>(std::move(scheme));
-    }
-
-
-    TimeIntegration time_integration(const TimeParameters &time, const SchemeParameters &parameters)
-    {
-      const SchemeInfo &info   = scheme_info(time.scheme);
-      const double      radius = parameters.spectral_radius.value_or(1.);
-      return {info.balance,
-              time.step_size,
-              info.trapezoidal_rule ? TrapezoidalRule(radius).damping : 0.,
-              time.start == StartKind::equilibrium};
     }
   } // namespace
 
@@ -78,14 +47,53 @@ namespace signorini
     // Alone, it neither waits for other processes nor comments on an exception.
     , timer(MPI_COMM_SELF, timer_table, TimerOutput::never, TimerOutput::wall_times)
     , mesh(scene.bodies, communicator, scene.mapping, scene.adaptivity.any())
-    , scheme_parameters(with_spectral_radius(scene, mesh))
-    , scheme(given_scheme ? std::move(given_scheme) : make_scheme(scene, scheme_parameters))
-    , mesh_control(mesh, this->scene, time_integration(scene.time, scheme_parameters))
+    , scheme(given_scheme ? std::move(given_scheme) : make_scheme())
+    , mesh_control(mesh,
+                   this->scene,
+                   {scheme_info(scene.time.scheme).balance,
+                    scene.time.step_size,
+                    scene.time.start == StartKind::equilibrium})
     , checkpoints(scene.output_directory, communicator)
   {
     if (scene.output.fclib_every > 0)
       problems = std::make_unique<ProblemSeries<dim>>(
         scene.output_directory, scene.output.fclib_every, communicator);
+  }
+
+
+  template <int dim>
+  std::unique_ptr<TimeScheme> Simulation<dim>::make_scheme()
+  {
+    SchemeParameters parameters = scene.time.parameters;
+    if (parameters.spectral_radius || !scheme_info(scene.time.scheme).damps_unresolved)
+      return make_scheme_with(scene, parameters);
+    auto result = std::make_unique<DampingOfMesh>([this, parameters](const double radius) mutable {
+      parameters.spectral_radius = radius;
+      return make_scheme_with(scene, parameters);
+    });
+    automatic_damping = result.get();
+    settle_damping();
+    return result;
+  }
+
+
+  template <int dim>
+  void Simulation<dim>::settle_damping()
+  {
+    if (automatic_damping != nullptr)
+      automatic_damping->use(automatic_spectral_radius(mesh.courant_number(scene.time.step_size)));
+  }
+
+
+  template <int dim>
+  double Simulation<dim>::stiffness_damping() const
+  {
+    if (!scheme_info(scene.time.scheme).trapezoidal_rule)
+      return 0.;
+    return TrapezoidalRule(automatic_damping != nullptr
+                             ? automatic_damping->spectral_radius()
+                             : scene.time.parameters.spectral_radius.value_or(1.))
+      .damping;
   }
 
 
@@ -292,7 +300,8 @@ namespace signorini
           return report;
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");
-          flags = mesh_control.judge(*meshed, {start, state, report.step_size});
+          flags =
+            mesh_control.judge(*meshed, {start, state, report.step_size, stiffness_damping()});
         }
         if (!mesh_control.repeats_step(flags, repetition))
           return report;
@@ -311,7 +320,8 @@ namespace signorini
   {
     TimerOutput::Scope scope(
       timer, mesh_has_just_changed ? "first step on a mesh" : "later steps on a mesh");
-    mesh_has_just_changed = false;
+    if (std::exchange(mesh_has_just_changed, false))
+      settle_damping();
     if (problems)
       problems->expect(state.step + 1, meshed->discretization, meshed->coordinates, meshed->system);
     return stepping.advance(meshed->system, state);

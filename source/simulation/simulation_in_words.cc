@@ -31,6 +31,33 @@ namespace signorini
     {
       return scene.bodies[body].material.youngs_modulus;
     }
+
+
+    /** What several processes, or no inertia, keep from being solved for contact nodes alone. */
+    template <int dim>
+    std::string note_about_condensation(const Scene<dim>       &scene,
+                                        const MeshedScene<dim> &meshed,
+                                        const unsigned int      mesh_life_time)
+    {
+      const auto        &discretization = meshed.discretization;
+      const unsigned int n = Utilities::MPI::n_mpi_processes(discretization.communicator());
+      const bool         has_inertia = scheme_info(scene.time.scheme).inertia;
+      if (scene.solver.condensation == CondensationKind::always && (n > 1 || !has_inertia))
+        return "`Solver/Condensation = always` has no effect "
+               + (n > 1 ? "on several processes" : "with `Time/Scheme = " + scene.time.scheme + "`")
+               + ": iterations solve it";
+      if (n > 1 && has_inertia
+          && would_condense_alone(
+            scene.solver.condensation,
+            scene.solver.preconditioner,
+            discretization,
+            meshed.coordinates,
+            {scene.time.step_size, mesh_life_time, has_friction(scene.pairs)}))
+        return "on one process the steps of this scene would be solved for the contact nodes alone "
+               "(`Solver/Condensation`), which is often faster than "
+               + std::to_string(n) + " processes";
+      return "";
+    }
   } // namespace
 
 
@@ -68,10 +95,10 @@ namespace signorini
     else
       text << scene.time.n_steps() << " steps of ";
     text << scene.time.step_size << "\n";
-    if (!scene.time.parameters.spectral_radius
-        && scheme_parameters.spectral_radius.value_or(1.) < 1.)
-      text << "  spectral radius   " << *scheme_parameters.spectral_radius
-           << ", because the smallest cells are much faster than a step\n";
+    if (automatic_damping != nullptr && automatic_damping->spectral_radius() < 1.)
+      text << "  spectral radius   " << automatic_damping->spectral_radius()
+           << ", because the smallest cells are much faster than a step"
+           << (mesh_control.any() ? "; follows the mesh\n" : "\n");
     if (scene.time.start == StartKind::equilibrium)
       text << "  start             equilibrium, found with " << equilibrium.n_products
            << " products with A\n";
@@ -141,23 +168,10 @@ namespace signorini
              "' keeps the surface of its first mesh, parabolas with small kinks between them: the "
              "pressure of a contact that is small beside these is wrong by per cents, its force by "
              "less; `Refinements = 4` is smooth enough");
-    const unsigned int n           = dealii::Utilities::MPI::n_mpi_processes(mesh.communicator());
-    const bool         has_inertia = scheme_info(scene.time.scheme).inertia;
-    if (scene.solver.condensation == CondensationKind::always && (n > 1 || !has_inertia))
-      note("`Solver/Condensation = always` has no effect ",
-           n > 1 ? "on several processes" : "with `Time/Scheme = " + scene.time.scheme + "`",
-           ": iterations solve it");
-    if (n > 1 && has_inertia
-        && would_condense_alone(
-          scene.solver.condensation,
-          scene.solver.preconditioner,
-          meshed->discretization,
-          meshed->coordinates,
-          {scene.time.step_size, mesh_control.mesh_life_time(), has_friction(scene.pairs)}))
-      note("on one process the steps of this scene would be solved for the contact nodes alone "
-           "(`Solver/Condensation`), which is often faster than ",
-           n,
-           " processes");
+    if (const std::string text =
+          note_about_condensation(scene, *meshed, mesh_control.mesh_life_time());
+        !text.empty())
+      note(text);
     if (perturbation_of_velocities() != 0.)
       note("SIGNORINI_PERTURB changes the initial velocities by ",
            perturbation_of_velocities(),

@@ -63,6 +63,44 @@ class ForceGoal(check_history.SceneTest):
                 self.assertLess(sum(run["dofs"]) / len(run), dofs * fine["dofs"][0])
         self.assertEqual(mesh_runs.n_meshes(run), 1)
 
+    def test_contact_of_one_node(self):
+        """A ball on coarse cells, where one node carries all of the contact, has a force that is
+        wrong by a third. It is known by the gap beside this node, and told; and the contact is
+        refined until the target is met."""
+        scene = check_history.scene_file("steel_ball")
+        fine, coarse, aimed = (
+            check_history.Run(
+                scene,
+                name,
+                [
+                    f"Bodies/ball/Refinements={first}",
+                    "Bodies/ball/Local refinements=0",
+                    "Bodies/ball/Initial velocity=0; 0; -1e4",
+                    "Time/Spectral radius=1",
+                    "Time/Step size=8e-7",
+                    "Time/End time=5e-5",
+                    "Adaptivity/Indicator=residual",
+                    "Adaptivity/Goal=contact force",
+                    f"Adaptivity/Target error={target}",
+                    f"Adaptivity/Maximum level={last}",
+                    "Output/VTU=false",
+                ],
+            )
+            for name, first, last, target in (
+                ("ball-fine", 3, 6, 0.01),
+                ("ball-coarse", 3, 3, 0.1),
+                ("ball-aimed", 2, 6, 0.1),
+            )
+        )
+        for run, least, most in ((coarse, 0.25, 0.5), (aimed, 0.0, 0.1)):
+            error = mesh_runs.distance(run["contact_force"], fine["contact_force"])
+            self.assertLess(least, error)
+            self.assertLess(error, most)
+            self.assertLess(error / 3.0, self.estimated_error(run))
+            self.assertLess(self.estimated_error(run), 3.0 * error)
+        self.assertIn("the target was 10 %", coarse.log)
+        self.assertLess(max(aimed["cells"]), 0.5 * coarse["cells"][0])
+
     def test_contact_after_a_flight(self):
         """The first steps of contact are judged, too: what they spoil, later meshes do not mend."""
         flight = [

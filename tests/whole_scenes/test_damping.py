@@ -101,6 +101,37 @@ class Damping(check_history.SceneTest):
         self.assertEqual(max(map(abs, run["work_scheme"])), 0.0)
         self.assertIn("times as fast to and fro from step to step", run.log)
 
+    def test_damping_follows_the_mesh(self):
+        """Steps of 0.02 have the Courant number 16 of the first mesh, 32 where the disc is refined
+        once to touch the floor, and 130 where it is three times: only these are damped. What the
+        mesh might become counts for nothing."""
+        overrides = [
+            "Bodies/disc/Refinements=3",
+            "Bodies/disc/Centre=0, 1.3",
+            "Bodies/disc/Initial velocity=0; -1",
+            "Time/Step size=2e-2",
+            "Time/End time=0.8",
+            "Adaptivity/Indicator=distance",
+            "Adaptivity/Distance=0.02",
+            "Output/VTU=false",
+        ]
+        scene = check_history.PARAMETERS / "disc_2d.prm"
+        for maximum in (4, 6):
+            with self.subTest(maximum=maximum):
+                level = [f"Adaptivity/Maximum level={maximum}"]
+                run = check_history.Run(scene, f"follows-{maximum}", overrides + level)
+                rows = list(zip(run["cells"], run["work_scheme"]))[1:]
+                coarse = [work for cells, work in rows if cells == run["cells"][0]]
+                finer = [work for cells, work in rows if cells > run["cells"][0]]
+                self.assertGreater(len(coarse), 3, "the flight")
+                self.assertGreater(len(finer), 3, "the contact")
+                self.assertEqual(max(map(abs, coarse)), 0.0)
+                if maximum == 4:
+                    self.assertEqual(max(map(abs, finer)), 0.0)
+                else:
+                    self.assertLess(min(finer), -1e-6 * run["total_energy"][0])
+                self.expect_ledger_closes(run)
+
 
 if __name__ == "__main__":
     check_history.main()

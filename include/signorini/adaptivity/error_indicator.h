@@ -13,11 +13,9 @@ namespace signorini
   /** What an estimate of the error of a step has to know of the time integration. */
   struct TimeIntegration
   {
-    StepBalance balance   = StepBalance::middle; ///< of the forces of a step
-    double      step_size = 0.;                  ///< of the first step
-    /** Of the scheme: its elastic forces are those of the mean displacement + this (u_new - u). */
-    double stiffness_damping = 0.;
-    bool   starts_at_rest    = false; ///< in equilibrium with its contact forces
+    StepBalance balance        = StepBalance::middle; ///< of the forces of a step
+    double      step_size      = 0.;                  ///< of the first step
+    bool        starts_at_rest = false;               ///< in equilibrium with its contact forces
   };
 
   /**
@@ -29,6 +27,8 @@ namespace signorini
     const State &start;
     const State &end; ///< its contact_force holds the nodal forces of the step
     double       step_size;
+    /** Of the scheme: its elastic forces are those of the mean displacement + this (u_new - u). */
+    double stiffness_damping = 0.;
   };
 
   /**

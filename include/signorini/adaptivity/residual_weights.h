@@ -26,6 +26,8 @@ namespace signorini
   struct ResidualWeights
   {
     double step_size = 0.; ///< tau; 0: at rest
+    /** The energy of pressure times gap counts so often: goals rely on it more. */
+    double of_gap = 1.;
 
     /** Of |div sigma + rho q|^2, with the size h of the cell. */
     double cell(const Material &material, const double h) const
@@ -40,7 +42,7 @@ namespace signorini
     }
 
     /** Of the energy of pressure times gap. */
-    double complementarity() const { return step_size > 0. ? 2. : 1.; }
+    double complementarity() const { return of_gap * (step_size > 0. ? 2. : 1.); }
 
   private:
     double length(const Material &material, const double h) const

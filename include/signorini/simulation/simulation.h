@@ -12,6 +12,7 @@
 #include <signorini/output/folder_lock.h>
 #include <signorini/output/obstacle_series.h>
 #include <signorini/output/run_log.h>
+#include <signorini/simulation/damping_of_mesh.h>
 #include <signorini/simulation/first_impacts.h>
 #include <signorini/simulation/initial_state.h>
 #include <signorini/simulation/mesh_control.h>
@@ -68,7 +69,7 @@ namespace signorini
     Mesh<dim>           mesh;
     State               state;
 
-    const SchemeParameters            scheme_parameters; ///< with what was automatic
+    DampingOfMesh                    *automatic_damping = nullptr; ///< the scheme, if it is one
     const std::unique_ptr<TimeScheme> scheme;
     StartReport                       equilibrium; ///< of a run that starts in it
 
@@ -86,6 +87,12 @@ namespace signorini
     std::unique_ptr<ProblemSeries<dim>>  problems;         ///< none if the scene wants none
     const CheckpointFolder               checkpoints;
     dealii::Timer                        since_checkpoint;
+
+    std::unique_ptr<TimeScheme> make_scheme();
+    /** Let what is automatic be that of the present mesh. */
+    void settle_damping();
+    /** See StepRecord. */
+    double stiffness_damping() const;
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();
