@@ -159,7 +159,10 @@ class CommandLine(unittest.TestCase):
             self.assertIn("default:", result.stdout)
         self.assertIn("default: " + keys["Mapping"], result.stdout)
         self.assertIn("automatic, linear, curved", result.stdout)
-        for key, values in (("Adaptivity/Repetitions", "an integer"), ("Time/End time", "a number")):
+        for key, values in (
+            ("Adaptivity/Repetitions", "an integer"),
+            ("Time/End time", "a number"),
+        ):
             self.assertIn(f"values:  {values}\n", self.call("--explain", key).stdout)
         for section in {key.rpartition("/")[0] for key in keys} - {""}:
             listed = self.call("--explain", section).stdout
