@@ -188,8 +188,8 @@ namespace signorini
             return info.has_parameter("Spectral radius") && !info.damping;
           })
         + "; for " + names([](const SchemeInfo &info) { return info.damps_unresolved; })
-        + " 1 up to Courant number 40 of the smallest cells and 0.6 from 80 on, with the first "
-          "step size; else 1.");
+        + " 1 up to Courant number 40 of the smallest cells of the present mesh and 0.6 from 80 "
+          "on, with the first step size; else 1.");
     declare("Reference tolerance",
             "1e-8",
             "accepted relative error per step of the integrator, between 1e-12 and 1e-2.");

@@ -50,7 +50,7 @@ BENCHMARKS = (
     "rings",
 )
 #: Whose contact travels over a mesh that follows it; tests/adaptive_scenes looks at them.
-TRAVELLING = ("punch_2d", "punch_3d")
+TRAVELLING = ("punch_2d", "punch_3d", "roller_2d", "roller_3d")
 
 
 class ShippedScenes(check_history.SceneTest):

@@ -20,6 +20,8 @@ CASES = (
     "geometry_b",
     "punch_2d",
     "punch_3d",
+    "roller_2d",
+    "roller_3d",
     "sliding_block",
 )
 UNIFORM = "uniform"
