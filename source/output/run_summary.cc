@@ -39,19 +39,20 @@ namespace signorini
       return text.str();
     }
 
-    /** Part of the energy: a gain by a change of the mesh that is worth a warning. */
+    /** Part of the energy: gains by changes of the mesh that are worth a warning. */
     constexpr double much_brought = 5e-3;
 
-    /** @param part of the energy */
-    std::string about_transfer(const double part, const double time)
+    /** Gains by all changes and by the one that brought most: parts of the energy. */
+    std::string about_transfer(const double all, const double largest, const double time)
     {
       std::ostringstream text;
-      text << std::setprecision(3) << "the change of the mesh before time " << time << " brought "
-           << 100. * part
-           << " % of the energy. What the finer cells need more to keep a contact of few nodes, or "
+      text << std::setprecision(3) << "changes of the mesh brought " << 100. * all
+           << " % of the energy, that before time " << time << ' ' << 100. * largest
+           << " %. What the finer cells need more to keep a contact of few nodes, or "
               "the coarser ones of a round body that has turned, could not be taken out of the "
               "vibration. Let `Refinements` or `Local refinements` begin with finer cells at the "
-              "contact, or take `Element = standard`; for bodies that turn, `Mapping = linear`.";
+              "contact, or take `Element = standard`; a round body that turns wants finer cells "
+              "all over.";
       return text.str();
     }
 
@@ -88,6 +89,7 @@ namespace signorini
     work_damping += row.booking.damping;
     work_scheme += row.booking.scheme;
     transferred += row.booking.transfer;
+    brought_by_meshes += std::max(0., row.booking.transfer);
     if (row.booking.transfer > largest_transfer)
       {
         largest_transfer = row.booking.transfer;
@@ -183,8 +185,8 @@ namespace signorini
           100. * largest_gain / largest_energy,
           " % of the energy in one step, which this scheme never does where a body keeps to its "
           "obstacle: it passed an edge or a corner, or began inside. Do not trust what follows.");
-    if (relative(largest_transfer) > much_brought)
-      result.push_back(about_transfer(relative(largest_transfer), time_of_transfer));
+    if (const double all = relative(brought_by_meshes); all > much_brought)
+      result.push_back(about_transfer(all, relative(largest_transfer), time_of_transfer));
     if (relative(largest_missed_gap) > much_missed)
       result.push_back(about_missed_gaps(relative(largest_missed_gap)));
     if (!subject.has_inertia)
@@ -216,7 +218,7 @@ namespace signorini
     archive(largest_penetration, work_contact, impulse, work_friction, transferred, largest_slip);
     archive(work_damping, work_scheme, initial_potential, booked_from_outside, largest_brought);
     archive(largest_missed_gap, largest_gain, standard_change);
-    archive(largest_transfer, time_of_transfer);
+    archive(brought_by_meshes, largest_transfer, time_of_transfer);
     archive(n_mesh_changes, most_sticking, most_slipping, fewest_cells, most_cells);
     archive(n_impulse_solves, n_impulse_iterations, n_common_impulses, n_rejected, n_fallbacks);
     archive(iterations, saved_iterations);

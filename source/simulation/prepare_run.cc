@@ -80,6 +80,7 @@ namespace signorini
       check_speed(mesh, state.velocity, scene.time.step_size);
     if (mesh_control.any())
       adapt_initial_mesh();
+    settle_damping();
     check_probes(scene, *meshed);
     impacts  = first_impacts(scene, *meshed, state);
     expected = expectations(scene, impacts);

@@ -54,7 +54,7 @@ namespace signorini
             meshed.coordinates,
             {scene.time.step_size, mesh_life_time, has_friction(scene.pairs)}))
         return "on one process the steps of this scene would be solved for the contact nodes alone "
-               "(`Solver/Condensation`), which is often faster than "
+               "(`Solver/Condensation`), which may be faster than "
                + std::to_string(n) + " processes";
       return "";
     }

@@ -79,7 +79,7 @@ namespace signorini
     double          last_norm = 0.;
     const ActiveSet at_start  = status;
     stiffness                 = node_stiffness(problem);
-    start(problem, status, solution, residual);
+    start(problem, status, solution, residual, problem.continues);
     IterateSizes sizes(solution, tolerance, problem.bound_tolerance);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
@@ -95,7 +95,7 @@ namespace signorini
           {
             solution = 0.;
             residual = problem.right_hand_side;
-            start(problem, status = at_start, solution, residual);
+            start(problem, status = at_start, solution, residual, false);
             sizes.restart(solution, tolerance = std::max(tolerance, sizes.tolerance));
             if (!may_be_for_want_of_accuracy(record, precision))
               break;
@@ -149,14 +149,15 @@ namespace signorini
   void FrictionalNewton::start(const ConstrainedProblem &problem,
                                ActiveSet                &status,
                                Vector                   &solution,
-                               Vector                   &residual)
+                               Vector                   &residual,
+                               const bool                continues)
   {
     for (std::size_t k = 0; k < status.size(); ++k)
       if (problem.upper_bounds[k] == std::numeric_limits<double>::infinity())
         status[k] = contact_status::open; // a guess from elsewhere
       else if (contact_status::sticks(status[k]) && problem.friction[k].entries.empty())
         status[k] = contact_status::slip;
-    if (problem.continues)
+    if (continues)
       hold(problem, status, solution, residual);
     else
       {
@@ -169,7 +170,7 @@ namespace signorini
     // What continues ended with its statuses, as the forces of the linearised law told them. Those
     // are gone: the residual may tell others, which the first step would take back at the cost of
     // what the latest iterate had achieved.
-    if (!problem.continues && update(problem, status, solution, residual) > 0)
+    if (!continues && update(problem, status, solution, residual) > 0)
       hold(problem, status, solution, residual);
   }
 

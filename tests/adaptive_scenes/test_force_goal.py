@@ -189,9 +189,37 @@ class ForceGoal(check_history.SceneTest):
         self.expect_ledger_closes(one, driven=True)
         self.expect_same_meshes(one, two, "momentum_y")
 
-    def test_sphere_that_slides(self):
-        """The same in space, for some steps: what it has coarsened and refined breaks no law."""
-        scene = check_history.PARAMETERS / "studies" / "adaptive" / "punch_3d.prm"
+    def test_contact_that_rolls(self):
+        """A roller that drives, for a third of its way: a part of the contact sticks, and the
+        friction is less than what slipping would bear; a punch that does not turn slips."""
+        scene = check_history.PARAMETERS / "studies" / "adaptive" / "roller_2d.prm"
+        aims = [
+            "Time/End time=0.3",
+            "Bodies/block/Refinements=2",
+            "Adaptivity/Indicator=residual",
+            "Adaptivity/Goal=contact force",
+            "Adaptivity/Target error=0.05",
+            "Adaptivity/Maximum level=7",
+        ]
+        fine = check_history.Run(scene, "roller-fine", ["Time/End time=0.3"])
+        run = check_history.Run(scene, "roller", aims)
+        punch = check_history.Run(
+            scene, "roller-held", ["Time/End time=0.3", "Obstacles/roller/Angular velocity=0"]
+        )
+        self.assertLess(mesh_runs.distance(run["contact_force"], fine["contact_force"]), 0.05)
+        self.assertLess(max(run["cells"]), 0.5 * fine["cells"][0])
+        self.assertGreater(run["stick_nodes"][-1], 2)
+        self.assertGreater(run["slip_nodes"][-1], 2)
+        self.assertEqual(punch["stick_nodes"][-1], 0)
+        for turns, part in ((run, (0.7, 0.95)), (punch, (0.999, 1.0001))):
+            borne = turns["friction_force"][-1] / (0.3 * turns["contact_force"][-1])
+            self.assertGreater(borne, part[0])
+            self.assertLess(borne, part[1])
+        self.expect_ledger_closes(run, driven=True)
+
+    def test_what_travels_in_space(self):
+        """A sphere that slides and one that rolls, for some steps: what they have coarsened and
+        refined breaks no law."""
         aims = [
             "Time/End time=0.2",
             "Bodies/block/Refinements=0",
@@ -200,12 +228,14 @@ class ForceGoal(check_history.SceneTest):
             "Adaptivity/Target error=0.1",
             "Adaptivity/Maximum level=2",
         ]
-        run = check_history.Run(scene, "sphere", aims)
-        self.assertGreater(mesh_runs.n_meshes(run), 2)
-        self.assertGreater(min(run["contact_force"][2:]), 0.0)
-        self.expect_ledger_closes(run, driven=True)
-        self.expect_pressure(run)
-        self.expect_no_penetration(run, 1.4)
+        for name in ("punch_3d", "roller_3d"):
+            with self.subTest(name=name):
+                run = check_history.Run(check_history.scene_file(name), name, aims)
+                self.assertGreater(mesh_runs.n_meshes(run), 2)
+                self.assertGreater(min(run["contact_force"][2:]), 0.0)
+                self.expect_ledger_closes(run, driven=True)
+                self.expect_pressure(run)
+                self.expect_no_penetration(run, 1.4)
 
 
 if __name__ == "__main__":

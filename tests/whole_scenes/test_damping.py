@@ -131,6 +131,11 @@ class Damping(check_history.SceneTest):
                 else:
                     self.assertLess(min(finer), -1e-6 * run["total_energy"][0])
                 self.expect_ledger_closes(run)
+        # A disc that begins so near that its first mesh is a fine one: the log says what it damps.
+        near = [*overrides, "Bodies/disc/Centre=0, 1.01", "Adaptivity/Maximum level=6"]
+        run = check_history.Run(scene, "follows-from-the-start", near)
+        self.assertGreater(run["cells"][0], 5 * 4**3)
+        self.assertIn("spectral radius", run.log)
 
 
 if __name__ == "__main__":

@@ -85,7 +85,8 @@ namespace signorini
     double        booked_from_outside = 0., largest_brought = 0.; ///< see scale()
     double        largest_missed_gap = 0.; ///< StepReport::work_geometry of a step, its size
     double        largest_gain       = 0.; ///< by contact and friction in a step
-    double        largest_transfer = 0., time_of_transfer = 0.; ///< gain by a change of the mesh
+    double        brought_by_meshes  = 0.; ///< sum of what changes of the mesh gained
+    double        largest_transfer = 0., time_of_transfer = 0.; ///< the most by one of them
     double        standard_change = 0.; ///< change of the total energy with the consistent mass
     double        iterations = 0., saved_iterations = 0.; ///< of StepReport::corrector
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;

@@ -37,7 +37,8 @@ namespace signorini
   public:
     /**
      * Builds the mesh. @param quiet no output on the screen. The scene must outlive the
-     * simulation. @param scheme null: that of the scene; another one must keep to its properties
+     * simulation. @param scheme null: that of the scene; another one must keep to its properties,
+     * and damps nothing by itself unless the scene gives a `Spectral radius`
      */
     Simulation(const Scene<dim>           &scene,
                MPI_Comm                    communicator,

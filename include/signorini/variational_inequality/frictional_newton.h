@@ -49,9 +49,15 @@ namespace signorini
     double                   tolerance = 0.; ///< that of the problem, or what is attainable
     std::vector<double>      stiffness; ///< of each node: the mean of the diagonal over its entries
 
-    /** Put the fixed and held entries to their values, compute the residual, look at statuses. */
-    void
-    start(const ConstrainedProblem &problem, ActiveSet &status, Vector &solution, Vector &residual);
+    /**
+     * Put the fixed and held entries to their values, compute the residual, look at statuses.
+     * @param continues see ConstrainedProblem: the residual is there, and so are the statuses
+     */
+    void start(const ConstrainedProblem &problem,
+               ActiveSet                &status,
+               Vector                   &solution,
+               Vector                   &residual,
+               bool                      continues);
     /** The semismooth Newton update of the statuses. @return number of changes on all processes */
     unsigned int update(const ConstrainedProblem &problem,
                         ActiveSet                &status,
