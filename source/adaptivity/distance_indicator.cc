@@ -52,11 +52,13 @@ namespace signorini
   DistanceIndicator<dim>::DistanceIndicator(const Discretization<dim>  &discretization,
                                             const ContactSurface<dim>  &surface,
                                             const AdaptivityParameters &parameters,
-                                            const double                first_step_size)
+                                            const double                first_step_size,
+                                            const double                least)
     : discretization(discretization)
     , surface(surface)
     , parameters(parameters)
     , first_step_size(first_step_size)
+    , least(least)
   {
   }
 
@@ -80,8 +82,7 @@ namespace signorini
       if (cell->is_locally_owned())
         largest_cell = std::max(largest_cell, distance_of(*cell));
     // Beyond, cells may be coarsened anyway.
-    const double reach =
-      Utilities::MPI::max(largest_cell, discretization.communicator()) / far_enough;
+    const double reach = Utilities::MPI::max(largest_cell, discretization.communicator()) / least;
     std::vector<ContactNode<dim>> near = surface.near_nodes(step.end.displacement, reach);
     for (const ContactNode<dim> &node : surface.near_nodes(soon, reach))
       near.push_back(node);

@@ -21,9 +21,6 @@ namespace signorini
     /** Times the tolerance: the next step must not begin with this error. */
     constexpr double far_off = 2.;
 
-    /** Of the finest cell in contact: what is closer is about to touch. */
-    constexpr double near = 0.25;
-
     /** Times the target: an error that is told. */
     constexpr double missed = 1.5;
 
@@ -168,29 +165,6 @@ namespace signorini
   }
 
 
-  template <int dim>
-  ContactAhead contact_ahead(const Mesh<dim> &mesh, const std::vector<bool> &in_contact)
-  {
-    constexpr double          none = std::numeric_limits<double>::max();
-    std::vector<unsigned int> finest(mesh.bodies().size(), 0);
-    double                    size = none;
-    for (const auto &cell : mesh.active_cells())
-      if (cell->is_locally_owned() && in_contact[cell->active_cell_index()])
-        {
-          unsigned int &level = finest[cell->material_id()];
-          level               = std::max(level, static_cast<unsigned int>(cell->level()));
-          size                = std::min(size, cell->diameter() / std::sqrt(double(dim)));
-        }
-    dealii::Utilities::MPI::max(finest, mesh.communicator(), finest);
-    size = dealii::Utilities::MPI::min(size, mesh.communicator());
-    return {size < none ? near * size : 0., finest};
-  }
-
-
-#define INSTANTIATE(dim)                                                                           \
-  template class MeshGoal<dim>;                                                                    \
-  template ContactAhead contact_ahead(const Mesh<dim> &, const std::vector<bool> &);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template class MeshGoal<2>;
+  template class MeshGoal<3>;
 } // namespace signorini

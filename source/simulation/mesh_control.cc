@@ -106,40 +106,44 @@ namespace signorini
     // An estimate sees contact when it is there; nodes that come into contact on coarse cells
     // would give a blow.
     const auto closeness =
-      DistanceIndicator<dim>(meshed.discretization, meshed.surface, closer_than, time.step_size)
+      DistanceIndicator<dim>(
+        meshed.discretization, meshed.surface, closer_than, time.step_size, ahead.least_closeness())
         .evaluate(step);
-    const auto is_coarse = [&](const auto &cell) {
-      return static_cast<unsigned int>(cell->level()) < ahead.levels[cell->material_id()];
+    // What lacks one level is judged as it is, what lacks more sooner.
+    const auto coarse_and_close = [&](const auto &cell) {
+      const unsigned int lacking = ahead.lacking(cell);
+      return lacking == 0 ? 0. : ahead.weigh(closeness(cell->active_cell_index()), lacking - 1);
     };
     unsigned int n_too_close = 0, n_close = 0;
     for (const auto &cell : mesh.active_cells())
-      if (cell->is_locally_owned() && is_coarse(cell))
+      if (cell->is_locally_owned())
         {
-          const double value = closeness(cell->active_cell_index());
-          n_too_close += value >= DistanceIndicator<dim>::too_close;
-          n_close += value >= DistanceIndicator<dim>::far_enough;
+          n_too_close += coarse_and_close(cell) >= DistanceIndicator<dim>::too_close;
+          n_close += coarse_and_close(cell) >= ahead.far_enough;
         }
     const double threshold =
-      close_enough_to_refine(dealii::Utilities::MPI::sum(n_too_close, mesh.communicator()),
+      close_enough_to_refine(ahead.far_enough,
+                             dealii::Utilities::MPI::sum(n_too_close, mesh.communicator()),
                              dealii::Utilities::MPI::sum(n_close, mesh.communicator()));
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
         {
-          const unsigned int i     = cell->active_cell_index();
-          const double       value = closeness(i);
-          wishes.to_keep[i]   = wishes.to_keep[i] || value >= DistanceIndicator<dim>::far_enough;
-          wishes.to_refine[i] = wishes.to_refine[i] || (value >= threshold && is_coarse(cell));
+          const unsigned int i = cell->active_cell_index();
+          wishes.to_keep[i] =
+            wishes.to_keep[i] || ahead.weigh(closeness(i), ahead.lacking(cell)) >= ahead.far_enough;
+          wishes.to_refine[i] = wishes.to_refine[i] || coarse_and_close(cell) >= threshold;
         }
     return wishes;
   }
 
 
   template <int dim>
-  double MeshControl<dim>::close_enough_to_refine(const unsigned int n_too_close,
+  double MeshControl<dim>::close_enough_to_refine(const double       far_enough,
+                                                  const unsigned int n_too_close,
                                                   const unsigned int n_close) const
   {
     return n_too_close > 0 && n_close <= room_to_refine(mesh, parameters)
-             ? DistanceIndicator<dim>::far_enough
+             ? far_enough
              : DistanceIndicator<dim>::too_close;
   }
 

@@ -23,11 +23,15 @@ namespace signorini
     static constexpr double too_close  = 1.;  ///< from here on a cell is to be refined
     static constexpr double far_enough = 0.4; ///< below, it may be coarsened
 
-    /** @param first_step_size serves before the first step */
+    /**
+     * @param first_step_size serves before the first step
+     * @param least           what is less may be zero
+     */
     DistanceIndicator(const Discretization<dim>  &discretization,
                       const ContactSurface<dim>  &surface,
                       const AdaptivityParameters &parameters,
-                      double                      first_step_size);
+                      double                      first_step_size,
+                      double                      least = far_enough);
 
     dealii::Vector<double> evaluate(const StepRecord &step) const override;
 
@@ -35,7 +39,7 @@ namespace signorini
     const Discretization<dim> &discretization;
     const ContactSurface<dim> &surface;
     const AdaptivityParameters parameters;
-    const double               first_step_size;
+    const double               first_step_size, least;
   };
 } // namespace signorini
 

@@ -112,20 +112,6 @@ namespace signorini
                       const dealii::Vector<double> &squares,
                       dealii::Vector<double>       &indicator);
   };
-
-  /** Up to which level cells are refined that are about to touch something. */
-  struct ContactAhead
-  {
-    double                    distance; ///< what is closer is about to touch; 0: nothing
-    std::vector<unsigned int> levels;   ///< of bodies
-  };
-
-  /**
-   * Contact that grows meets cells as fine as the finest that are in contact. Collective.
-   * @param in_contact cells of this process by active_cell_index
-   */
-  template <int dim>
-  ContactAhead contact_ahead(const Mesh<dim> &mesh, const std::vector<bool> &in_contact);
 } // namespace signorini
 
 #endif

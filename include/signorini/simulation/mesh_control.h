@@ -8,6 +8,7 @@
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/remeshing_rule.h>
 #include <signorini/base/archive.h>
+#include <signorini/goals/contact_ahead.h>
 #include <signorini/goals/mesh_goal.h>
 #include <signorini/simulation/meshed_scene.h>
 
@@ -112,9 +113,12 @@ namespace signorini
     /**
      * From which value of the indicator of distance cells are refined. If one has to become finer,
      * so do all that soon will, if there is room for them: contact that travels would change the
-     * mesh in every step. @param n_too_close, n_close cells that are coarse, on all processes
+     * mesh in every step.
+     * @param far_enough see ContactAhead
+     * @param n_too_close, n_close cells that are coarse, on all processes
      */
-    double close_enough_to_refine(unsigned int n_too_close, unsigned int n_close) const;
+    double
+    close_enough_to_refine(double far_enough, unsigned int n_too_close, unsigned int n_close) const;
   };
 } // namespace signorini
 
