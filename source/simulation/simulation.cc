@@ -72,7 +72,6 @@ namespace signorini
       return make_scheme_with(scene, parameters);
     });
     automatic_damping = result.get();
-    settle_damping();
     return result;
   }
 

@@ -19,30 +19,22 @@ namespace
   /** What is left of the error after a number of trials. */
   double error_after(const unsigned int n_trials, const FrictionalProblem &data)
   {
-    FrictionalNewton      solver{ActiveSetLimits()};
-    const DenseOperator   matrix(data.matrix);
-    const Eigen::MatrixXd diagonal = data.matrix.diagonal().asDiagonal();
-    DenseInverse          preconditioner(diagonal);
-    const Vector          right_hand_side = to_vector(data.right_hand_side);
-    Vector                x(right_hand_side.size()), residual(right_hand_side.size());
-    ActiveSet             status(data.bounded_entries.size(), contact_status::open);
-    for (unsigned int n = 0; n < n_trials; ++n)
-      solver.solve({matrix,
-                    preconditioner,
-                    right_hand_side,
-                    data.bounded_entries,
-                    data.upper_bounds,
-                    data.fixed_entries,
-                    data.fixed_values,
-                    1e-13,
-                    1e-13,
-                    data.friction,
-                    n > 0, // continues
-                    true}, // is rough
-                   status,
-                   x,
-                   residual);
-    return (to_eigen(x) - solve(solver, data).solution).norm();
+    FrictionalNewton solver{ActiveSetLimits()};
+    const auto       run_trials =
+      [&](const ConstrainedProblem &problem, ActiveSet &status, Vector &x, Vector &residual) {
+        ConstrainedProblem trial = problem;
+        trial.is_rough           = true;
+        SolveReport report;
+        for (unsigned int n = 0; n < n_trials; ++n)
+          {
+            report          = solver.solve(trial, status, x, residual);
+            trial.continues = true;
+          }
+        return report;
+      };
+    const auto trials =
+      solve_with(run_trials, data, Eigen::VectorXd::Zero(data.matrix.rows()), false);
+    return (trials.solution - solve(solver, data).solution).norm();
   }
 } // namespace
 

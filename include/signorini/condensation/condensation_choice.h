@@ -44,8 +44,9 @@ namespace signorini
                  const ContactCoordinates<dim> &coordinates,
                  const StepsOfMatrix           &use);
 
-  /** Whether steps would be condensed without being asked for if there were one process.
-   * Collective. */
+  /**
+   * Whether steps would be condensed without being asked for if there were one process. Collective.
+   */
   template <int dim>
   bool would_condense_alone(CondensationKind               kind,
                             PreconditionerKind             preconditioner,

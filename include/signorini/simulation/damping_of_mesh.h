@@ -13,8 +13,8 @@ namespace signorini
 {
   /**
    * A scheme that damps what its steps cannot resolve (TrapezoidalRule), which is a matter of the
-   * smallest cells that there are: on meshes that change the damping changes with them. Of what
-   * schemes keep between steps results do not depend, so that they may be made anew.
+   * smallest cells that there are: on meshes that change the damping changes with them. Results do
+   * not depend on what schemes keep between steps, so that they may be made anew.
    */
   class DampingOfMesh : public TimeScheme
   {
