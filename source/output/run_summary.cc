@@ -39,6 +39,9 @@ namespace signorini
       return text.str();
     }
 
+    /** Times the target: an error by steps that is told. Beyond, an estimate means little. */
+    constexpr double missed = 1.5, most_credible = 0.3;
+
     /** Part of the energy: gains by changes of the mesh that are worth a warning. */
     constexpr double much_brought = 5e-3;
 
@@ -69,6 +72,7 @@ namespace signorini
     initial_potential = row.energy.external;
     largest_energy    = energy_of_motion(row);
     fewest_cells = most_cells = row.cells;
+    error_of_steps.start(row.state.time, row.contact.normal_force);
   }
 
 
@@ -111,6 +115,10 @@ namespace signorini
     const ContactSummary &contact = row.contact;
     impulse += row.report.step_size * contact.normal_force;
     force_variation.add(contact.normal_force);
+    error_of_steps.add({row.state.time - subject.before_end * row.report.step_size,
+                        row.report.step_size,
+                        row.report.force_delay,
+                        contact.normal_force});
     most_sticking       = std::max(most_sticking, contact.n_stick);
     most_slipping       = std::max(most_slipping, contact.n_slip);
     largest_penetration = std::max(largest_penetration, contact.max_penetration);
@@ -121,6 +129,7 @@ namespace signorini
     if (contact.n_active == 0)
       return;
     ++n_contact_steps;
+    mean_step += (row.report.step_size - mean_step) / n_contact_steps;
     if (contact.normal_force > largest_contact.normal_force)
       largest_contact = contact;
     if (first_contact < 0.)
@@ -213,7 +222,8 @@ namespace signorini
 
   void RunSummary::archive(Archive &archive)
   {
-    archive(force_variation);
+    archive(force_variation, mean_step);
+    error_of_steps.archive(archive);
     archive(initial_energy, largest_energy, change, largest_change, largest_residual);
     archive(largest_penetration, work_contact, impulse, work_friction, transferred, largest_slip);
     archive(work_damping, work_scheme, initial_potential, booked_from_outside, largest_brought);
@@ -224,6 +234,24 @@ namespace signorini
     archive(iterations, saved_iterations);
     archive(first_contact, last_contact, n_contact_steps, phase, longest_phase);
     largest_contact.archive(archive);
+  }
+
+
+  std::string RunSummary::about_steps() const
+  {
+    const double error = error_of_steps.relative_error();
+    if (!subject.has_inertia || !subject.own_tolerance.empty())
+      return "";
+    std::ostringstream text;
+    text << std::setprecision(2) << "  error by steps    about " << 100. * error
+         << " % of the contact force (estimated; L2 in time)\n";
+    if (subject.target > 0. && error > missed * subject.target)
+      text << "                    the target was " << 100. * subject.target
+           << " %: give a `Time/Step size` of about " << std::setprecision(1)
+           << mean_step * subject.target / error << ", or `Step size control = goal`\n";
+    else if (error > most_credible)
+      text << "                    that is no more than a sign of steps that are much too long\n";
+    return text.str();
   }
 
 
@@ -255,7 +283,8 @@ namespace signorini
            << without_round_off(100. * relative(work_contact)) << " %\n"
            << "  oscillation       total variation of the force over twice its maximum: "
            << force_variation.measure() << "\n"
-           << "  penetration       " << largest_penetration << " at most\n";
+           << "  penetration       " << largest_penetration << " at most\n"
+           << about_steps();
     else
       text << "  contact           none\n";
     if (relative(largest_missed_gap) > hardly_missed)

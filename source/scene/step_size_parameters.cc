@@ -20,8 +20,10 @@ namespace signorini
                       "below Step tolerance; the halves are kept. embedded: the same with the "
                       "difference from what the last step predicted, which costs nothing but is "
                       "coarser. force: that of embedded in contact, and by the change of contact "
-                      "forces; flight takes the longest steps, whatever vibrates. Step size is "
-                      "then the first one, and with force the one with which contact begins.");
+                      "forces; flight takes the longest steps, whatever vibrates. goal: so that "
+                      "steps add about Adaptivity/Target error to the error of the contact force; "
+                      "flight as with force. Step size is then the first one, and with force and "
+                      "goal the one with which contact begins.");
     prm.declare_entry(
       "Step tolerance",
       "1e-2",
@@ -59,6 +61,10 @@ namespace signorini
                 "is for steps of variable size, but Step size control = fixed. Remove this key or "
                 "set `Step size control = doubling`.");
     };
+    if (sizes.control == StepSizeControl::goal && sizes.tolerance != defaults.tolerance)
+      in.fail("Step tolerance",
+              "does not fit `Step size control = goal`, whose tolerance is `Adaptivity/Target "
+              "error`. Remove this key.");
     if (!sizes.is_variable())
       {
         check_unused("Step tolerance", sizes.tolerance, defaults.tolerance);
@@ -94,5 +100,18 @@ namespace signorini
               "is smaller than the first `Step size` = " + in.text("Step size")
                 + ". Increase it, or reduce `Step size`.");
     return sizes;
+  }
+
+
+  void
+  set_goal_of_steps(const SectionReader &in, const double target_error, StepSizeParameters &sizes)
+  {
+    if (sizes.control != StepSizeControl::goal)
+      return;
+    if (target_error == 0.)
+      in.fail("Step size control",
+              "= goal needs `Adaptivity/Target error`, the part of the contact force that may be "
+              "wrong. Give for example 0.01 there, or take another control.");
+    sizes.tolerance = target_error;
   }
 } // namespace signorini

@@ -255,19 +255,26 @@ namespace signorini
     }
 
 
+    void see_contact_in_velocities(SchemeInfo &info)
+    {
+      refuse_massless_nodes(info, needs_accelerations);
+      refuse_moving_contact(info, drifts);
+      info.penetrates  = true;
+      info.force_delay = 0.5;
+    }
+
+
     SchemeInfo nonsmooth_generalized_alpha()
     {
       SchemeInfo info =
         common("nonsmooth-generalized-alpha",
                EnergyLaw::none,
                "generalized-alpha with contact as jumps of the velocity; for comparison");
-      refuse_massless_nodes(info, needs_accelerations);
-      info.penetrates = true;
-      info.keys       = {"Spectral radius"};
-      info.make       = [](const SchemeParameters &parameters) -> Made {
+      see_contact_in_velocities(info);
+      info.keys = {"Spectral radius"};
+      info.make = [](const SchemeParameters &parameters) -> Made {
         return std::make_unique<NonsmoothGeneralizedAlpha>(alpha_rule(parameters));
       };
-      refuse_moving_contact(info, drifts);
       return info;
     }
 
@@ -276,13 +283,13 @@ namespace signorini
     {
       SchemeInfo info =
         common("backward-euler", EnergyLaw::dissipates, "damps all that moves; for comparison");
-      info.friction         = true;
-      info.balance          = StepBalance::end;
-      info.force_before_end = "0";
-      info.make             = [](const SchemeParameters &) -> Made {
+      info.friction = info.damping = true;
+      info.balance                 = StepBalance::end;
+      info.force_before_end        = "0";
+      info.force_delay             = 1.;
+      info.make                    = [](const SchemeParameters &) -> Made {
         return std::make_unique<BackwardEuler>();
       };
-      info.damping = true;
       return info;
     }
 
@@ -307,10 +314,8 @@ namespace signorini
         with_trapezoidal_rule("moreau-jean",
                               EnergyLaw::none,
                               "contact as a condition of velocities; penetrates; for comparison");
-      refuse_massless_nodes(info, needs_accelerations);
-      info.penetrates = true;
-      info.make       = make_with_rule<MoreauJean>;
-      refuse_moving_contact(info, drifts);
+      see_contact_in_velocities(info);
+      info.make = make_with_rule<MoreauJean>;
       return info;
     }
 
@@ -337,11 +342,7 @@ namespace signorini
         "would add one of the step size to its own");
       return info;
     }
-  } // namespace
 
-
-  namespace
-  {
     std::vector<SchemeInfo> &table()
     {
       static std::vector<SchemeInfo> schemes = {contact_stabilized_projected(),

@@ -15,7 +15,8 @@ namespace signorini
   make_time_stepping(const TimeParameters          &time,
                      const StepSizeParameters      &sizes,
                      TimeScheme                    &scheme,
-                     const std::function<double()> &shortest_wave_time)
+                     const std::function<double()> &shortest_wave_time,
+                     const ForceInStep             &force_in_step)
   {
     if (!sizes.is_variable())
       return std::make_unique<FixedSteps>(scheme, time.step_size, time.n_steps());
@@ -24,10 +25,15 @@ namespace signorini
       estimate = std::make_unique<StepDoubling>(scheme);
     else if (sizes.control == StepSizeControl::force)
       estimate = std::make_unique<ForceEstimate>(scheme, time.step_size);
+    else if (sizes.control == StepSizeControl::goal)
+      estimate = std::make_unique<GoalEstimate>(scheme, time.step_size, force_in_step);
     else
       estimate = std::make_unique<EmbeddedEstimate>(scheme);
-    const double wave_part =
-      sizes.control == StepSizeControl::doubling ? 1. : 0.5; // of a doubled step the halves count
+    double wave_part = 0.5;
+    if (sizes.control == StepSizeControl::doubling)
+      wave_part = 1.; // the halves count
+    else if (sizes.control == StepSizeControl::goal)
+      wave_part = 2.; // shorter ones make contact ring with the smallest cells
     const double maximum =
       sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
     return std::make_unique<AdaptiveSteps>(std::move(estimate),

@@ -42,7 +42,9 @@ namespace signorini
                    scheme_info(scene.time.scheme).own_tolerance,
                    dim,
                    scheme_info(scene.time.scheme).inertia,
-                   scheme_info(scene.time.scheme).energy == EnergyLaw::none})
+                   scheme_info(scene.time.scheme).energy == EnergyLaw::none,
+                   force_before_end(scheme_info(scene.time.scheme), scene.time.parameters),
+                   scene.adaptivity.target_error})
     , law_watch(scene)
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())

@@ -97,6 +97,13 @@ namespace signorini
 
 
   template <int dim>
+  double Simulation<dim>::force_delay() const
+  {
+    return scheme_info(scene.time.scheme).force_delay + stiffness_damping();
+  }
+
+
+  template <int dim>
   void Simulation<dim>::run()
   {
     prepare();
@@ -125,8 +132,13 @@ namespace signorini
   template <int dim>
   std::unique_ptr<TimeStepping> Simulation<dim>::make_stepping()
   {
-    return make_time_stepping(
-      scene.time, scene.step_sizes, *scheme, [this] { return 1. / mesh.courant_number(1.); });
+    const double before_end =
+      force_before_end(scheme_info(scene.time.scheme), scene.time.parameters);
+    return make_time_stepping(scene.time,
+                              scene.step_sizes,
+                              *scheme,
+                              [this] { return 1. / mesh.courant_number(1.); },
+                              {before_end, [this] { return force_delay(); }});
   }
 
 
@@ -323,7 +335,9 @@ namespace signorini
       settle_damping();
     if (problems)
       problems->expect(state.step + 1, meshed->discretization, meshed->coordinates, meshed->system);
-    return stepping.advance(meshed->system, state);
+    StepReport report  = stepping.advance(meshed->system, state);
+    report.force_delay = report.step_size * force_delay();
+    return report;
   }
 
 

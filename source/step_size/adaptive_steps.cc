@@ -107,8 +107,10 @@ namespace signorini
   }
 
 
-  void AdaptiveSteps::try_longer(const StepTrial &trial, const double factor)
+  void AdaptiveSteps::choose_next_size(const StepTrial &trial, const double factor)
   {
+    if (trial.error > rules.worried * parameters.tolerance && now.level > lowest)
+      --now.level;
     if (now.rest > 0 || !trial.is_known)
       return;
     if (rules.flight_is_free && trial.is_flight)
@@ -148,7 +150,7 @@ namespace signorini
         if (trial->error <= parameters.tolerance || now.level <= lowest)
           {
             count(*trial, state);
-            try_longer(*trial, factor);
+            choose_next_size(*trial, factor);
             trial->steps.front().report.rejected_steps = rejected;
             return std::move(*trial);
           }

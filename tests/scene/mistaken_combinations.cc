@@ -162,7 +162,7 @@ TEST(Combinations, OfInertiaAndSchemesWithoutIt)
   for (const std::string mass : {"lumped", "redistributed", "zero on contact boundary"})
     expect({without, at_rest, {"Time/Mass", mass}},
            {"Time/Mass = " + mass, "static, which moves no mass"});
-  for (const std::string control : {"doubling", "embedded", "force"})
+  for (const std::string control : {"doubling", "embedded", "force", "goal"})
     expect({without, at_rest, {"Time/Step size control", control}},
            {"Step size control = " + control, "load steps have none", "Remove"});
   const TemporaryFile file(correct_scene());

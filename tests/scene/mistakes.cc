@@ -81,6 +81,20 @@ TEST(Mistakes, StepsOfVariableSize)
       }
 }
 
+TEST(Mistakes, StepsForATarget)
+{
+  const Override      goal = {"Time/Step size control", "goal"},
+                 target    = {"Adaptivity/Target error", "0.01"};
+  const TemporaryFile correct(correct_scene());
+  EXPECT_EQ(refusal(correct.name, {goal, target}), "") << "on a mesh that stays";
+  expect_words(refusal(correct.name, {goal}),
+               {"Step size control", "= goal needs `Adaptivity/Target error`"});
+  expect_words(refusal(correct.name, {goal, target, {"Time/Step tolerance", "0.1"}}),
+               {"Step tolerance", "does not fit `Step size control = goal`", "Remove"});
+  expect_words(refusal(correct.name, {goal, target, {"Time/Maximum step size", "1e-9"}}),
+               {"smaller than the first `Step size`"});
+}
+
 // Beyond these limits a reader of expressions would run out of its stack, and end without a word.
 TEST(Mistakes, ExpressionsWithoutEnd)
 {

@@ -15,6 +15,9 @@ The error of equal steps falls with a power of their number, on which the phase 
 a scatter of a tenth: for the bar this law is fitted to six runs. That of the ball falls from run
 to run and is interpolated.
 
+Steps for a goal keep the error of the force below twice the target, whatever the first size is, and
+what a run says of its error by steps is right but for a factor of three.
+
 Round-off decides nothing: the bar touches after a whole number of steps, and with velocities that
 differ by 1e-12 it takes the same steps to the same forces.
 """
@@ -31,10 +34,11 @@ FAR_BAR = ["Time/End time=3", "Obstacles/wall/Point=0, -15"]
 
 def controlled(control, step_size, tolerance):
     """Settings of steps that follow the motion."""
+    key = "Adaptivity/Target error" if control == "goal" else "Time/Step tolerance"
     return [
         f"Time/Step size={step_size}",
         f"Time/Step size control={control}",
-        f"Time/Step tolerance={tolerance}",
+        f"{key}={tolerance}",
     ]
 
 
@@ -52,6 +56,18 @@ def distance(first, second):
         time = end
         i, k = i + (first[i][1] <= end + 1e-12), k + (second[k][1] <= end + 1e-12)
     return math.sqrt(total)
+
+
+def at_instants(run):
+    """The force as pieces of a line through the instants, the middles of the steps."""
+    middles = [(start + end) / 2.0 for start, end, _ in pieces(run)]
+    forces = run["contact_force"][1:]
+    result, parts = [], 50
+    for (start, end), (first, last) in zip(zip(middles, middles[1:]), zip(forces, forces[1:])):
+        for k in range(parts):
+            ends = [start + (end - start) * i / parts for i in (k, k + 1)]
+            result.append((*ends, first + (last - first) * (k + 0.5) / parts))
+    return result
 
 
 def computed(run):
@@ -134,6 +150,7 @@ class StepSize(check_history.SceneTest):
             ("doubling", 0.4),
             ("force", 0.3),
             ("force", 0.1),
+            ("goal", 0.01),
         ):
             settings = FAR_BAR + controlled(control, 6e-3, tolerance)
             first, *others = (
@@ -173,6 +190,46 @@ class StepSize(check_history.SceneTest):
                 for size, tolerance in ((5e-3, 0.3), (6e-3, 0.2), (8e-3, 0.2))
             ],
         )
+
+    def test_goal(self):
+        """A disc that touches slowly, on the same mesh, with first sizes that are too long or too
+        short, and with equal steps, which tell their error."""
+        scene = check_history.PARAMETERS / "disc_2d.prm"
+        common = [
+            "Mapping=curved",
+            "Bodies/disc/Refinements=5",
+            "Bodies/disc/Initial velocity=0; -0.06",
+            "Time/Spectral radius=1",
+            "Time/End time=0.6",
+            "Time/Maximum step size=0.06",
+        ]
+        equal = common[:-1]
+        exact = check_history.Run(scene, "disc-exact", [*equal, "Time/Step size=5e-4"])
+        size = math.sqrt(sum(force * force for force in exact["contact_force"]) * 5e-4)
+
+        def error(run):
+            return distance(at_instants(run), at_instants(exact)) / size
+
+        for target, step_size in ((0.02, 8e-3), (0.01, 8e-3), (0.01, 2e-3), (0.002, 4e-3)):
+            with self.subTest(target=target, step_size=step_size):
+                run = check_history.Run(
+                    scene,
+                    f"disc-{target}-{step_size}",
+                    [*common, *controlled("goal", step_size, target)],
+                )
+                print(f"goal {target}, {step_size}: {len(run) - 1} steps, error {error(run):.3g}")
+                self.assertLess(error(run), 2.0 * target)
+                self.assertLess(len(run), 30 + 5.0 / math.sqrt(target))
+                self.expect_ledger_closes(run)
+        for step_size in (32e-3, 16e-3, 8e-3, 4e-3):
+            with self.subTest(step_size=step_size):
+                settings = [*equal, f"Time/Step size={step_size}", "Adaptivity/Target error=1e-4"]
+                run = check_history.Run(scene, f"disc-{step_size}", settings)
+                told = 0.01 * float(re.search(r"error by steps +about (\S+) %", run.log)[1])
+                print(f"equal steps of {step_size}: error {error(run):.3g}, told {told:.3g}")
+                self.assertLess(error(run) / 3.0, told)
+                self.assertLess(told, 3.0 * error(run))
+                self.assertIn("the target was 0.01 %: give a `Time/Step size`", run.log)
 
     def test_two_bodies_with_friction(self):
         """The steps of one and two processes are the same; touch and release are met by shorter

@@ -7,6 +7,7 @@
 #include <signorini/base/archive.h>
 #include <signorini/diagnostics/oscillation.h>
 #include <signorini/output/history.h>
+#include <signorini/time/error_of_steps.h>
 
 #include <string>
 #include <vector>
@@ -23,6 +24,8 @@ namespace signorini
     unsigned int dimension   = 3;
     bool         has_inertia = true; ///< else what contact and scheme do to energies means nothing
     bool         may_gain    = true; ///< contact may add energy to the scheme
+    double       before_end  = 0.;   ///< see force_before_end()
+    double       target      = 0.;   ///< error of the contact force that is aimed at, if any
   };
 
   /**
@@ -76,6 +79,7 @@ namespace signorini
   private:
     const RunSubject subject;
     TotalVariation   force_variation;
+    ErrorOfSteps     error_of_steps;
 
     double initial_energy = 0., largest_energy = 0., change = 0., largest_change = 0.,
            largest_residual = 0., largest_penetration = 0., work_contact = 0., impulse = 0.,
@@ -94,12 +98,15 @@ namespace signorini
     /** Of laursen-love, per node. */
     unsigned int   n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
     unsigned int   n_rejected = 0, n_fallbacks = 0;
+    double         mean_step     = 0.; ///< in contact
     double         first_contact = -1., last_contact = -1.;
     unsigned int   n_contact_steps = 0, phase = 0, longest_phase = 0; ///< steps with contact
     ContactSummary largest_contact;                                   ///< at the largest force
 
     double relative(double energy) const;
     void   add_contact(const HistoryRow &row);
+    /** A line on the error of the contact force by the steps. */
+    std::string about_steps() const;
   };
 } // namespace signorini
 

@@ -14,7 +14,8 @@ namespace signorini
     fixed,
     doubling,
     embedded,
-    force
+    force,
+    goal
   };
 
   template <>
@@ -23,7 +24,8 @@ namespace signorini
     static constexpr EnumName<StepSizeControl> table[] = {{StepSizeControl::fixed, "fixed"},
                                                           {StepSizeControl::doubling, "doubling"},
                                                           {StepSizeControl::embedded, "embedded"},
-                                                          {StepSizeControl::force, "force"}};
+                                                          {StepSizeControl::force, "force"},
+                                                          {StepSizeControl::goal, "goal"}};
   };
 
   /**
@@ -35,7 +37,7 @@ namespace signorini
     StepSizeControl control = StepSizeControl::fixed; ///< see doc/step_size.md
 
     double tolerance = 1e-2; ///< accepted error of a step, relative to the norm of the motion, or
-                             ///< to the largest force
+                             ///< to the largest force; of a goal: its target
     double minimum = 0.;     ///< zero: half the time of a wave through the smallest cell
     double maximum = 0.;     ///< zero: a tenth of the end time
 

@@ -84,7 +84,12 @@ namespace signorini
      * error has order 1.3 to 1.8 on parameters/verification/manufactured_bar.prm (the kinks where
      * contact begins and ends limit it), at others order 1.
      */
-    std::string              force_before_end;
+    std::string force_before_end;
+    /**
+     * By which part of a step forces come too late, at their own instant: what the first order of
+     * the scheme does to them. (That of the damping of TrapezoidalRule comes on top of it.)
+     */
+    double                   force_delay;
     std::string              parameter;
     std::vector<std::string> keys; ///< of section Time with numbers that only such schemes look at
     bool trapezoidal_rule;         ///< steps of TrapezoidalRule, `Spectral radius` is its damping

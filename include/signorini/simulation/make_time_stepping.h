@@ -6,6 +6,7 @@
 
 #include <signorini/scene/step_size_parameters.h>
 #include <signorini/scene/time_parameters.h>
+#include <signorini/step_size/goal_estimate.h>
 #include <signorini/step_size/time_stepping.h>
 
 #include <functional>
@@ -17,12 +18,14 @@ namespace signorini
    * The steps that a scene asks for. The scheme must outlive the result.
    * @param shortest_wave_time through the smallest cell of the present mesh: much shorter steps
    *                           gain nothing
+   * @param force_in_step      of the scheme
    */
   std::unique_ptr<TimeStepping>
   make_time_stepping(const TimeParameters          &time,
                      const StepSizeParameters      &sizes,
                      TimeScheme                    &scheme,
-                     const std::function<double()> &shortest_wave_time);
+                     const std::function<double()> &shortest_wave_time,
+                     const ForceInStep             &force_in_step);
 } // namespace signorini
 
 #endif

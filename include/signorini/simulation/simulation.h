@@ -94,6 +94,8 @@ namespace signorini
     void settle_damping();
     /** See StepRecord. */
     double stiffness_damping() const;
+    /** See StepReport, as a part of the step. */
+    double force_delay() const;
 
     /** Matrices, contact surface, system, initial state. */
     void prepare();

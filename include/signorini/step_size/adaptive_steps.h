@@ -103,7 +103,7 @@ namespace signorini
     double    minimum() const;
     void      approach(double touch);
     void      count(const StepTrial &trial, const State &state);
-    void      try_longer(const StepTrial &trial, double factor);
+    void      choose_next_size(const StepTrial &trial, double factor);
     StepTrial find_trial(DynamicalSystem &system, const State &state);
     double    span(const State &state, double touch) const;
     /** @return nothing if the step cannot be solved */

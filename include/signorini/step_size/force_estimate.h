@@ -5,6 +5,7 @@
 #define signorini_step_size_force_estimate_h
 
 #include <signorini/step_size/embedded_estimate.h>
+#include <signorini/step_size/largest_force.h>
 
 namespace signorini
 {
@@ -21,11 +22,7 @@ namespace signorini
    *   show. For the error in @f$L^2@f$ of time alone steps would go with its -2/3rd power; the
    *   square of @f$\tau@f$ makes that -1/3: local slopes follow vibrations, whose next swing they
    *   do not foretell.
-   * - The sum of the magnitudes of nodal forces sees both bodies, all pairs and friction.
-   * - @f$R@f$ is the largest force so far, or, as long as the elastic energy @f$E_\text{el}@f$
-   *   grows beyond all before, that of a spring which will take up the largest energy @f$E@f$ of
-   *   the motion so far, @f$|r|_1 (E / E_\text{el})^{1/2}@f$. So contact need not begin with the
-   *   smallest steps.
+   * - @f$R@f$ is the force that changes are measured by, see LargestForce.
    * - A constant force may hide waves that carry the next one; so the motion counts, too, but not
    *   in flight: what vibrates there is the business of its next contact.
    */
@@ -47,19 +44,13 @@ namespace signorini
     void      archive(Archive &archive) override
     {
       motion.archive(archive);
-      archive(so_far);
+      largest.archive(archive);
     }
 
   private:
     EmbeddedEstimate motion;
     const double     unit;
-    struct Largest
-    {
-      double force = 0., energy = 0., elastic_energy = 0.;
-    };
-    Largest so_far, before; ///< the step that was accepted last
-
-    double largest_expected_force(const State &start, const State &end) const;
+    LargestForce     largest;
   };
 } // namespace signorini
 

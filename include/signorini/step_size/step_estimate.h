@@ -54,7 +54,8 @@ namespace signorini
   {
     double       content = 0.; ///< part of the tolerance below which a longer step is tried, anyway
     double       content_in_flight = 0.5; ///< the same for steps without contact
-    unsigned int rest              = 8;   ///< steps after a rejection that are not lengthened
+    double       worried = 1.; ///< part of the tolerance above which a shorter step follows
+    unsigned int rest    = 8;  ///< steps after a rejection that are not lengthened
     double smallest_part = 0.; ///< of the first size: the default of the smallest size is not below
     /** No contact, no error: flight takes the longest steps that do not miss the touch. */
     bool flight_is_free = false;

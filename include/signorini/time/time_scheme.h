@@ -26,6 +26,7 @@ namespace signorini
     double      work_damping   = 0.; ///< change of energy by viscous damping
     double      work_geometry  = 0.; ///< see MovingContact::geometry_work(); in no balance
     double work_scheme = 0.; ///< change of energy by the rule of integration: numerical dissipation
+    double force_delay = 0.; ///< see SchemeInfo; as a time. Written by who leads the steps
     /**
      * Nodal forces of whatever prescribes displacements, on the bodies, in the sense in which the
      * scheme applies contact forces; see support_forces.h. Empty if nothing is prescribed.

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+#ifndef signorini_time_error_of_steps_h
+#define signorini_time_error_of_steps_h
+
+#include <signorini/base/archive.h>
+
+namespace signorini
+{
+  /** The contact force of a step. */
+  struct ForceOfStep
+  {
+    double instant = 0.; ///< to which it belongs, see force_before_end()
+    double size    = 0.; ///< of the step
+    double delay   = 0.; ///< see SchemeInfo::force_delay, as a time
+    double force   = 0.; ///< sum over the contact nodes
+  };
+
+  /**
+   * What steps leave open of the contact force, from its course alone:
+   * @f[
+   *   \varepsilon = 0.6\, \tau^2 |F''| + \theta |F'|
+   * @f]
+   * at the middle one of three steps, with divided differences. The first part is what a second
+   * order method does to a force that bends or has a kink, the second one that of schemes whose
+   * forces come later the longer their steps are, by the delay @f$\theta@f$. Estimates lie within a
+   * factor of three of the errors (doc/step_size.md).
+   */
+  double error_of_step(const ForceOfStep &before, const ForceOfStep &at, const ForceOfStep &after);
+
+  /**
+   * The estimated error of the contact force by the steps of a run, relative to the force, both in
+   * @f$L^2@f$ of time.
+   */
+  class ErrorOfSteps
+  {
+  public:
+    /** Before the first step. */
+    void start(double time, double force);
+
+    void add(const ForceOfStep &step);
+
+    double relative_error() const;
+
+    void archive(Archive &archive) { archive(last, before, squared_error, squared_force); }
+
+  private:
+    ForceOfStep last, before;
+    double      squared_error = 0., squared_force = 0.; ///< times lengths of steps
+  };
+} // namespace signorini
+
+#endif

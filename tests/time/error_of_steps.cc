@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// The estimate of what steps leave open of a contact force has the values that its definition gives
+// for simple courses: the square of the step for a smooth force, the delay for a straight one,
+// whatever the sizes of the steps; and nothing for a constant one.
+
+#include <signorini/time/error_of_steps.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using namespace signorini;
+
+namespace
+{
+  using Force = std::function<double(double)>;
+
+  /** Of steps from the time 0, whose forces belong to their middles. */
+  double error(const Force &force, const std::vector<double> &sizes, const double delay = 0.)
+  {
+    ErrorOfSteps result;
+    result.start(0., force(0.));
+    double time = 0.;
+    for (const double size : sizes)
+      {
+        const double middle = time + size / 2.;
+        result.add({middle, size, delay * size, force(middle)});
+        time += size;
+      }
+    return result.relative_error();
+  }
+
+  std::vector<double> equal(const unsigned int n, const double end)
+  {
+    return std::vector<double>(n, end / n);
+  }
+} // namespace
+
+TEST(ErrorOfSteps, SmoothForcesHaveTheSquareOfTheStep)
+{
+  const double pi   = std::acos(-1.);
+  const Force  sine = [&](const double t) { return std::sin(t); };
+  for (const unsigned int n : {50, 200})
+    EXPECT_NEAR(error(sine, equal(n, 4. * pi)) / std::pow(4. * pi / n, 2), 0.6, 0.01) << n;
+}
+
+TEST(ErrorOfSteps, DelayCountsWhereTheForceChanges)
+{
+  const double              root = std::sqrt(3.); // of the squares of t and of 1 over [0, 1]
+  const Force               ramp = [](const double t) { return t; };
+  const std::vector<double> sizes(equal(100, 1.));
+  EXPECT_NEAR(error(ramp, sizes), 0., 1e-10) << "a straight force";
+  EXPECT_NEAR(error(ramp, sizes, 0.5), 0.5 * 0.01 * root, 2e-4);
+  EXPECT_EQ(error([](double) { return 3.; }, sizes, 1.), 0.) << "a constant one";
+  std::vector<double> unequal;
+  for (unsigned int k = 0; k < 40; ++k)
+    unequal.push_back(k % 3 == 0 ? 0.04 : 0.01);
+  EXPECT_NEAR(error(ramp, unequal), 0., 1e-10) << "steps of any size";
+}
+
+TEST(ErrorOfSteps, FlightsHaveNone)
+{
+  const Force kink = [](const double t) { return std::max(0., t - 1.); };
+  EXPECT_EQ(error(kink, equal(10, 1.)), 0.);
+  // Long steps until the touch, and short ones after it: the kink is that of a short step.
+  std::vector<double> sizes = {0.5, 0.5};
+  sizes.insert(sizes.end(), 100, 0.01);
+  EXPECT_LT(error(kink, sizes), 0.01);
+  EXPECT_GT(error(kink, equal(4, 2.)), 0.2);
+}
+
+TEST(ErrorOfSteps, UnitsDoNotMatter)
+{
+  const auto hump = [](const double unit) {
+    return [unit](const double t) { return unit * t * t * (2. - t); };
+  };
+  EXPECT_DOUBLE_EQ(error(hump(1.), equal(20, 2.)), error(hump(1024.), equal(20, 2.)));
+}
