@@ -83,8 +83,8 @@ TEST(Mistakes, StepsOfVariableSize)
 
 TEST(Mistakes, StepsForATarget)
 {
-  const Override      goal = {"Time/Step size control", "goal"},
-                 target    = {"Adaptivity/Target error", "0.01"};
+  const Override goal   = {"Time/Step size control", "goal"},
+                 target = {"Adaptivity/Target error", "0.01"};
   const TemporaryFile correct(correct_scene());
   EXPECT_EQ(refusal(correct.name, {goal, target}), "") << "on a mesh that stays";
   expect_words(refusal(correct.name, {goal}),
