@@ -116,4 +116,15 @@ namespace signorini
     const std::string best = nearest(word, valid);
     return (best.empty() ? "" : "Did you mean `" + best + "`? ") + "Valid: " + join(valid) + ".";
   }
+
+
+  std::string about_per_cent(const double part)
+  {
+    if (part > 1.)
+      return "more than 100 %";
+    std::ostringstream text;
+    text.precision(2);
+    text << "about " << 100. * part << " %";
+    return text.str();
+  }
 } // namespace signorini

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/spelling.h>
 #include <signorini/contact/own_forces.h>
 #include <signorini/goals/force_error.h>
 
@@ -156,8 +157,8 @@ namespace signorini
     };
     std::ostringstream text;
     text.precision(2);
-    text << "  error of force    about " << 100. * relative_error()
-         << " % by the mesh (estimated; L2 in time)\n                    a uniform mesh of level "
+    text << "  error of force    " << about_per_cent(relative_error())
+         << " by the mesh (estimated; L2 in time)\n                    a uniform mesh of level "
          << uniform_level() << " would have it with " << uniform_cells() / mean_cells()
          << " times the cells\n                    cells in contact: " << percent(history.sums.near)
          << " % near it, " << percent(history.sums.cells - history.sums.near - history.sums.free)

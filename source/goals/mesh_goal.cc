@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/adaptivity/marking.h>
+#include <signorini/base/spelling.h>
 #include <signorini/goals/bodies_in_touch.h>
 #include <signorini/goals/mesh_goal.h>
 #include <signorini/goals/slow_approach.h>
@@ -154,7 +155,7 @@ namespace signorini
           }
         const double error = std::hypot(stress.relative_error(), of_force);
         largest            = std::max(largest, error);
-        text << "about " << 100. * error << " % of " << stress.name()
+        text << about_per_cent(error) << " of " << stress.name()
              << " by the mesh (estimated; L2 in time)\n";
       }
     if (largest > missed * parameters.target_error)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/spelling.h>
 #include <signorini/diagnostics/resolution.h>
 #include <signorini/output/run_summary.h>
 
@@ -39,8 +40,10 @@ namespace signorini
       return text.str();
     }
 
-    /** Times the target: an error by steps that is told. Beyond, an estimate means little. */
-    constexpr double missed = 1.5, most_credible = 0.3;
+    /** Times the target: an error by steps that asks for shorter ones. */
+    constexpr double missed = 1.5;
+    /** A larger estimate of an error means little. */
+    constexpr double most_credible = 0.3;
 
     /** Part of the energy: gains by changes of the mesh that are worth a warning. */
     constexpr double much_brought = 5e-3;
@@ -240,17 +243,19 @@ namespace signorini
   std::string RunSummary::about_steps() const
   {
     const double error = error_of_steps.relative_error();
-    if (!subject.has_inertia || !subject.own_tolerance.empty())
+    if (!subject.has_inertia || !subject.own_tolerance.empty() || !error_of_steps.is_known())
       return "";
     std::ostringstream text;
-    text << std::setprecision(2) << "  error by steps    about " << 100. * error
-         << " % of the contact force (estimated; L2 in time)\n";
+    text << std::setprecision(2) << "  error by steps    " << about_per_cent(error)
+         << " of the contact force (estimated; L2 in time)\n";
     if (subject.target > 0. && error > missed * subject.target)
       text << "                    the target was " << 100. * subject.target
            << " %: give a `Time/Step size` of about " << std::setprecision(1)
-           << mean_step * subject.target / error << ", or `Step size control = goal`\n";
-    else if (error > most_credible)
-      text << "                    that is no more than a sign of steps that are much too long\n";
+           << mean_step * subject.target / error
+           << (subject.steps_for_target ? "\n" : ", or `Step size control = goal`\n");
+    if (error > most_credible)
+      text << "                    that is no more than a sign of steps that are much too long, or "
+              "of a force that rings\n";
     return text.str();
   }
 

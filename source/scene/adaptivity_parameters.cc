@@ -192,7 +192,8 @@ namespace signorini
         "Of goals other than energy: the error that the mesh may cause, relative to the force or "
         "the stress and L2 in time (no unit), between 0 and 1. Estimated; cells get equal shares "
         "of it in units of the largest force or stress so far, or of the force that a slow "
-        "approach will soon bring.");
+        "approach will soon bring. Steps may cause as much again with Time/Step size control = "
+        "goal, on any mesh.");
     }
 
 

@@ -31,13 +31,15 @@ namespace signorini
       "Accepted error of a step of variable size (no unit): in the energy norm, relative to the "
       "square root of the largest kinetic and elastic energy of the motion so far; with force also "
       "that part of the largest contact force by which a step of length Step size may change it "
-      "(twice the length: a quarter of that).");
-    prm.declare_entry("Minimum step size",
-                      "0",
-                      Double(),
-                      "Steps of variable size are not shorter, whatever their error (but for the "
-                      "halves of doubling). 0: half the time that a wave takes through the "
-                      "smallest cell (with doubling all of it), or Step size if that is shorter.");
+      "(twice the length: a quarter of that). With goal it is Adaptivity/Target error.");
+    prm.declare_entry(
+      "Minimum step size",
+      "0",
+      Double(),
+      "Steps of variable size are not shorter, whatever their error (but for the "
+      "halves of doubling). 0: half the time that a wave takes through the "
+      "smallest cell (with doubling all of it, with goal twice that), or Step size if "
+      "that is shorter; with force and goal not below an eighth of Step size.");
     prm.declare_entry(
       "Maximum step size",
       "0",
@@ -111,7 +113,8 @@ namespace signorini
     if (target_error == 0.)
       in.fail("Step size control",
               "= goal needs `Adaptivity/Target error`, the part of the contact force that may be "
-              "wrong. Give for example 0.01 there, or take another control.");
+              "wrong. Give for example 0.01 there, with `Indicator = residual` and `Goal = contact "
+              "force` or on a mesh that stays (`Indicator = none`), or take another control.");
     sizes.tolerance = target_error;
   }
 } // namespace signorini

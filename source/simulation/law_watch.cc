@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace signorini
 {
@@ -146,16 +147,26 @@ namespace signorini
 
 
   template <int dim>
+  double LawWatch<dim>::energy_of_round_off() const
+  {
+    const double speed = std::numeric_limits<double>::epsilon() * courant_number_per_time
+                         * meshed->discretization.mesh().body_size();
+    return 0.5 * std::accumulate(masses.begin(), masses.end(), 0.) * speed * speed;
+  }
+
+
+  template <int dim>
   LawReading LawWatch<dim>::read(const State          &state,
                                  const StepReport     &report,
                                  const EnergyBooking  &booking,
                                  const ContactSummary &contact,
-                                 const double          energy_scale)
+                                 const double          largest_energy)
   {
-    const auto &mesh = meshed->discretization.mesh();
-    largest_force    = std::max(largest_force, contact.largest_node_force);
-    largest_flow     = std::max(largest_flow, flow_of(booking));
-    const auto over  = [](const double value, const double scale) {
+    const auto  &mesh         = meshed->discretization.mesh();
+    const double energy_scale = std::max(largest_energy, energy_of_round_off());
+    largest_force             = std::max(largest_force, contact.largest_node_force);
+    largest_flow              = std::max(largest_flow, flow_of(booking));
+    const auto over           = [](const double value, const double scale) {
       return scale > 0. ? value / scale : 0.;
     };
     LawReading reading;

@@ -44,7 +44,8 @@ namespace signorini
                    scheme_info(scene.time.scheme).inertia,
                    scheme_info(scene.time.scheme).energy == EnergyLaw::none,
                    force_before_end(scheme_info(scene.time.scheme), scene.time.parameters),
-                   scene.adaptivity.target_error})
+                   scene.adaptivity.target_error,
+                   scene.step_sizes.control == StepSizeControl::goal})
     , law_watch(scene)
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())

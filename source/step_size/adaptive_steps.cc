@@ -28,8 +28,6 @@ namespace signorini
      * has some: nodes close and open. More of them are a tolerance that cannot be met.
      */
     constexpr unsigned int many_inaccurate = 20;
-    /** Tolerance with which impacts are followed: doc/step_size.md. */
-    constexpr double enough_for_impacts = 0.1;
 
     int level_below(const double size, const double first)
     {
@@ -121,7 +119,7 @@ namespace signorini
     // Vibrations that are not resolved have errors as large as themselves, however long the step
     // is.
     const double content = trial.is_flight ? rules.content_in_flight : rules.content;
-    if (factor >= 2. || trial.error <= content * parameters.tolerance)
+    if ((rules.trusts_power && factor >= 2.) || trial.error <= content * parameters.tolerance)
       now.level = std::min(now.level + 1, highest);
   }
 
@@ -263,10 +261,10 @@ namespace signorini
     std::ostringstream text;
     text.precision(3);
     text << "since time " << inaccurate_since << " steps stay at the smallest size, "
-         << std::ldexp(parameters.first, lowest)
-         << ", with errors above `Time/Step tolerance = " << parameters.tolerance
+         << std::ldexp(parameters.first, lowest) << ", with errors above `"
+         << rules.key_of_tolerance << " = " << parameters.tolerance
          << "`, and cost what fixed steps of that size do. "
-         << (parameters.tolerance < enough_for_impacts
+         << (parameters.tolerance < rules.enough_for_impacts
                ? "Impacts and friction seldom allow less than 0.1: give a larger tolerance"
                : "Give a larger tolerance or fixed steps")
          << ", or a smaller `Time/Minimum step size` if such errors are too large.";

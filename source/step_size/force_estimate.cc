@@ -20,6 +20,9 @@ namespace signorini
     if (trial.is_flight)
       trial.error = 0.;
 
+    // Of the components at all nodes: both bodies, all pairs, and friction.
+    const double sum_of_forces =
+      std::max(start.contact_force.l1_norm(), end.contact_force.l1_norm());
     Vector change = end.contact_force;
     change -= start.contact_force;
     const double between =
@@ -27,7 +30,8 @@ namespace signorini
     const double forces = change.l1_norm() * span / between;
     if (forces > 0.)
       trial.error = std::max(trial.error,
-                             forces / largest.expected(start, end) * (span / unit) * (span / unit));
+                             forces / largest.expected(start, end, sum_of_forces) * (span / unit)
+                               * (span / unit));
     return trial;
   }
 
@@ -35,7 +39,7 @@ namespace signorini
   void ForceEstimate::accept(const State &start, const State &end)
   {
     motion.accept(start, end);
-    largest.accept(start, end);
+    largest.accept(start, end, end.contact_force.l1_norm());
   }
 
 

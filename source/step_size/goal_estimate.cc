@@ -4,6 +4,8 @@
 #include <signorini/step_size/contact_events.h>
 #include <signorini/step_size/goal_estimate.h>
 
+#include <deal.II/base/mpi.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +21,7 @@ namespace signorini
      * Of the tolerance: errors below it allow a longer step, as twice the size has four times the
      * error. One between that and the tolerance hinders it.
      */
-    constexpr double content = 0.1, hinders = 0.5;
+    constexpr double content = 0.2, hinders = 0.5;
 
     /**
      * The error of a single step may be so many times that of all of them together: that of a kink
@@ -27,10 +29,13 @@ namespace signorini
      */
     constexpr double of_single_steps = 2.;
 
-    /** No contact force at both ends. */
-    bool is_free(const State &start, const State &end)
+    /** As in the column contact_force of history.csv, of all processes. */
+    double contact_force(const DynamicalSystem &system, const State &state)
     {
-      return start.contact_force.l1_norm() == 0. && end.contact_force.l1_norm() == 0.;
+      double sum = 0.;
+      for (const double force : system.own_normal_forces(state.contact_force))
+        sum += std::abs(force);
+      return dealii::Utilities::MPI::sum(sum, state.contact_force.get_mpi_communicator());
     }
   } // namespace
 
@@ -40,25 +45,32 @@ namespace signorini
                                   const double     span,
                                   const double     tolerance)
   {
-    StepTrial    trial = motion.attempt(system, start, span, tolerance);
-    const State &end   = trial.steps.back().state;
-    trial.is_flight    = !any_contact(trial.end_statuses, end.displacement);
-    trial.exponent     = 0.5;
-    if (is_free(start, end))
+    StepTrial    trial  = motion.attempt(system, start, span, tolerance);
+    const State &end    = trial.steps.back().state;
+    trial.is_flight     = !any_contact(trial.end_statuses, end.displacement);
+    trial.exponent      = 0.5;
+    const double before = contact_force(system, start);
+    force_at_end        = contact_force(system, end);
+    const double larger = std::max(before, force_at_end);
+    if (larger == 0.)
       {
         trial.error       = 0.;
-        tried             = with(start, end, 0.);
+        tried             = with(start, end, before, 0.);
         tried.mean_square = 0.;
         return trial;
       }
-    const double unit    = span * span / largest.expected(start, end);
-    tried                = with(start, end, of_single_steps * tolerance / unit);
-    const double usual   = std::sqrt(tried.mean_square) * unit;
-    const double present = tried.roughness * unit;
-    double       waves   = std::pow(trial.error, 2);
-    if (span < nearly * 2. * first)
+    const double unit   = span * span / largest.expected(start, end, larger);
+    tried               = with(start, end, before, of_single_steps * tolerance / unit);
+    const bool   is_new = tried.present.size == 0.; // a stretch is complete
+    const double usual  = std::sqrt(tried.mean_square) * unit;
+    const double latest = is_new ? tried.roughness * unit : 0.;
+    double       waves  = std::pow(trial.error, 2);
+    if (span < nearly * first)
+      waves = 0.;
+    else if (span < nearly * 2. * first)
       waves = std::min(waves, hinders * tolerance);
-    trial.error = std::max({usual, waves, present > of_single_steps * tolerance ? present : 0.});
+    trial.is_known = is_new;
+    trial.error    = std::max({usual, waves, latest > of_single_steps * tolerance ? latest : 0.});
     trial.error /= of_single_steps;
     return trial;
   }
@@ -79,24 +91,24 @@ namespace signorini
   }
 
 
-  GoalEstimate::Course
-  GoalEstimate::with(const State &start, const State &end, const double most) const
+  GoalEstimate::Course GoalEstimate::with(const State &start,
+                                          const State &end,
+                                          const double force_before,
+                                          const double most) const
   {
     const double size   = end.time - start.time;
     Course       result = course;
     if (result.last.size == 0.)
-      result.begin(start.time, first, start.contact_force.l1_norm());
+      result.begin(start.time, first, force_before);
     ForceOfStep &sums = result.present;
     sums.size += size;
     sums.instant += size * (end.time - force_in_step.before_end * size);
-    sums.force += size * end.contact_force.l1_norm();
+    sums.force += size * force_at_end;
     if (sums.size < nearly * first)
       return result;
-    const ForceOfStep stretch{sums.instant / sums.size, sums.size, 0., sums.force / sums.size};
-    ForceOfStep       middle = result.last;
-    middle.size              = size;
-    middle.delay             = force_in_step.delay() * size;
-    result.roughness         = error_of_step(result.before, middle, stretch) / (size * size);
+    const ForceOfStep      stretch{sums.instant / sums.size, sums.size, 0., sums.force / sums.size};
+    const ForceDifferences force = force_differences(result.before, result.last, stretch);
+    result.roughness = error_of_step(force, size, force_in_step.delay() * size) / (size * size);
     result.mean_square =
       fading * result.mean_square + (1. - fading) * std::pow(std::min(most, result.roughness), 2);
     result.add(stretch);
@@ -107,7 +119,7 @@ namespace signorini
   void GoalEstimate::accept(const State &start, const State &end)
   {
     motion.accept(start, end);
-    largest.accept(start, end);
+    largest.accept(start, end, force_at_end);
     course_before = course;
     course        = tried;
   }
@@ -132,12 +144,15 @@ namespace signorini
   StepRules GoalEstimate::rules() const
   {
     StepRules rules;
-    rules.content           = content / of_single_steps;
-    rules.worried           = 1. / of_single_steps;
-    rules.content_in_flight = 1.;
-    rules.rest              = 0;
-    rules.smallest_part     = 1. / 8.;
-    rules.flight_is_free    = true;
+    rules.content            = content / of_single_steps;
+    rules.worried            = 1. / of_single_steps;
+    rules.trusts_power       = false;
+    rules.enough_for_impacts = 0.;
+    rules.key_of_tolerance   = "Adaptivity/Target error";
+    rules.content_in_flight  = 1.;
+    rules.rest               = 0;
+    rules.smallest_part      = 1. / 8.;
+    rules.flight_is_free     = true;
     return rules;
   }
 } // namespace signorini

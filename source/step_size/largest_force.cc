@@ -24,10 +24,8 @@ namespace signorini
   } // namespace
 
 
-  double LargestForce::expected(const State &start, const State &end) const
+  double LargestForce::expected(const State &start, const State &end, const double force) const
   {
-    const double before = start.contact_force.l1_norm();
-    const double force  = std::max(before, end.contact_force.l1_norm());
     const double energy = std::max({so_far.energy, energy_of_motion(start), energy_of_motion(end)});
     const double least  = noticeable * energy;
     const double elastic = std::max(elastic_energy(end), least);
@@ -37,10 +35,10 @@ namespace signorini
   }
 
 
-  void LargestForce::accept(const State &start, const State &end)
+  void LargestForce::accept(const State &start, const State &end, const double force)
   {
     before        = so_far;
-    so_far.force  = std::max(so_far.force, end.contact_force.l1_norm());
+    so_far.force  = std::max(so_far.force, force);
     so_far.energy = std::max({so_far.energy, energy_of_motion(start), energy_of_motion(end)});
     so_far.elastic_energy = std::max(so_far.elastic_energy, elastic_energy(end));
   }

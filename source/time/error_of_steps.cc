@@ -8,19 +8,47 @@
 
 namespace signorini
 {
-  double error_of_step(const ForceOfStep &before, const ForceOfStep &at, const ForceOfStep &after)
+  namespace
+  {
+    /**
+     * A flight is as long as its neighbour in contact: of its length the force knows nothing, and
+     * the kink where contact begins is that of a step in contact.
+     */
+    double size_beside(const ForceOfStep &step, const double neighbour)
+    {
+      return step.force == 0. ? std::min(step.size, neighbour) : step.size;
+    }
+  } // namespace
+
+
+  ForceDifferences
+  force_differences(const ForceOfStep &before, const ForceOfStep &at, const ForceOfStep &after)
+  {
+    ForceDifferences result;
+    result.size = at.size;
+    for (const ForceOfStep *neighbour : {&before, &after})
+      if (neighbour->force != 0. && neighbour->size > 0.)
+        result.size = std::min(result.size, size_beside(at, neighbour->size));
+    const auto distance = [&](const ForceOfStep &other) {
+      return std::abs(other.instant - at.instant) * (size_beside(other, result.size) + result.size)
+             / (other.size + at.size);
+    };
+    const double to_before = distance(before), to_after = distance(after);
+    if (to_before == 0. || to_after == 0.)
+      return result;
+    const double slope_before = (at.force - before.force) / to_before;
+    const double slope_after  = (after.force - at.force) / to_after;
+    const double both         = to_before + to_after;
+    result.curvature          = 2. * (slope_after - slope_before) / both;
+    result.slope              = (to_before * slope_after + to_after * slope_before) / both;
+    return result;
+  }
+
+
+  double error_of_step(const ForceDifferences &force, const double size, const double delay)
   {
     constexpr double of_curvature = 0.6; // measured: doc/step_size.md
-    const double     to_before    = at.instant - before.instant;
-    const double     to_after     = after.instant - at.instant;
-    const double     slope_before = (at.force - before.force) / to_before;
-    const double     slope_after  = (after.force - at.force) / to_after;
-    const double     both         = to_before + to_after;
-    const double     curvature    = 2. * (slope_after - slope_before) / both;
-    const double     slope        = (to_before * slope_after + to_after * slope_before) / both;
-    // A long flight ends with a kink that it does not see itself.
-    const double size = std::min(at.size, after.size);
-    return of_curvature * size * size * std::abs(curvature) + at.delay * std::abs(slope);
+    return of_curvature * size * size * std::abs(force.curvature) + delay * std::abs(force.slope);
   }
 
 
@@ -35,7 +63,8 @@ namespace signorini
   {
     if (last.size > 0.)
       {
-        squared_error += last.size * std::pow(error_of_step(before, last, step), 2);
+        const ForceDifferences force = force_differences(before, last, step);
+        squared_error += force.size * std::pow(error_of_step(force, force.size, last.delay), 2);
         squared_force += last.size * std::pow(last.force, 2);
       }
     before = last;

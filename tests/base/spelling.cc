@@ -40,3 +40,10 @@ TEST(Spelling, Words)
   EXPECT_TRUE(is_name("a-B_3"));
   EXPECT_FALSE(is_name("a b"));
 }
+
+TEST(Spelling, PartsHaveTwoDigitsAndNoneBeyondTheWhole)
+{
+  EXPECT_EQ(about_per_cent(0.034567), "about 3.5 %");
+  EXPECT_EQ(about_per_cent(0.), "about 0 %");
+  EXPECT_EQ(about_per_cent(5.8e3), "more than 100 %");
+}

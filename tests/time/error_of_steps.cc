@@ -62,15 +62,21 @@ TEST(ErrorOfSteps, DelayCountsWhereTheForceChanges)
   EXPECT_NEAR(error(ramp, unequal), 0., 1e-10) << "steps of any size";
 }
 
-TEST(ErrorOfSteps, FlightsHaveNone)
+TEST(ErrorOfSteps, LongFlightsHideNoKinks)
 {
-  const Force kink = [](const double t) { return std::max(0., t - 1.); };
-  EXPECT_EQ(error(kink, equal(10, 1.)), 0.);
-  // Long steps until the touch, and short ones after it: the kink is that of a short step.
-  std::vector<double> sizes = {0.5, 0.5};
-  sizes.insert(sizes.end(), 100, 0.01);
-  EXPECT_LT(error(kink, sizes), 0.01);
-  EXPECT_GT(error(kink, equal(4, 2.)), 0.2);
+  // Contact begins at 1 and ends at 2, with a kink or a jump. Flights take one long step each.
+  const auto press = [](const double t, const double force) {
+    return t > 1. && t < 2. ? force : 0.;
+  };
+  const Force         kinks = [&](const double t) { return press(t, std::min(t - 1., 2. - t)); };
+  const Force         jumps = [&](const double t) { return press(t, 1.); };
+  std::vector<double> sizes(102, 0.01);
+  sizes.front() = sizes.back() = 1.;
+  sizes.push_back(1.);
+  for (const Force &force : {kinks, jumps})
+    EXPECT_NEAR(error(force, sizes) / error(force, equal(400, 4.)), 1., 0.1);
+  EXPECT_GT(error(jumps, sizes), 0.05);
+  EXPECT_EQ(error([](double) { return 0.; }, sizes), 0.) << "no contact";
 }
 
 TEST(ErrorOfSteps, UnitsDoNotMatter)

@@ -241,10 +241,12 @@ TYPED_TEST(StepControl, EveryRunEnds)
   BouncingMass rest;
   EXPECT_LE((run<TypeParam>(rest, make_state(rest, 0., 0.), 1e-3, 5.).sizes.size()), 30u);
 
-  BouncingMass lying; // on the wall, and pressed by a load
+  // A target for the force remembers the blow at the start for a while.
+  const unsigned int most = std::is_same_v<TypeParam, GoalEstimate> ? 200 : 60;
+  BouncingMass       lying; // on the wall, and pressed by a load
   lying.wall = 0.;
   lying.load = [](double) { return 1.; };
-  EXPECT_LE((run<TypeParam>(lying, make_state(lying, 0., 0.), 1e-3, 5.).sizes.size()), 200u);
+  EXPECT_LE((run<TypeParam>(lying, make_state(lying, 0., 0.), 1e-3, 5.).sizes.size()), most);
 
   BouncingMass gliding = rest; // at the wall, approaching by round-off
   gliding.wall         = 0.;

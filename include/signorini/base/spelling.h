@@ -42,6 +42,12 @@ namespace signorini
   /** "Did you mean `x`? Valid: a, x, z." The question is left out when nothing resembles @p word.
    */
   std::string suggestion(const std::string &word, const std::vector<std::string> &valid);
+
+  /**
+   * An estimated part of a whole: "about 3.4 %", or "more than 100 %", as an estimate beyond that
+   * says no more.
+   */
+  std::string about_per_cent(double part);
 } // namespace signorini
 
 #endif

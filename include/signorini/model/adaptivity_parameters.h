@@ -69,7 +69,10 @@ namespace signorini
     GoalKind      goal      = GoalKind::energy;
     MarkingKind   marking   = MarkingKind::fixed_fraction;
 
-    /** Relative, of the goal, which is not the energy then: cells get equal shares of it. */
+    /**
+     * Relative, of the goal, which is not the energy then: cells get equal shares of it. On a mesh
+     * that stays it may be that of the steps, of the contact force.
+     */
     double target_error = 0.;
 
     double refine_fraction  = 0.5;  ///< of the squared estimate, fixed fraction

@@ -26,6 +26,7 @@ namespace signorini
     bool         may_gain    = true; ///< contact may add energy to the scheme
     double       before_end  = 0.;   ///< see force_before_end()
     double       target      = 0.;   ///< error of the contact force that is aimed at, if any
+    bool         steps_for_target = false; ///< steps follow it already
   };
 
   /**

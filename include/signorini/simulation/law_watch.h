@@ -34,13 +34,13 @@ namespace signorini
 
     /**
      * Of a step that led to a state. Collective.
-     * @param energy_scale the largest energy of the motion, or brought from outside
+     * @param largest_energy of the motion, or brought from outside
      */
     LawReading read(const State          &state,
                     const StepReport     &report,
                     const EnergyBooking  &booking,
                     const ContactSummary &contact,
-                    double                energy_scale);
+                    double                largest_energy);
 
     /** What it remembers of earlier steps. */
     void archive(Archive &archive) { archive(largest_force, largest_flow); }
@@ -58,6 +58,11 @@ namespace signorini
     double              largest_flow            = 0.; ///< of energy in a step, in the whole run
     double              courant_number_per_time = 0.; ///< zero without inertia
 
+    /**
+     * Of a body whose nodes move by the round-off of its size in the time of a wave through the
+     * smallest cell: nothing that has less of it moves.
+     */
+    double energy_of_round_off() const;
     double momentum_residual(const State &state, const StepReport &report, double energy_scale);
   };
 } // namespace signorini

@@ -23,7 +23,7 @@ namespace signorini
    * One step, measured by what it leaves open of the contact force: error_of_step(), relative to
    * the largest force that is expected (LargestForce), in the mean of what has been of late. A
    * single step is rejected from twice the tolerance on; a mean above it asks for shorter steps, a
-   * tenth of it allows longer ones.
+   * fifth of it allows longer ones.
    *
    * - Steps that are shorter than the first size are taken together until they are as long, and
    *   their mean force counts. Else shorter steps would see more and more of the ringing of contact
@@ -71,8 +71,10 @@ namespace signorini
     Course course, course_before; ///< the step that was accepted last
     Course tried;                 ///< with the latest attempt
 
-    /** The course with one more step. @param most roughness that counts in the mean */
-    Course with(const State &start, const State &end, double most) const;
+    double force_at_end = 0.; ///< of the latest attempt
+
+    /** The course with the latest attempt. @param most roughness that counts in the mean */
+    Course with(const State &start, const State &end, double force_before, double most) const;
   };
 } // namespace signorini
 

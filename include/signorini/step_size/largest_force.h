@@ -10,19 +10,19 @@
 namespace signorini
 {
   /**
-   * What changes of contact forces are measured by: the sum of the magnitudes of nodal forces,
-   * which sees both bodies, all pairs and friction, where it was largest so far, or, as long as the
+   * What changes of a contact force are measured by: the largest one so far, or, as long as the
    * elastic energy @f$E_\text{el}@f$ grows beyond all before, that of a spring which will take up
-   * the largest energy @f$E@f$ of the motion so far, @f$|r|_1 (E / E_\text{el})^{1/2}@f$. So
-   * contact need not begin with the smallest steps.
+   * the largest energy @f$E@f$ of the motion so far, @f$|r| (E / E_\text{el})^{1/2}@f$. So contact
+   * need not begin with the smallest steps.
    */
   class LargestForce
   {
   public:
-    /** If a step is accepted. */
-    double expected(const State &start, const State &end) const;
+    /** If a step is accepted. @param force the larger one of both ends */
+    double expected(const State &start, const State &end, double force) const;
 
-    void accept(const State &start, const State &end);
+    /** @param force of the end */
+    void accept(const State &start, const State &end, double force);
     void take_back() { so_far = before; }
     void archive(Archive &archive) { archive(so_far); }
 

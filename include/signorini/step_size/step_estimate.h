@@ -52,13 +52,18 @@ namespace signorini
   /** What a kind of errors means for the choice of the next size. */
   struct StepRules
   {
-    double       content = 0.; ///< part of the tolerance below which a longer step is tried, anyway
-    double       content_in_flight = 0.5; ///< the same for steps without contact
-    double       worried = 1.; ///< part of the tolerance above which a shorter step follows
-    unsigned int rest    = 8;  ///< steps after a rejection that are not lengthened
+    double content = 0.; ///< part of the tolerance below which a longer step is tried, anyway
+    double content_in_flight = 0.5; ///< the same for steps without contact
+    double worried           = 1.;  ///< part of the tolerance above which a shorter step follows
+    /** Twice the size is tried wherever the power of the error allows it. */
+    bool         trusts_power = true;
+    unsigned int rest         = 8; ///< steps after a rejection that are not lengthened
     double smallest_part = 0.; ///< of the first size: the default of the smallest size is not below
     /** No contact, no error: flight takes the longest steps that do not miss the touch. */
     bool flight_is_free = false;
+    /** Tolerance with which impacts are followed: doc/step_size.md. */
+    double      enough_for_impacts = 0.1;
+    std::string key_of_tolerance   = "Time/Step tolerance"; ///< in the scene
   };
 
   /**

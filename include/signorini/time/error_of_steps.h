@@ -17,17 +17,26 @@ namespace signorini
     double force   = 0.; ///< sum over the contact nodes
   };
 
+  /** How the force changes at the middle one of three steps. */
+  struct ForceDifferences
+  {
+    double slope = 0., curvature = 0.; ///< divided differences; 0 if two instants coincide
+    double size = 0.;                  ///< of the step, or of its neighbour in contact if it flies
+  };
+
+  ForceDifferences
+  force_differences(const ForceOfStep &before, const ForceOfStep &at, const ForceOfStep &after);
+
   /**
-   * What steps leave open of the contact force, from its course alone:
+   * What a step leaves open of the contact force, from its course alone:
    * @f[
-   *   \varepsilon = 0.6\, \tau^2 |F''| + \theta |F'|
+   *   \varepsilon = 0.6\, \tau^2 |F''| + \theta |F'|.
    * @f]
-   * at the middle one of three steps, with divided differences. The first part is what a second
-   * order method does to a force that bends or has a kink, the second one that of schemes whose
-   * forces come later the longer their steps are, by the delay @f$\theta@f$. Estimates lie within a
-   * factor of three of the errors (doc/step_size.md).
+   * The first part is what a second order method does to a force that bends or has a kink, the
+   * second one that of schemes whose forces come later the longer their steps are, by the delay
+   * @f$\theta@f$. Most estimates lie within a factor of three of the errors (doc/step_size.md).
    */
-  double error_of_step(const ForceOfStep &before, const ForceOfStep &at, const ForceOfStep &after);
+  double error_of_step(const ForceDifferences &force, double size, double delay);
 
   /**
    * The estimated error of the contact force by the steps of a run, relative to the force, both in
@@ -40,6 +49,9 @@ namespace signorini
     void start(double time, double force);
 
     void add(const ForceOfStep &step);
+
+    /** Whether there was a force, before the last step. */
+    bool is_known() const { return squared_force > 0.; }
 
     double relative_error() const;
 
