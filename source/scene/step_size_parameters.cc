@@ -112,7 +112,7 @@ namespace signorini
       return;
     if (target_error == 0.)
       in.fail("Step size control",
-              "= goal needs `Adaptivity/Target error`, the part of the contact force that may be "
+              "needs `Adaptivity/Target error`, the part of the contact force that may be "
               "wrong. Give for example 0.01 there, with `Indicator = residual` and `Goal = contact "
               "force` or on a mesh that stays (`Indicator = none`), or take another control.");
     sizes.tolerance = target_error;

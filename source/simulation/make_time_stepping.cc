@@ -29,11 +29,6 @@ namespace signorini
       estimate = std::make_unique<GoalEstimate>(scheme, time.step_size, force_in_step);
     else
       estimate = std::make_unique<EmbeddedEstimate>(scheme);
-    double wave_part = 0.5;
-    if (sizes.control == StepSizeControl::doubling)
-      wave_part = 1.; // the halves count
-    else if (sizes.control == StepSizeControl::goal)
-      wave_part = 2.; // shorter ones make contact ring with the smallest cells
     const double maximum =
       sizes.maximum > 0. ? sizes.maximum : std::max(time.step_size, time.end_time / 10.);
     return std::make_unique<AdaptiveSteps>(std::move(estimate),
@@ -42,7 +37,6 @@ namespace signorini
                                                                      sizes.minimum,
                                                                      maximum,
                                                                      time.end_time,
-                                                                     wave_part,
                                                                      shortest_wave_time});
   }
 } // namespace signorini

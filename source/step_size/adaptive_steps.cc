@@ -71,7 +71,7 @@ namespace signorini
     if (parameters.minimum > 0.)
       return parameters.minimum;
     const double wave_time = parameters.shortest_wave_time ? parameters.shortest_wave_time() : 0.;
-    const double resolved  = parameters.wave_part * wave_time;
+    const double resolved  = rules.wave_part * wave_time;
     return std::min(parameters.first, std::max(resolved, rules.smallest_part * parameters.first));
   }
 

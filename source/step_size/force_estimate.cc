@@ -20,18 +20,19 @@ namespace signorini
     if (trial.is_flight)
       trial.error = 0.;
 
-    // Of the components at all nodes: both bodies, all pairs, and friction.
-    const double sum_of_forces =
-      std::max(start.contact_force.l1_norm(), end.contact_force.l1_norm());
     Vector change = end.contact_force;
     change -= start.contact_force;
     const double between =
       start.last_step.any() ? (start.last_step.size + span) / 2. : span; // from mean to mean
     const double forces = change.l1_norm() * span / between;
     if (forces > 0.)
-      trial.error = std::max(trial.error,
-                             forces / largest.expected(start, end, sum_of_forces) * (span / unit)
-                               * (span / unit));
+      {
+        // Of the components at all nodes: both bodies, all pairs, and friction.
+        const double larger = std::max(start.contact_force.l1_norm(), end.contact_force.l1_norm());
+        const double part   = span / unit;
+        trial.error =
+          std::max(trial.error, forces / largest.expected(start, end, larger) * part * part);
+      }
     return trial;
   }
 

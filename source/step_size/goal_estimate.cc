@@ -150,6 +150,7 @@ namespace signorini
     rules.enough_for_impacts = 0.;
     rules.key_of_tolerance   = "Adaptivity/Target error";
     rules.content_in_flight  = 1.;
+    rules.wave_part          = 2.; // shorter ones make contact ring with the smallest cells
     rules.rest               = 0;
     rules.smallest_part      = 1. / 8.;
     rules.flight_is_free     = true;

@@ -88,7 +88,7 @@ TEST(Mistakes, StepsForATarget)
   const TemporaryFile correct(correct_scene());
   EXPECT_EQ(refusal(correct.name, {goal, target}), "") << "on a mesh that stays";
   expect_words(refusal(correct.name, {goal}),
-               {"Step size control", "= goal needs `Adaptivity/Target error`"});
+               {"Step size control", "needs `Adaptivity/Target error`"});
   expect_words(refusal(correct.name, {goal, target, {"Time/Step tolerance", "0.1"}}),
                {"Step tolerance", "does not fit `Step size control = goal`", "Remove"});
   expect_words(refusal(correct.name, {goal, target, {"Time/Maximum step size", "1e-9"}}),

@@ -95,6 +95,17 @@ namespace
   };
   using EstimatesOfMotion = testing::Types<StepDoubling, EmbeddedEstimate>;
   TYPED_TEST_SUITE(MotionControl, EstimatesOfMotion);
+
+  /** What holds for those that measure steps by the contact force. */
+  template <typename Estimate>
+  class ForceControl : public testing::Test
+  {
+  };
+  using EstimatesOfForce = testing::Types<ForceEstimate, GoalEstimate>;
+  TYPED_TEST_SUITE(ForceControl, EstimatesOfForce);
+
+  template <typename Estimate>
+  constexpr double tolerated = std::is_same_v<Estimate, GoalEstimate> ? 0.02 : 0.1;
 } // namespace
 
 TYPED_TEST(StepControl, UndeformedFlightTakesGrowingStepsOfOneSolution)
@@ -253,10 +264,10 @@ TYPED_TEST(StepControl, EveryRunEnds)
   EXPECT_LE((run<TypeParam>(gliding, make_state(gliding, 0., 1e-17), 1e-3, 5.).sizes.size()), 30u);
 }
 
-TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
+TYPED_TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
 {
   ElasticBar   system  = make_bar(2.);
-  const Record record  = run<ForceEstimate>(system, flying(system, 1.), 0.1, 12.);
+  const Record record  = run<TypeParam>(system, flying(system, 1.), tolerated<TypeParam>, 12.);
   const auto   pressed = [&](const std::size_t i) {
     return record.states[i].contact_force.linfty_norm() > 0.;
   };
@@ -269,7 +280,8 @@ TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
     << "a long step over the touch changes the force too much";
   EXPECT_NEAR(record.states[begin].time, 2., 2. * first_size);
   EXPECT_GT(*std::max_element(record.sizes.begin(), record.sizes.begin() + begin), 0.3);
-  EXPECT_LE(*std::max_element(record.sizes.begin() + begin, record.sizes.begin() + end - 1), 0.1)
+  EXPECT_LE(*std::max_element(record.sizes.begin() + begin, record.sizes.begin() + end - 1),
+            (std::is_same_v<TypeParam, GoalEstimate>) ? 0.05 : 0.1)
     << "the force is constant, but the wave that will end it is not";
   const State &released = record.states[end];
   EXPECT_GT(released.displacement * released.internal_force, 1e-3)
@@ -282,27 +294,7 @@ TEST(ForceControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
     << "some while the end swings back to the wall";
 }
 
-TEST(GoalControl, TouchIsFoundByItsForceAndVibratingFlightIsFree)
-{
-  ElasticBar   system  = make_bar(2.);
-  const Record record  = run<GoalEstimate>(system, flying(system, 1.), 0.02, 12.);
-  const auto   pressed = [&](const std::size_t i) {
-    return record.states[i].contact_force.linfty_norm() > 0.;
-  };
-  std::size_t begin = 0, end = record.sizes.size();
-  while (!pressed(begin))
-    ++begin;
-  while (!pressed(end - 1))
-    --end;
-  EXPECT_LE(record.sizes[begin], 1.26 * first_size);
-  EXPECT_GT(*std::max_element(record.sizes.begin(), record.sizes.begin() + begin), 0.3);
-  EXPECT_LE(*std::max_element(record.sizes.begin() + begin, record.sizes.begin() + end - 1),
-            5. * first_size)
-    << "the force is constant, but the wave that will end it is not";
-  EXPECT_GT(record.sizes[end + 5], 0.3) << "the bar vibrates, and touches nothing";
-}
-
-TEST(GoalControl, UnitsOfForceDoNotMatter)
+TYPED_TEST(ForceControl, UnitsOfForceDoNotMatter)
 {
   std::vector<std::vector<double>> sizes;
   for (const double unit : {1., std::ldexp(1., 20)})
@@ -310,20 +302,7 @@ TEST(GoalControl, UnitsOfForceDoNotMatter)
       ElasticBar bar = make_bar(0.5);
       bar.mass *= unit;
       bar.stiffness *= unit;
-      sizes.push_back(run<GoalEstimate>(bar, flying(bar, 1.), 0.02, 3.).sizes);
-    }
-  EXPECT_EQ(sizes[0], sizes[1]);
-}
-
-TEST(ForceControl, UnitsOfForceDoNotMatter)
-{
-  std::vector<std::vector<double>> sizes;
-  for (const double unit : {1., std::ldexp(1., 20)})
-    {
-      ElasticBar bar = make_bar(0.5);
-      bar.mass *= unit;
-      bar.stiffness *= unit;
-      sizes.push_back(run<ForceEstimate>(bar, flying(bar, 1.), 0.1, 3.).sizes);
+      sizes.push_back(run<TypeParam>(bar, flying(bar, 1.), tolerated<TypeParam>, 3.).sizes);
     }
   EXPECT_EQ(sizes[0], sizes[1]);
 }

@@ -47,13 +47,11 @@ namespace signorini
       double first;     ///< size of the first step
       /**
        * Sizes are not below, but those of the halves of a doubled step and of the last two of the
-       * run; 0: see wave_part
+       * run; 0: see StepRules::wave_part
        */
       double minimum;
       double maximum;
       double end_time;
-      /** Of the time of a wave through the smallest cell, the default of the minimum. */
-      double wave_part = 0.5;
       /**
        * The time that a wave takes through the smallest cell of the present mesh. Empty: there are
        * no cells.

@@ -33,6 +33,13 @@ namespace signorini
 
     void archive(Archive &archive) override { single.archive(archive); }
 
+    StepRules rules() const override
+    {
+      StepRules rules;
+      rules.wave_part = 1.; // the halves count
+      return rules;
+    }
+
   private:
     TimeScheme      &scheme;
     EmbeddedEstimate single;

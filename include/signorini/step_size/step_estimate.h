@@ -58,6 +58,8 @@ namespace signorini
     /** Twice the size is tried wherever the power of the error allows it. */
     bool         trusts_power = true;
     unsigned int rest         = 8; ///< steps after a rejection that are not lengthened
+    /** The default of the smallest size, of the time of a wave through the smallest cell. */
+    double wave_part     = 0.5;
     double smallest_part = 0.; ///< of the first size: the default of the smallest size is not below
     /** No contact, no error: flight takes the longest steps that do not miss the touch. */
     bool flight_is_free = false;
