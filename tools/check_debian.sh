@@ -72,6 +72,7 @@ run() {
   unshare --mount --pid --fork bash -euc '
     mount -t proc proc "$1/proc"
     mount --rbind /dev "$1/dev"
+    mount --rbind /sys "$1/sys"
     mount --bind "$2" "$1/var/cache/apt/archives"
     mkdir -p "$2/partial"
     mount --bind "$4" "$1/srv/signorini/build/package"

@@ -28,10 +28,11 @@ class Extension(check_history.SceneTest):
         shutil.rmtree(cls.folder, ignore_errors=True)
         cls.folder.mkdir(parents=True)
         installed, build = cls.folder / "installed", cls.folder / "extension"
+        ninja = ("-G", "Ninja")  # `make` does not come with deal.II everywhere
         sources = installed / "share/signorini/examples/extension"
         for command in (
             ("cmake", "--install", BUILD, "--prefix", installed),
-            ("cmake", "-S", sources, "-B", build, f"-DCMAKE_PREFIX_PATH={installed}"),
+            ("cmake", "-S", sources, "-B", build, *ninja, f"-DCMAKE_PREFIX_PATH={installed}"),
             ("cmake", "--build", build),
         ):
             subprocess.run(command, check=True, capture_output=True)

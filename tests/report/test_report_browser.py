@@ -13,6 +13,7 @@ test_report_browser.py EXECUTABLE FOLDER
 import base64
 import io
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -28,6 +29,8 @@ from reporting import dygraphs
 BROWSER, DRIVER = shutil.which("chromium"), shutil.which("chromedriver")
 EXECUTABLE, FOLDER = sys.argv[1:3]
 SKIPPED = 77
+#: What the Dygraphs of Debian 13 says of a picture that shows a part of its curve.
+ZOOMED = re.compile("points out of [XY] bounds")
 OPTIONS = (
     "--headless=new",
     "--no-sandbox",  # refused to root otherwise
@@ -97,7 +100,11 @@ class Page(unittest.TestCase):
 
     def tearDown(self):
         """After each test: nothing failed, and nothing but the page itself was asked for."""
-        errors = [entry for entry in self.browser.get_log("browser") if entry["level"] != "INFO"]
+        errors = [
+            entry
+            for entry in self.browser.get_log("browser")
+            if entry["level"] != "INFO" and not ZOOMED.search(entry["message"])
+        ]
         self.assertEqual(errors, [])
         events = [json.loads(entry["message"]) for entry in self.browser.get_log("performance")]
         addresses = {

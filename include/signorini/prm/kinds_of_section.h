@@ -53,13 +53,15 @@ namespace signorini
    * @param declared a handler with the keys of this section at its top
    * @param in_words says of the kinds that look at a key who they are: `the shape box or sphere`
    * @throws UserError about keys that only other kinds look at
+   *
+   * (Texts and functions by value: GCC takes the kind for a part of a temporary argument.)
    */
   template <typename Kind, typename InWords>
   const Kind &kind_of(const SectionReader            &in,
-                      const std::string              &key,
+                      const char                     *key,
                       const std::vector<Kind>        &kinds,
                       const dealii::ParameterHandler &declared,
-                      const InWords                  &in_words)
+                      const InWords                   in_words)
   {
     const Kind &own = *std::find_if(
       kinds.begin(), kinds.end(), [&](const Kind &kind) { return kind.name == in.text(key); });
