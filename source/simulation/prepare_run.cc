@@ -108,8 +108,11 @@ namespace signorini
     state = initial_state(meshed->discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
     if (scene.time.start == StartKind::equilibrium)
-      equilibrium = naming_file<RunError>(
-        scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
+      {
+        dealii::TimerOutput::Scope scope(timer, "start: equilibrium");
+        equilibrium = naming_file<RunError>(
+          scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
+      }
     start_remarks = Remarks();
     if (scheme_info(scene.time.scheme).inertia)
       start_remarks = start_with_conditions(

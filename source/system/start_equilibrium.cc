@@ -27,8 +27,9 @@ namespace signorini
         {
           for (unsigned int j = 0; j < node.entries.size(); ++j)
             node.past[j] = relative.local_element(node.entries[j]);
+          node.slides = node.past.norm() > 1e-10 * speed;
           // So far that the displacements of the equilibrium do not turn it.
-          node.past *= node.past.norm() > 1e-10 * speed ? 1e8 * body_size / speed : 0.;
+          node.past *= node.slides ? 1e8 * body_size / speed : 0.;
         }
       return laws;
     }

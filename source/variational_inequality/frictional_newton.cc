@@ -206,7 +206,7 @@ namespace signorini
               forces = {stiffness[k] * beyond,
                         TangentVector::Zero(),
                         forces.slip}; // about what will hold it
-            if (sticks(node.law, forces, stiffness[k]))
+            if (!node.slides && sticks(node.law, forces, stiffness[k]))
               status[k] = closed ? contact_status::stick : contact_status::hang;
           }
         n_changes += (status[k] != old);

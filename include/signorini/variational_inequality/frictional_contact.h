@@ -22,6 +22,11 @@ namespace signorini
     FrictionLaw               law; ///< of multipliers, that is of forces in the scale of the matrix
     /** Slip that happened before: the slip is past + x_t. */
     TangentVector past = TangentVector::Zero();
+    /**
+     * The slip that happened before is far longer than any x: the node slips, always in its
+     * direction. To stick it would have to go all the way back.
+     */
+    bool slides = false;
   };
 
   /** One per bounded entry; empty if there is no friction at all. */
