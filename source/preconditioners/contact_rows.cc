@@ -68,15 +68,51 @@ namespace signorini
     }
 
 
-    /** The partners and the neighbours of a contact node. */
-    template <int dim, typename Action>
-    void for_each_node(const ContactRow<dim> &row, const Action &action)
+    /** Sends rows to the owners of nodes, but for this process, and to none twice. */
+    template <int dim>
+    class RowExchange
     {
-      for (const auto &[partner, weight] : row.partners)
-        action(partner);
-      for (const auto neighbour : row.neighbours)
-        action(neighbour);
-    }
+    public:
+      explicit RowExchange(const Utilities::MPI::Partitioner &partitioner)
+        : partitioner(partitioner)
+      {
+      }
+
+      void send(const ContactRow<dim> &row, const types::global_dof_index to_owner_of)
+      {
+        if (!partitioner.in_local_range(dim * to_owner_of))
+          addressees[to_owner_of].insert(&row);
+      }
+
+      /** What others have sent. Collective. */
+      std::vector<ContactRow<dim>> receive()
+      {
+        std::set<types::global_dof_index> strangers;
+        for (const auto &[node, rows] : addressees)
+          strangers.insert(node);
+        std::map<unsigned int, std::set<const ContactRow<dim> *>> by_rank;
+        for (const auto &[node, rank] : owners_of<dim>(partitioner, strangers))
+          for (const ContactRow<dim> *row : addressees[node])
+            if (sent.emplace(rank, row).second)
+              by_rank[rank].insert(row);
+        addressees.clear();
+
+        std::map<unsigned int, std::vector<ContactRow<dim>>> outgoing;
+        for (const auto &[rank, rows] : by_rank)
+          for (const ContactRow<dim> *row : rows)
+            outgoing[rank].push_back(*row);
+        std::vector<ContactRow<dim>> result;
+        for (const auto &[rank, received] :
+             Utilities::MPI::some_to_some(partitioner.get_mpi_communicator(), outgoing))
+          result.insert(result.end(), received.begin(), received.end());
+        return result;
+      }
+
+    private:
+      const Utilities::MPI::Partitioner                                   &partitioner;
+      std::map<types::global_dof_index, std::set<const ContactRow<dim> *>> addressees;
+      std::set<std::pair<unsigned int, const ContactRow<dim> *>>           sent;
+    };
   } // namespace
 
 
@@ -84,31 +120,30 @@ namespace signorini
   std::vector<ContactRow<dim>> gather_contact_rows(const NodePattern             &pattern,
                                                    const ContactCoordinates<dim> &coordinates)
   {
-    const auto &partitioner = *pattern.partitioner;
-    auto        rows        = known_rows<dim>(pattern, coordinates);
+    const auto own = known_rows<dim>(pattern, coordinates);
 
-    std::set<types::global_dof_index> strangers;
-    for (const ContactRow<dim> &row : rows)
-      for_each_node(row, [&](const types::global_dof_index node) {
-        if (!partitioner.in_local_range(dim * node))
-          strangers.insert(node);
-      });
-    const auto owners = owners_of<dim>(partitioner, strangers);
-
-    std::map<unsigned int, std::vector<ContactRow<dim>>> outgoing;
-    for (const ContactRow<dim> &row : rows)
+    RowExchange<dim> exchange(*pattern.partitioner);
+    for (const ContactRow<dim> &row : own)
       {
-        std::set<unsigned int> recipients;
-        for_each_node(row, [&](const types::global_dof_index node) {
-          if (const auto owner = owners.find(node); owner != owners.end())
-            recipients.insert(owner->second);
-        });
-        for (const unsigned int rank : recipients)
-          outgoing[rank].push_back(row);
+        for (const auto &[partner, weight] : row.partners)
+          exchange.send(row, partner);
+        for (const auto neighbour : row.neighbours)
+          exchange.send(row, neighbour);
       }
-    for (const auto &[rank, received] :
-         Utilities::MPI::some_to_some(partitioner.get_mpi_communicator(), outgoing))
-      rows.insert(rows.end(), received.begin(), received.end());
+    std::vector<ContactRow<dim>> rows = exchange.receive();
+    rows.insert(rows.end(), own.begin(), own.end());
+
+    // Who owns a partner couples it with the partners of the neighbours, too.
+    std::map<types::global_dof_index, const ContactRow<dim> *> own_row;
+    for (const ContactRow<dim> &row : own)
+      own_row[row.node] = &row;
+    for (const ContactRow<dim> &row : rows)
+      for (const auto neighbour : row.neighbours)
+        if (const auto of_neighbour = own_row.find(neighbour); of_neighbour != own_row.end())
+          for (const auto &[partner, weight] : row.partners)
+            exchange.send(*of_neighbour->second, partner);
+    const auto of_neighbours = exchange.receive();
+    rows.insert(rows.end(), of_neighbours.begin(), of_neighbours.end());
     return rows;
   }
 

@@ -36,8 +36,7 @@ namespace signorini
   template <int dim>
   bool FactorCoordinates<dim>::is_exact() const
   {
-    return (is_relative || !coordinates.coupling().any())
-           && sweeps_know_all(coordinates, of_bodies.pattern.partitioner->get_mpi_communicator());
+    return is_relative || !coordinates.coupling().any();
   }
 
 

@@ -48,7 +48,7 @@ namespace signorini
         {parameters.solver.preconditioner,
          parameters.mesh_life_time,
          (friction.any() || parameters.solver.inequality == InequalityMethod::active_set)
-           && sweeps_know_all(coordinates, discretization.communicator()),
+           && sweeps_know_all(coordinates),
          friction.any(),
          parameters.solver.condensation,
          parameters.solver.inequality,

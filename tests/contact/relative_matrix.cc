@@ -50,12 +50,23 @@ namespace
 
   /** A small master, so that some nodes of the slave carry no multiplier. */
   template <int dim>
-  Scene<dim> irregular(const std::string &coefficient)
+  Scene<dim> irregular(const std::string &coefficient, const unsigned int n_cells = 3)
   {
     Scene<dim> scene = stacked<dim>(
-      block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(3)),
-      block<dim>("master", corner_of<dim>(0.4, -1.), corner_of<dim>(1.3, -0.1), cells<dim>(2)));
+      block<dim>("slave", corner_of<dim>(0., 0.), corner_of<dim>(1., 1.), cells<dim>(n_cells)),
+      block<dim>(
+        "master", corner_of<dim>(0.4, -1.), corner_of<dim>(1.3, -0.1), cells<dim>(n_cells - 1)));
     scene.pairs[0].friction = {FrictionKind::coulomb, coefficient, "", coefficient != "0"};
+    return scene;
+  }
+
+  /** The cells at either contact surface follow each other in the mesh. */
+  template <int dim>
+  Scene<dim> side_by_side(const unsigned int n_cells)
+  {
+    Scene<dim> scene = irregular<dim>("0.3", n_cells);
+    std::swap(scene.bodies[0], scene.bodies[1]);
+    std::swap(scene.pairs[0].slave, scene.pairs[0].master);
     return scene;
   }
 
@@ -159,6 +170,9 @@ TEST(RelativeMatrix, EntriesGiveTheProducts)
           expect_same_products(irregular<3>(coefficient), angle);
         }
     }
+  // Processes that have a part of either contact surface, or of a single one.
+  expect_same_products(side_by_side<2>(16), 0.7);
+  expect_same_products(side_by_side<3>(5), 0.7);
   Scene<3> prescribed            = irregular<3>("0.3");
   prescribed.bodies[0].dirichlet = {{1, {{"-", "0", "-"}}}};
   expect_same_products(prescribed, 0.);

@@ -31,7 +31,8 @@ namespace signorini
 
   /**
    * The contact nodes with partners that this process owns, is coupled with by the stiffness, or
-   * owns a partner of. Collective.
+   * owns a partner of, and the neighbours of the latter: all that its rows of the matrix in
+   * relative coordinates need. Collective.
    */
   template <int dim>
   std::vector<ContactRow<dim>> gather_contact_rows(const NodePattern             &pattern,

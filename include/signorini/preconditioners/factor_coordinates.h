@@ -15,16 +15,13 @@
 namespace signorini
 {
   /**
-   * Whether the blocks that a process sees make up its rows of T'K T. On several processes it does
-   * not know what partners of partners beyond its ghosts add where bodies meet, and nowhere are
-   * they known where partners come and go.
+   * Whether blocks make up T'K T: not where partners come and go, as there is no matrix in relative
+   * coordinates then.
    */
   template <int dim>
-  bool sweeps_know_all(const ContactCoordinates<dim> &coordinates, const MPI_Comm communicator)
+  bool sweeps_know_all(const ContactCoordinates<dim> &coordinates)
   {
-    return !coordinates.coupling().any()
-           || (!coordinates.coupling().changes()
-               && dealii::Utilities::MPI::n_mpi_processes(communicator) == 1);
+    return !coordinates.coupling().any() || !coordinates.coupling().changes();
   }
 
 
