@@ -190,10 +190,12 @@ namespace signorini
     const double courant_number = cost.courant_number;
     if (cost.solves_roughly)
       {
-        // An iteration with multigrid takes six times as long, and five of them make a solution.
-        // With friction there are more linear systems, and each asks for less.
-        const double most_iterations = cost.with_friction ? 17. : 33.;
-        const double too_large       = std::min(100., 50. * (1. + 5000. / cost.n_dofs));
+        // An iteration with multigrid takes six times as long, and five of them make a solution; on
+        // graded meshes each is dearer. With friction there are more linear systems, and each asks
+        // for less.
+        const double dear            = 1. + 0.8 * cost.grading;
+        const double most_iterations = dear * (cost.with_friction ? 17. : 33.);
+        const double too_large       = dear * std::min(100., 50. * (1. + 5000. / cost.n_dofs));
         const bool   too_many =
           cost.iterations > 0. ? cost.iterations > most_iterations : courant_number > too_large;
         if (!too_many)

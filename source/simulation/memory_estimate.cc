@@ -44,8 +44,10 @@ namespace signorini
         return chosen == PreconditionerKind::multigrid || chosen == PreconditionerKind::ml;
       if (!scheme_info(scene.time.scheme).inertia)
         return true;
-      StepCost cost;
-      cost.courant_number   = meshed.discretization.mesh().courant_number(scene.time.step_size);
+      const Mesh<dim> &mesh = meshed.discretization.mesh();
+      StepCost         cost;
+      cost.courant_number   = mesh.effective_courant_number(scene.time.step_size);
+      cost.grading          = mesh.grading();
       cost.n_dofs           = meshed.discretization.dof_handler().n_dofs();
       cost.matrix_life_time = scene.time.n_steps();
       cost.stiffness_ratio  = ratio_of_stiffness(meshed.discretization.matrices());

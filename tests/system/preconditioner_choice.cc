@@ -68,6 +68,19 @@ TEST(PreconditionerChoice, SweepsUntilTheyTakeTooManyIterations)
     << "with friction there are more linear systems, and each asks for less";
 }
 
+TEST(PreconditionerChoice, SweepsForLongerOnAGradedMesh)
+{
+  StepCost cost{70., 100000, 10000};
+  cost.solves_roughly = true;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::multigrid);
+  cost.iterations = 40.;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::multigrid);
+  cost.grading = 0.6;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::symmetric_gauss_seidel);
+  cost.iterations = 0.;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::symmetric_gauss_seidel);
+}
+
 TEST(PreconditionerChoice, KeepsMultigridFromBodiesThatDifferTooMuch)
 {
   StepCost cost{1000., 100000, 10000, 1e7};

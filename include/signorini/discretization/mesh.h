@@ -103,6 +103,16 @@ namespace signorini
     /** Courant number c_p tau / h of the smallest cell. Collective. */
     double courant_number(double step_size) const;
 
+    /**
+     * What iterations feel of it. Where only a few cells are small, a wave has left them long
+     * before the end of a step: this is the largest C that is the number of so many cells, and of
+     * smaller ones, that they would fill a cube (square) with C/3 cells at an edge. Collective.
+     */
+    double effective_courant_number(double step_size) const;
+
+    /** Share of the cells that have not the level of most cells of their body. Collective. */
+    double grading() const;
+
     MPI_Comm communicator() const { return cells.get_communicator(); }
 
   private:
@@ -117,6 +127,9 @@ namespace signorini
     mutable FunctionCache<dim>                                functions;
 
     void order_cells();
+
+    double cell_courant_number(const typename Triangulation::active_cell_iterator &cell,
+                               double                                              step_size) const;
 
     /** In one pass over the coarse cells, as there may be many of them. */
     void find_bounding_boxes();

@@ -26,7 +26,7 @@ namespace signorini
   /** What decides about the preconditioner of a step. */
   struct StepCost
   {
-    double                          courant_number;        ///< c_p tau / h
+    double                          courant_number;        ///< Mesh::effective_courant_number()
     dealii::types::global_dof_index n_dofs;                ///< on all processes
     unsigned int                    matrix_life_time = 1;  ///< steps that will use the matrix
     double                          stiffness_ratio  = 1.; ///< of the stiffest node and the softest
@@ -35,6 +35,7 @@ namespace signorini
     /** With sweeps so far, per active set; 0: not known yet. */
     double iterations    = 0.;
     bool   with_friction = false;
+    double grading       = 0.; ///< Mesh::grading()
   };
 
   /** Of the stiffest node and the softest. Collective. */

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
+// Copyright (C) 2026 by the signorini authors
+
+// What a solver feels of small cells. On a uniform mesh of n cells across, the Courant number up to
+// 3 n; where only a corner is fine, no more than the cells of the corner, however small they are.
+// Graded is what differs from most cells of its body, whatever other bodies are.
+
+#include "bodies.h"
+
+#include <gtest/gtest.h>
+
+using namespace signorini;
+using namespace signorini::tests;
+
+namespace
+{
+  template <int dim>
+  class GradedMesh : public testing::Test
+  {
+  protected:
+    /** 16 cells across, those within a distance of a corner finer. */
+    static BodyDescription<dim> box(const double near, const unsigned int n_refinements)
+    {
+      BodyDescription<dim> body = tests::box<dim>();
+      body.refinements          = 3;
+      body.local_refinements    = n_refinements;
+      body.refine_where         = std::to_string(near) + " - max(x, y" + (dim == 3 ? ", z)" : ")");
+      return body;
+    }
+
+    static Mesh<dim> mesh_of(const std::vector<BodyDescription<dim>> &bodies)
+    {
+      return Mesh<dim>(bodies, MPI_COMM_WORLD);
+    }
+
+    /** Of which the largest Courant number is one. */
+    static double step_of_one(const Mesh<dim> &mesh) { return 1. / mesh.courant_number(1.); }
+  };
+
+  template <typename T>
+  class GradedMeshOf : public GradedMesh<T::value>
+  {
+  };
+  using GradedDimensions =
+    testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+} // namespace
+
+TYPED_TEST_SUITE(GradedMeshOf, GradedDimensions);
+
+TYPED_TEST(GradedMeshOf, UniformOnesCountUpToTheirSize)
+{
+  const auto   mesh = this->mesh_of({this->box(0., 0)});
+  const double one  = this->step_of_one(mesh);
+  for (const double number : {0.3, 1., 7., 40.})
+    EXPECT_NEAR(mesh.effective_courant_number(number * one), number, 1e-12 * number);
+  EXPECT_NEAR(mesh.effective_courant_number(1000. * one), 3. * 16., 1e-9);
+  EXPECT_EQ(mesh.grading(), 0.);
+}
+
+TYPED_TEST(GradedMeshOf, SmallCellsCountAsFarAsTheyGo)
+{
+  const auto   mesh = this->mesh_of({this->box(0.13, 4)}); // 2 of 16 cells across, 16 times finer
+  const double step = 320. * this->step_of_one(mesh);
+  EXPECT_NEAR(mesh.courant_number(step), 320., 1e-9);
+  // 32 of the finest cells across, and some of their neighbours
+  EXPECT_GE(mesh.effective_courant_number(step), 3. * 32.);
+  EXPECT_LE(mesh.effective_courant_number(step), 3. * 48.);
+  const auto tiny = this->mesh_of({this->box(0.04, 4)}); // 1 of 16, 16 times finer
+  EXPECT_LE(tiny.effective_courant_number(step), 0.6 * mesh.effective_courant_number(step));
+}
+
+TYPED_TEST(GradedMeshOf, TheOtherCellsAreCounted)
+{
+  constexpr int dim       = TypeParam::value;
+  const double  new_cells = std::pow(2., dim), all = std::pow(16., dim) - 1. + new_cells;
+  EXPECT_NEAR(this->mesh_of({this->box(0.04, 1)}).grading(), new_cells / all, 1e-12);
+  EXPECT_NEAR(
+    this->mesh_of({this->box(0.9, 1)}).grading(),
+    1. - std::pow(28., dim) / (std::pow(16., dim) + (1. - 1. / new_cells) * std::pow(28., dim)),
+    1e-12);
+}
+
+TYPED_TEST(GradedMeshOf, OtherBodiesDoNotMakeAMeshGraded)
+{
+  auto coarse = this->box(0., 0), fine = this->box(0., 0);
+  coarse.name        = "coarse";
+  fine.name          = "fine";
+  coarse.refinements = 1;
+  EXPECT_EQ(this->mesh_of({coarse, fine}).grading(), 0.);
+}
