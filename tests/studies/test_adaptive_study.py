@@ -18,7 +18,7 @@ import check_history
 import numpy
 
 sys.path.insert(0, str(check_history.SOURCE / "tools"))
-from studies import adaptive, adaptive_measures as measures, instants  # noqa: E402
+from studies import adaptive, adaptive_measures as measures, case, instants  # noqa: E402
 
 
 def setUpModule():
@@ -81,24 +81,36 @@ class Measures(unittest.TestCase):
         parts = measures.where_the_time_went(Run(folder=folder))
         self.assertEqual([round(part) for part in parts.values()], [40, 3, 0, 0, 57])
 
+    def test_estimates_as_runs_say_them(self):
+        folder = pathlib.Path(check_history.settings["folder"])
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "log.txt").write_text(
+            "  error of force    about 3.4 % by the mesh (estimated; L2 in time)\n"
+            "  error of stress   more than 100 % by the mesh (estimated)\n",
+            encoding="utf-8",
+        )
+        self.assertEqual(measures.estimated(Run(folder=folder), "force"), 3.4)
+        self.assertEqual(case.text(measures.estimated(Run(folder=folder), "stress")), "> 100")
+        self.assertTrue(math.isnan(measures.estimated(Run(folder=folder), "pressure")))
+
 
 class Files(check_history.SceneTest):
     def test_they_fit_together(self):
         for name in adaptive.CASES:
             for coarse in (False, True):
-                case = adaptive.Case(
+                study = adaptive.Case(
                     check_history.PARAMETERS / "studies" / "adaptive" / f"{name}.ini",
                     coarse,
                     pathlib.Path(check_history.settings["folder"]),
                 )
-                groups = [variant.group for variant in case.study.variants]
+                groups = [variant.group for variant in study.study.variants]
                 self.assertGreater(groups.count(adaptive.UNIFORM), 1, name)
                 self.assertGreater(len(set(groups)), 2, name)
             last = {
                 variant.group.split(",")[0]: task
-                for variant, task in zip(case.study.variants, case.tasks)
+                for variant, task in zip(study.study.variants, study.tasks)
             }
-            for task in [*last.values(), *([case.reference] if case.reference else [])]:
+            for task in [*last.values(), *([study.reference] if study.reference else [])]:
                 self.expect_valid(task)
 
 

@@ -82,8 +82,11 @@ def pressure_error(result, reference, times):
 
 
 def estimated(result, what):
-    """What a mesh that is made for a force or a stress says of it at the end, in per cent."""
+    """What a mesh that is made for a force or a stress says of it at the end, in per cent; infinite
+    if that is more than the whole."""
     text = (result.folder / "log.txt").read_text(encoding="utf-8")
+    if re.search(rf"error of {what} +more than 100 %", text):
+        return math.inf
     found = re.search(rf"error of {what} +about (\S+) %", text)
     return float(found[1]) if found else math.nan
 
