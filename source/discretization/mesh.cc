@@ -220,18 +220,18 @@ namespace signorini
     for (const auto &cell : ordered_cells)
       if (cell->is_locally_owned())
         {
-          const double number = cell_courant_number(cell, step_size);
-          const auto   k      = static_cast<unsigned int>(2. * std::log2(std::max(number, 1.)));
-          n_cells[std::min(k, n_classes - 1)] += 1.;
+          const double number = std::max(cell_courant_number(cell, step_size), 1.);
+          n_cells[std::min<unsigned int>(2. * std::log2(number), n_classes - 1)] += 1.;
         }
     Utilities::MPI::sum(n_cells, communicator(), n_cells);
-    double result = 0., n_smaller = 0.;
-    for (unsigned int k = n_classes; k-- > 0;)
+    const double half   = 0.5 * cells.n_global_active_cells();
+    double       result = 0., n_smaller = 0.;
+    for (unsigned int k = n_classes; k-- > 0 && n_smaller < half;)
       {
         n_smaller += n_cells[k];
-        result = std::max(
-          result,
-          std::min(std::exp2(0.5 * (k + 1)), cells_of_a_wave * std::pow(n_smaller, 1. / dim)));
+        const double number = std::exp2(0.5 * (k + 1)), across = std::pow(n_smaller, 1. / dim);
+        result =
+          std::max(result, n_smaller < half ? std::min(number, cells_of_a_wave * across) : number);
       }
     return std::min(result, courant_number(step_size));
   }

@@ -196,8 +196,10 @@ namespace signorini
         const double dear            = 1. + 0.8 * cost.grading;
         const double most_iterations = dear * (cost.with_friction ? 17. : 33.);
         const double too_large       = dear * std::min(100., 50. * (1. + 5000. / cost.n_dofs));
-        const bool   too_many =
-          cost.iterations > 0. ? cost.iterations > most_iterations : courant_number > too_large;
+        const double felt =
+          cost.effective_courant_number > 0. ? cost.effective_courant_number : courant_number;
+        const bool too_many =
+          cost.iterations > 0. ? cost.iterations > most_iterations : felt > too_large;
         if (!too_many)
           return PreconditionerKind::symmetric_gauss_seidel;
         return cost.stiffness_ratio > most_for_multigrid ? PreconditionerKind::incomplete_cholesky

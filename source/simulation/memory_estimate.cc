@@ -46,12 +46,13 @@ namespace signorini
         return true;
       const Mesh<dim> &mesh = meshed.discretization.mesh();
       StepCost         cost;
-      cost.courant_number   = mesh.effective_courant_number(scene.time.step_size);
-      cost.grading          = mesh.grading();
-      cost.n_dofs           = meshed.discretization.dof_handler().n_dofs();
-      cost.matrix_life_time = scene.time.n_steps();
-      cost.stiffness_ratio  = ratio_of_stiffness(meshed.discretization.matrices());
-      cost.solves_roughly   = true;
+      cost.courant_number           = mesh.courant_number(scene.time.step_size);
+      cost.effective_courant_number = mesh.effective_courant_number(scene.time.step_size);
+      cost.grading                  = mesh.grading();
+      cost.n_dofs                   = meshed.discretization.dof_handler().n_dofs();
+      cost.matrix_life_time         = scene.time.n_steps();
+      cost.stiffness_ratio          = ratio_of_stiffness(meshed.discretization.matrices());
+      cost.solves_roughly           = true;
       return choose_preconditioner(cost) == PreconditionerKind::multigrid;
     }
 

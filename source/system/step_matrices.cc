@@ -121,8 +121,9 @@ namespace signorini
     if (kind == PreconditionerKind::automatic)
       {
         StepCost cost;
-        cost.courant_number = discretization.mesh().effective_courant_number(step_size);
-        cost.n_dofs         = discretization.dof_handler().n_dofs();
+        cost.courant_number           = discretization.mesh().courant_number(step_size);
+        cost.effective_courant_number = discretization.mesh().effective_courant_number(step_size);
+        cost.n_dofs                   = discretization.dof_handler().n_dofs();
         // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
         // again.
         cost.matrix_life_time = std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses);

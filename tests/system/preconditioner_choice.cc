@@ -68,6 +68,16 @@ TEST(PreconditionerChoice, SweepsUntilTheyTakeTooManyIterations)
     << "with friction there are more linear systems, and each asks for less";
 }
 
+TEST(PreconditionerChoice, SweepsWhereFewCellsAreSmall)
+{
+  StepCost cost{1000., 100000, 10000};
+  cost.effective_courant_number = 30.;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::multigrid)
+    << "nobody would look at the iterations of the factor";
+  cost.solves_roughly = true;
+  EXPECT_EQ(choose_preconditioner(cost), PreconditionerKind::symmetric_gauss_seidel);
+}
+
 TEST(PreconditionerChoice, SweepsForLongerOnAGradedMesh)
 {
   StepCost cost{70., 100000, 10000};

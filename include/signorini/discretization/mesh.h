@@ -105,8 +105,9 @@ namespace signorini
 
     /**
      * What iterations feel of it. Where only a few cells are small, a wave has left them long
-     * before the end of a step: this is the largest C that is the number of so many cells, and of
-     * smaller ones, that they would fill a cube (square) with C/3 cells at an edge. Collective.
+     * before the end of a step: the number of half of the cells, or if it is larger the largest C
+     * that is the number of so many cells, and of smaller ones, that they would fill a cube
+     * (square) with C/3 cells at an edge. On uniform meshes it is the Courant number. Collective.
      */
     double effective_courant_number(double step_size) const;
 

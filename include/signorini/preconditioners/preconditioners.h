@@ -26,7 +26,7 @@ namespace signorini
   /** What decides about the preconditioner of a step. */
   struct StepCost
   {
-    double                          courant_number;        ///< Mesh::effective_courant_number()
+    double                          courant_number;        ///< c_p tau / h
     dealii::types::global_dof_index n_dofs;                ///< on all processes
     unsigned int                    matrix_life_time = 1;  ///< steps that will use the matrix
     double                          stiffness_ratio  = 1.; ///< of the stiffest node and the softest
@@ -36,6 +36,8 @@ namespace signorini
     double iterations    = 0.;
     bool   with_friction = false;
     double grading       = 0.; ///< Mesh::grading()
+    /** Mesh::effective_courant_number(); 0: that above. */
+    double effective_courant_number = 0.;
   };
 
   /** Of the stiffest node and the softest. Collective. */
