@@ -191,8 +191,8 @@ namespace signorini
 
 
   template <int dim>
-  double Mesh<dim>::cell_courant_number(const typename Triangulation::active_cell_iterator &cell,
-                                        const double step_size) const
+  double Mesh<dim>::courant_number(const typename Triangulation::active_cell_iterator &cell,
+                                   const double step_size) const
   {
     return descriptions[cell->material_id()].material.pressure_wave_speed() * step_size
            / cell->minimum_vertex_distance();
@@ -205,51 +205,8 @@ namespace signorini
     double number = 0.;
     for (const auto &cell : ordered_cells)
       if (cell->is_locally_owned())
-        number = std::max(number, cell_courant_number(cell, step_size));
+        number = std::max(number, courant_number(cell, step_size));
     return Utilities::MPI::max(number, communicator());
-  }
-
-
-  template <int dim>
-  double Mesh<dim>::effective_courant_number(const double step_size) const
-  {
-    // Cells by half octaves of their numbers; what is below the first has no say.
-    constexpr unsigned int n_classes       = 80;
-    constexpr double       cells_of_a_wave = 3.; // on its way, per cell across
-    std::vector<double>    n_cells(n_classes, 0.);
-    for (const auto &cell : ordered_cells)
-      if (cell->is_locally_owned())
-        {
-          const double number = std::max(cell_courant_number(cell, step_size), 1.);
-          n_cells[std::min<unsigned int>(2. * std::log2(number), n_classes - 1)] += 1.;
-        }
-    Utilities::MPI::sum(n_cells, communicator(), n_cells);
-    const double half   = 0.5 * cells.n_global_active_cells();
-    double       result = 0., n_smaller = 0.;
-    for (unsigned int k = n_classes; k-- > 0 && n_smaller < half;)
-      {
-        n_smaller += n_cells[k];
-        const double number = std::exp2(0.5 * (k + 1)), across = std::pow(n_smaller, 1. / dim);
-        result =
-          std::max(result, n_smaller < half ? std::min(number, cells_of_a_wave * across) : number);
-      }
-    return std::min(result, courant_number(step_size));
-  }
-
-
-  template <int dim>
-  double Mesh<dim>::grading() const
-  {
-    const unsigned int  n_levels = cells.n_global_levels();
-    std::vector<double> n_cells(bodies().size() * n_levels, 0.);
-    for (const auto &cell : ordered_cells)
-      if (cell->is_locally_owned())
-        n_cells[cell->material_id() * n_levels + cell->level()] += 1.;
-    Utilities::MPI::sum(n_cells, communicator(), n_cells);
-    double n_alike = 0.;
-    for (auto body = n_cells.begin(); body != n_cells.end(); body += n_levels)
-      n_alike += *std::max_element(body, body + n_levels);
-    return 1. - n_alike / cells.n_global_active_cells();
   }
 
 

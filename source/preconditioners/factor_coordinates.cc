@@ -5,6 +5,8 @@
 #include <signorini/preconditioners/relative_matrix.h>
 #include <signorini/surfaces/contact_frame.h>
 
+#include <deal.II/base/mpi.h>
+
 namespace signorini
 {
   template <int dim>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/preconditioners/preconditioners.h>
+#include <signorini/preconditioners/preconditioner_choice.h>
 #include <signorini/simulation/memory_estimate.h>
 #include <signorini/system/step_matrices.h>
 
@@ -44,15 +44,9 @@ namespace signorini
         return chosen == PreconditionerKind::multigrid || chosen == PreconditionerKind::ml;
       if (!scheme_info(scene.time.scheme).inertia)
         return true;
-      const Mesh<dim> &mesh = meshed.discretization.mesh();
-      StepCost         cost;
-      cost.courant_number           = mesh.courant_number(scene.time.step_size);
-      cost.effective_courant_number = mesh.effective_courant_number(scene.time.step_size);
-      cost.grading                  = mesh.grading();
-      cost.n_dofs                   = meshed.discretization.dof_handler().n_dofs();
-      cost.matrix_life_time         = scene.time.n_steps();
-      cost.stiffness_ratio          = ratio_of_stiffness(meshed.discretization.matrices());
-      cost.solves_roughly           = true;
+      StepCost cost         = cost_of_step(meshed.discretization, scene.time.step_size);
+      cost.matrix_life_time = scene.time.n_steps();
+      cost.solves_roughly   = true;
       return choose_preconditioner(cost) == PreconditionerKind::multigrid;
     }
 

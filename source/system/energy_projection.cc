@@ -3,6 +3,7 @@
 
 #include <signorini/base/contact_status.h>
 #include <signorini/linear_algebra/vector_kernels.h>
+#include <signorini/preconditioners/preconditioner_choice.h>
 #include <signorini/preconditioners/preconditioners.h>
 #include <signorini/system/energy_projection.h>
 #include <signorini/system/rigid_springs.h>

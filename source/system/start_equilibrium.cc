@@ -29,7 +29,7 @@ namespace signorini
             node.past[j] = relative.local_element(node.entries[j]);
           node.slides = node.past.norm() > 1e-10 * speed;
           // So far that the displacements of the equilibrium do not turn it.
-          node.past *= node.slides ? 1e8 * body_size / speed : 0.;
+          node.past *= node.slides ? 1e8 * body_size / node.past.norm() : 0.;
         }
       return laws;
     }

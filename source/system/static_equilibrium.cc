@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/aitken_relaxation.h>
+#include <signorini/preconditioners/preconditioner_choice.h>
 #include <signorini/system/motion_in_words.h>
 #include <signorini/system/scales.h>
 #include <signorini/system/static_equilibrium.h>

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/multigrid/geometric_multigrid.h>
+#include <signorini/preconditioners/preconditioner_choice.h>
 #include <signorini/system/step_matrices.h>
 #include <signorini/variational_inequality/make_solver.h>
 
@@ -120,20 +121,16 @@ namespace signorini
       kind = matrix.preconditioner ? matrix.kind : PreconditionerKind::jacobi;
     if (kind == PreconditionerKind::automatic)
       {
-        StepCost cost;
-        cost.courant_number           = discretization.mesh().courant_number(step_size);
-        cost.effective_courant_number = discretization.mesh().effective_courant_number(step_size);
-        cost.n_dofs                   = discretization.dof_handler().n_dofs();
+        if (matrix.kind == PreconditionerKind::multigrid
+            || (preconditioner.solves_roughly
+                && matrix.kind == PreconditionerKind::incomplete_cholesky))
+          return; // what it was taken for does not go away
+        StepCost cost = cost_of_step(discretization, step_size);
         // Nobody knows how long a mesh will last; one that has outlived what was expected may do so
         // again.
         cost.matrix_life_time = std::max(preconditioner.mesh_life_time, 2 * matrix.n_uses);
-        cost.stiffness_ratio  = ratio_of_stiffness(discretization.matrices());
-        cost.grading          = discretization.mesh().grading();
         cost.solves_roughly   = preconditioner.solves_roughly;
         cost.with_friction    = preconditioner.with_friction;
-        if (matrix.kind == PreconditionerKind::multigrid
-            || (cost.solves_roughly && matrix.kind == PreconditionerKind::incomplete_cholesky))
-          return; // what it was taken for does not go away
         if (matrix.effort.active_set_iterations > 0)
           cost.iterations = static_cast<double>(matrix.effort.linear_iterations)
                             / matrix.effort.active_set_iterations;

@@ -11,6 +11,7 @@
 
 #include <signorini/linear_algebra/conjugate_gradients.h>
 #include <signorini/multigrid/geometric_multigrid.h>
+#include <signorini/preconditioners/preconditioner_choice.h>
 #include <signorini/preconditioners/preconditioners.h>
 
 #include <gtest/gtest.h>

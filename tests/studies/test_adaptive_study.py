@@ -18,7 +18,7 @@ import check_history
 import numpy
 
 sys.path.insert(0, str(check_history.SOURCE / "tools"))
-from studies import adaptive, adaptive_measures as measures, case, instants  # noqa: E402
+from studies import adaptive, adaptive_measures as measures, instants  # noqa: E402
 
 
 def setUpModule():
@@ -90,7 +90,7 @@ class Measures(unittest.TestCase):
             encoding="utf-8",
         )
         self.assertEqual(measures.estimated(Run(folder=folder), "force"), 3.4)
-        self.assertEqual(case.text(measures.estimated(Run(folder=folder), "stress")), "> 100")
+        self.assertEqual(measures.said(measures.estimated(Run(folder=folder), "stress")), "> 100")
         self.assertTrue(math.isnan(measures.estimated(Run(folder=folder), "pressure")))
 
 
@@ -98,19 +98,19 @@ class Files(check_history.SceneTest):
     def test_they_fit_together(self):
         for name in adaptive.CASES:
             for coarse in (False, True):
-                study = adaptive.Case(
+                case = adaptive.Case(
                     check_history.PARAMETERS / "studies" / "adaptive" / f"{name}.ini",
                     coarse,
                     pathlib.Path(check_history.settings["folder"]),
                 )
-                groups = [variant.group for variant in study.study.variants]
+                groups = [variant.group for variant in case.study.variants]
                 self.assertGreater(groups.count(adaptive.UNIFORM), 1, name)
                 self.assertGreater(len(set(groups)), 2, name)
             last = {
                 variant.group.split(",")[0]: task
-                for variant, task in zip(study.study.variants, study.tasks)
+                for variant, task in zip(case.study.variants, case.tasks)
             }
-            for task in [*last.values(), *([study.reference] if study.reference else [])]:
+            for task in [*last.values(), *([case.reference] if case.reference else [])]:
                 self.expect_valid(task)
 
 

@@ -70,11 +70,13 @@ def estimates_of(case):
 
 def table(case):
     """One line for each run."""
+    estimates = estimates_of(case)
     names = ["dofs", "largest_dofs", "steps", "changes", "seconds"]
-    names += [*errors_of(case), *estimates_of(case), "roughness"]
+    names += [*errors_of(case), *estimates, "roughness"]
     rows = [["run", *(measures.HEADINGS[name] for name in names)]]
+    words = {name: measures.said if name in estimates else text for name in names}
     return rows + [
-        [variant.name, *(text(numbers[name]) for name in names)]
+        [variant.name, *(words[name](numbers[name]) for name in names)]
         for variant, numbers in zip(case.study.variants, case.numbers)
     ]
 

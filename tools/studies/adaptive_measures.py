@@ -10,7 +10,7 @@ import re
 import numpy
 
 from . import instants
-from .case import seconds
+from .case import seconds, text
 from .observe import during_contact, roughness
 
 #: Curves are compared at so many equidistant times: many more than any run here has steps in
@@ -84,11 +84,16 @@ def pressure_error(result, reference, times):
 def estimated(result, what):
     """What a mesh that is made for a force or a stress says of it at the end, in per cent; infinite
     if that is more than the whole."""
-    text = (result.folder / "log.txt").read_text(encoding="utf-8")
-    if re.search(rf"error of {what} +more than 100 %", text):
+    log = (result.folder / "log.txt").read_text(encoding="utf-8")
+    if re.search(rf"error of {what} +more than 100 %", log):
         return math.inf
-    found = re.search(rf"error of {what} +about (\S+) %", text)
+    found = re.search(rf"error of {what} +about (\S+) %", log)
     return float(found[1]) if found else math.nan
+
+
+def said(estimate):
+    """An estimate as the run says it."""
+    return "> 100" if math.isinf(estimate) else text(estimate)
 
 
 def measure(result, reference):

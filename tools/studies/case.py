@@ -105,8 +105,5 @@ def seconds(result):
 
 
 def text(value):
-    """Three digits, a dash for what is not known, and for a part that is estimated to be more than
-    the whole `> 100`."""
-    if math.isinf(value):
-        return "> 100"
+    """Three digits, a dash for what is not known."""
     return "-" if math.isnan(value) else f"{value:.0f}" if value >= 1000 else f"{value:.3g}"

@@ -100,19 +100,11 @@ namespace signorini
     /** About the lowest one: the speed of the slowest pressure wave over body_size(). */
     double lowest_frequency() const;
 
-    /** Courant number c_p tau / h of the smallest cell. Collective. */
+    /** Courant number c_p tau / h of the smallest cell (collective), and of one cell. */
     double courant_number(double step_size) const;
 
-    /**
-     * What iterations feel of it. Where only a few cells are small, a wave has left them long
-     * before the end of a step: the number of half of the cells, or if it is larger the largest C
-     * that is the number of so many cells, and of smaller ones, that they would fill a cube
-     * (square) with C/3 cells at an edge. On uniform meshes it is the Courant number. Collective.
-     */
-    double effective_courant_number(double step_size) const;
-
-    /** Share of the cells that have not the level of most cells of their body. Collective. */
-    double grading() const;
+    double courant_number(const typename Triangulation::active_cell_iterator &cell,
+                          double                                              step_size) const;
 
     MPI_Comm communicator() const { return cells.get_communicator(); }
 
@@ -128,9 +120,6 @@ namespace signorini
     mutable FunctionCache<dim>                                functions;
 
     void order_cells();
-
-    double cell_courant_number(const typename Triangulation::active_cell_iterator &cell,
-                               double                                              step_size) const;
 
     /** In one pass over the coarse cells, as there may be many of them. */
     void find_bounding_boxes();

@@ -8,8 +8,6 @@
 #include <signorini/contact/node_frames.h>
 #include <signorini/linear_algebra/slip_rows.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <optional>
 
 namespace signorini
