@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace signorini
 {
@@ -25,27 +26,32 @@ namespace signorini
   template <int dim>
   double effective_courant_number(const Mesh<dim> &mesh, const double step_size)
   {
-    std::vector<double> n_cells(n_classes, 0.);
+    const std::size_t   n_bodies = mesh.bodies().size();
+    std::vector<double> n_cells(n_bodies * n_classes, 0.); // of a body, class by class
     double              largest = 0.;
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned())
         {
           const double number = mesh.courant_number(cell, step_size);
-          largest             = std::max(largest, number);
-          n_cells[std::min<unsigned int>(2. * std::log2(std::max(number, 1.)), n_classes - 1)] +=
-            1.;
+          const auto   k      = static_cast<unsigned int>(2. * std::log2(std::max(number, 1.)));
+          n_cells[cell->material_id() * n_classes + std::min(k, n_classes - 1)] += 1.;
+          largest = std::max(largest, number);
         }
     largest = Utilities::MPI::max(largest, mesh.communicator());
     Utilities::MPI::sum(n_cells, mesh.communicator(), n_cells);
 
-    const double half   = 0.5 * mesh.triangulation().n_global_active_cells();
-    double       result = 0., n_smaller = 0.;
-    for (unsigned int k = n_classes; k-- > 0 && n_smaller < half;)
+    double result = 0.;
+    for (auto body = n_cells.begin(); body != n_cells.end(); body += n_classes)
       {
-        n_smaller += n_cells[k];
-        const double number = std::exp2(0.5 * (k + 1)), across = std::pow(n_smaller, 1. / dim);
-        result =
-          std::max(result, n_smaller < half ? std::min(number, cells_of_a_wave * across) : number);
+        const double half      = 0.5 * std::accumulate(body, body + n_classes, 0.);
+        double       n_smaller = 0.;
+        for (unsigned int k = n_classes; k-- > 0 && n_smaller < half;)
+          {
+            n_smaller += body[k];
+            const double number = std::exp2(0.5 * (k + 1)),
+                         as_far = cells_of_a_wave * std::pow(n_smaller, 1. / dim);
+            result = std::max(result, n_smaller < half ? std::min(number, as_far) : number);
+          }
       }
     return std::min(result, largest);
   }

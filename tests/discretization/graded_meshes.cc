@@ -89,6 +89,15 @@ TYPED_TEST(GradedMeshOf, TheOtherCellsAreCounted)
     1e-12);
 }
 
+TYPED_TEST(GradedMeshOf, AStiffBodyOfFewCellsCountsAsItIs)
+{
+  auto soft = this->box(0., 0), stiff = tests::box<TypeParam::value>();
+  stiff.name = "stiff";
+  stiff.material.youngs_modulus *= 1e6;
+  const auto mesh = this->mesh_of({soft, stiff});
+  EXPECT_NEAR(effective_courant_number(mesh, 500. * this->step_of_one(mesh)), 500., 1e-9);
+}
+
 TYPED_TEST(GradedMeshOf, OtherBodiesDoNotMakeAMeshGraded)
 {
   auto coarse = this->box(0., 0), fine = this->box(0., 0);

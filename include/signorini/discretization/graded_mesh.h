@@ -9,11 +9,11 @@
 namespace signorini
 {
   /**
-   * What iterations feel of the Courant number. Where only a few cells are small, a wave has left
-   * them long before the end of a step: this is the number of half of the cells, or if it is larger
-   * the largest C that is the number of so many cells, and of smaller ones, that they would fill a
-   * cube (square) with C/3 cells at an edge. On uniform meshes it is the Courant number.
-   * Collective.
+   * What iterations feel of the Courant number. Where only a few cells of a body are small, a wave
+   * has left them long before the end of a step: this is the number of half of its cells, or if it
+   * is larger the largest C that is the number of so many cells, and of smaller ones, that they
+   * would fill a cube (square) with C/3 cells at an edge; the largest of all bodies. On uniform
+   * meshes it is the Courant number. Collective.
    */
   template <int dim>
   double effective_courant_number(const Mesh<dim> &mesh, double step_size);
