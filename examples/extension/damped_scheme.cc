@@ -18,12 +18,13 @@ namespace
   class DampedContactImplicit : public TimeScheme
   {
   public:
-    StepReport advance(DynamicalSystem &system, State &state, const double step_size) override
+    TakenStep
+    make_step(DynamicalSystem &system, const State &start, const double step_size) override
     {
-      const Vector            load     = rule.right_hand_side(system, state, step_size);
-      const NormalGap         gap      = system.normal_gap(state.displacement);
-      const IncrementSolution solution = rule.solve(system, state, step_size, load, gap);
-      return rule.finish_implicit(system, state, step_size, solution);
+      const Vector            load     = rule.right_hand_side(system, start, step_size);
+      const NormalGap         gap      = system.normal_gap(start.displacement);
+      const IncrementSolution solution = rule.solve(system, start, step_size, load, gap);
+      return rule.finish_implicit(system, start, step_size, solution);
     }
 
   private:

@@ -104,7 +104,8 @@ namespace signorini
     class Rows
     {
     public:
-      explicit Rows(ElasticMatrices<dim> &matrices)
+      /** @param n_entries that there will be, or a few more */
+      Rows(ElasticMatrices<dim> &matrices, const std::size_t n_entries)
         : matrices(matrices)
       {
         matrices.pattern.row_start.assign(1, 0);
@@ -112,6 +113,10 @@ namespace signorini
         matrices.mass.clear();
         matrices.standard_mass.clear();
         matrices.stiffness.clear();
+        matrices.pattern.columns.reserve(n_entries);
+        matrices.standard_mass.reserve(n_entries);
+        mass_changes.reserve(n_entries);
+        matrices.stiffness.reserve(n_entries + 1);
       }
 
       /** Columns have to come in ascending order; the same one again adds up. */
@@ -142,12 +147,13 @@ namespace signorini
       void finish(const bool with_change)
       {
         matrices.stiffness.emplace_back(); // a spare block, see Lanes
-        matrices.mass = matrices.standard_mass;
         if (!with_change)
           {
-            matrices.standard_mass.clear();
+            matrices.mass          = std::move(matrices.standard_mass);
+            matrices.standard_mass = {};
             return;
           }
+        matrices.mass = matrices.standard_mass;
         for (unsigned int k = 0; k < mass_changes.size(); ++k)
           matrices.mass[k] += mass_changes[k];
       }
@@ -245,7 +251,7 @@ namespace signorini
     result.pattern.n_owned     = all_nodes.n_owned;
     result.pattern.n_local     = all_nodes.size();
     result.pattern.partitioner = make_partitioner<dim>(all_nodes, communicator);
-    Rows<dim> rows(result);
+    Rows<dim> rows(result, contributions.pattern.columns.size() + additions.size());
     auto      addition = additions.begin();
     for (unsigned int row = 0; row < all_nodes.n_owned; ++row)
       {

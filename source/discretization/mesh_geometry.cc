@@ -49,7 +49,8 @@ namespace signorini
     const ManifoldPoints<dim> manifold_points(polynomials.degree);
     if (!has_base())
       {
-        cached_mapping.initialize(manifold_points, triangulation);
+        if (!is_straight())
+          cached_mapping.initialize(manifold_points, triangulation);
         return;
       }
 
@@ -84,9 +85,10 @@ namespace signorini
               cell->vertex(v) = mine[v];
           }
       }
-    cached_mapping.initialize(triangulation, [&](const auto &cell) {
-      return std::move(points[cell->level()][cell->index()]);
-    });
+    if (!is_straight())
+      cached_mapping.initialize(triangulation, [&](const auto &cell) {
+        return std::move(points[cell->level()][cell->index()]);
+      });
   }
 
 

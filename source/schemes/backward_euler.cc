@@ -8,15 +8,15 @@
 
 namespace signorini
 {
-  StepReport BackwardEuler::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep BackwardEuler::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
-    const double end_time = state.time + tau;
-    Vector       b        = state.momentum;
-    b.sadd(tau, -tau * tau, state.internal_force);
+    const double end_time = start.time + tau;
+    Vector       b        = start.momentum;
+    b.sadd(tau, -tau * tau, start.internal_force);
     system.add_load(b, tau * tau, end_time);
-    const NormalGap   gap = system.normal_gap(state.displacement);
+    const NormalGap   gap = system.normal_gap(start.displacement);
     IncrementSolution solution;
-    system.solve({tau * tau, tau, b, gap, state, tau, tau * tau}, solution);
+    system.solve({tau * tau, tau, b, gap, start, tau, tau * tau}, solution);
     const Vector &d = solution.increment;
 
     Vector r = solution.contact_reaction;
@@ -30,24 +30,23 @@ namespace signorini
 
     // v_new - v = d/tau - v
     Vector velocity_change = d;
-    velocity_change.sadd(1. / tau, -1., state.velocity);
+    velocity_change.sadd(1. / tau, -1., start.velocity);
     Vector load_excess = system.make_vector(); // over the mean of both ends
     system.add_load(load_excess, 1., end_time);
-    add_mean_load(system, load_excess, -1., state.time, end_time);
+    add_mean_load(system, load_excess, -1., start.time, end_time);
 
-    FrictionOfStep friction = friction_of_step(state.friction, solution, 1. / (tau * tau), r);
+    FrictionOfStep friction = friction_of_step(start.friction, solution, 1. / (tau * tau), r);
     report.work_friction    = friction.work;
     report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     State end =
-      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
+      end_of_step(system, start, tau, d, velocity_change, std::move(r), std::move(friction.state));
 
     Vector mass_times_change = end.momentum, stiffness_times_d = end.internal_force;
-    mass_times_change -= state.momentum;
-    stiffness_times_d -= state.internal_force;
+    mass_times_change -= start.momentum;
+    stiffness_times_d -= start.internal_force;
     report.work_damping = damping_work(system, d, tau);
     report.work_scheme =
       load_excess * d - 0.5 * (mass_times_change * velocity_change + stiffness_times_d * d);
-    swap(state, end);
-    return report;
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

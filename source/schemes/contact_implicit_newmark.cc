@@ -5,14 +5,14 @@
 
 namespace signorini
 {
-  StepReport
-  ContactImplicitNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep
+  ContactImplicitNewmark::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
     // (33): (M + tau^2/4 A) d = tau M v - tau^2/2 A u + tau^2/2 r
-    const Vector            b        = rule.right_hand_side(system, state, tau);
-    const NormalGap         gap      = system.normal_gap(state.displacement);
-    const IncrementSolution solution = rule.solve(system, state, tau, b, gap);
+    const Vector            b        = rule.right_hand_side(system, start, tau);
+    const NormalGap         gap      = system.normal_gap(start.displacement);
+    const IncrementSolution solution = rule.solve(system, start, tau, b, gap);
     // (34): v_new - v = 2/tau (d - tau v)
-    return rule.finish_implicit(system, state, tau, solution);
+    return rule.finish_implicit(system, start, tau, solution);
   }
 } // namespace signorini

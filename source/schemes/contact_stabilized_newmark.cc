@@ -10,21 +10,21 @@
 
 namespace signorini
 {
-  StepReport
-  ContactStabilizedNewmark::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep
+  ContactStabilizedNewmark::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
     StepReport      report;
-    const NormalGap gap = system.normal_gap(state.displacement);
+    const NormalGap gap = system.normal_gap(start.displacement);
 
     // (36): p = tau v + c, the L2 projection of the free increment
-    const auto    predictor = project_predictor(system, state, tau, gap);
+    const auto    predictor = project_predictor(system, start, tau, gap);
     const Vector &p = predictor.increment, &mass_c = predictor.mass_correction;
     report.predictor = predictor.effort;
 
     // (37): (M + tau^2/4 A) d = M p - tau^2/2 A u + tau^2/2 r
-    Vector b = rule.right_hand_side(system, state, tau);
+    Vector b = rule.right_hand_side(system, start, tau);
     b += mass_c;
-    const IncrementSolution solution = rule.solve(system, state, tau, b, gap);
+    const IncrementSolution solution = rule.solve(system, start, tau, b, gap);
     const Vector           &d        = solution.increment;
 
     const double weight = rule.reaction_weight(tau);
@@ -32,13 +32,13 @@ namespace signorini
     r *= weight;
 
     // (38): v_new = v + 2/tau (d - p)
-    const Vector change_by_rule = rule.velocity_change(d, p, tau);
+    Vector velocity_change = rule.velocity_change(d, p, tau);
 
     // (39): E_new - E = r.d + 2/tau^2 (tau v - p)'M(d - p). Prescribed nodes that accelerate react
     // to the projection, too; their part of the second term is work from outside, and only the rest
     // has a sign.
-    const double projection_work = -(mass_c * change_by_rule) / tau;
-    const double dirichlet_work  = -(dirichlet_part(system, mass_c) * change_by_rule) / tau;
+    const double projection_work = -(mass_c * velocity_change) / tau;
+    const double dirichlet_work  = -(dirichlet_part(system, mass_c) * velocity_change) / tau;
 
     report.corrector      = solution.effort;
     report.work_obstacles = obstacle_work(system, r);
@@ -47,21 +47,19 @@ namespace signorini
     report.work_dirichlet = rule.dirichlet_work(solution, tau) + dirichlet_work;
     add_support_force(system, weight, solution.dirichlet_reaction, report);
 
-    Vector         velocity_change = change_by_rule;
-    FrictionOfStep friction        = friction_of_step(state.friction, solution, weight, r);
-    report.work_friction           = friction.work;
+    FrictionOfStep friction = friction_of_step(start.friction, solution, weight, r);
+    report.work_friction    = friction.work;
     report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     if (stop_sticking_nodes && friction.state.any())
       {
         const ActiveSet sticking =
           staying_nodes(system, gaps_at_start(system, gap), solution, false, true);
         report.work_friction +=
-          stop_held_nodes(system, sticking, tau, state.velocity, velocity_change, r, report);
+          stop_held_nodes(system, sticking, tau, start.velocity, velocity_change, r, report);
       }
     State end =
-      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
-    rule.book_dissipation(system, state, end, d, report);
-    swap(state, end);
-    return report;
+      end_of_step(system, start, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, start, end, d, report);
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -8,15 +8,16 @@
 
 namespace signorini
 {
-  StepReport GeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep
+  GeneralizedAlpha::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
-    const Vector      a      = acceleration_of(system, state);
-    const Vector      d_free = rule.free_increment(state, a, tau);
-    const Vector      b      = rule.right_hand_side(system, state, a, d_free, tau);
-    const NormalGap   gap    = system.normal_gap(state.displacement);
+    const Vector      a      = acceleration_of(system, start);
+    const Vector      d_free = rule.free_increment(start, a, tau);
+    const Vector      b      = rule.right_hand_side(system, start, a, d_free, tau);
+    const NormalGap   gap    = system.normal_gap(start.displacement);
     IncrementSolution solution;
     system.solve(
-      {rule.stiffness_factor(tau), 0., b, gap, state, tau, 1. / rule.reaction_weight(tau)},
+      {rule.stiffness_factor(tau), 0., b, gap, start, tau, 1. / rule.reaction_weight(tau)},
       solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
@@ -33,10 +34,9 @@ namespace signorini
     report.work_contact   = r * d;
     report.work_dirichlet = rule.reaction_weight(tau) * (solution.dirichlet_reaction * d);
     add_support_force(system, rule.reaction_weight(tau), solution.dirichlet_reaction, report);
-    State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end = end_of_step(system, start, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
-    report.work_scheme = rule.work(system, state, end, a, d);
-    swap(state, end);
-    return report;
+    report.work_scheme = rule.work(system, start, end, a, d);
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

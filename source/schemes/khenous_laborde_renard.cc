@@ -32,64 +32,64 @@ namespace signorini
   }
 
 
-  StepReport KhenousLabordeRenard::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep
+  KhenousLabordeRenard::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
     const std::vector<unsigned int> massless = massless_entries(system);
     Vector                          load     = system.make_vector();
-    system.add_load(load, 1., state.time);
-    const Vector a      = acceleration_of(system, state);
+    system.add_load(load, 1., start.time);
+    const Vector a      = acceleration_of(system, start);
     Vector       mass_a = system.make_vector(), new_load = mass_a;
     system.apply_mass(mass_a, a);
-    system.add_load(new_load, 1., state.time + tau);
+    system.add_load(new_load, 1., start.time + tau);
 
     // b = M~ [tau v + tau^2 (1/2 - beta) a] + beta tau^2 (f_new - A u)
     const double scale = beta * tau * tau;
-    Vector       b     = state.momentum;
+    Vector       b     = start.momentum;
     b.sadd(tau, tau * tau * (0.5 - beta), mass_a);
-    b.add(scale, new_load, -scale, state.internal_force);
+    b.add(scale, new_load, -scale, start.internal_force);
 
     IncrementSolution solution;
-    const NormalGap   gap = system.normal_gap(state.displacement);
-    system.solve({scale, 0., b, gap, state, tau, scale}, solution);
+    const NormalGap   gap = system.normal_gap(start.displacement);
+    system.solve({scale, 0., b, gap, start, tau, scale}, solution);
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
     r /= scale;
     Vector a_new = d;
-    a_new.add(-tau, state.velocity, -tau * tau * (0.5 - beta), a);
+    a_new.add(-tau, start.velocity, -tau * tau * (0.5 - beta), a);
     a_new /= scale;
     for (const unsigned int i : massless)
       a_new.local_element(i) = 0.;
     Vector velocity_change = a;
     velocity_change.sadd(tau * (1. - gamma), tau * gamma, a_new);
     for (const unsigned int i : massless)
-      velocity_change.local_element(i) = d.local_element(i) / tau - state.velocity.local_element(i);
+      velocity_change.local_element(i) = d.local_element(i) / tau - start.velocity.local_element(i);
 
-    Vector       unbalanced = unbalanced_forces(state, mass_a, load);
+    Vector       unbalanced = unbalanced_forces(start, mass_a, load);
     const Vector condition  = dirichlet_part(system, unbalanced);
     unbalanced -= condition;
 
     StepReport report;
     report.corrector    = solution.effort;
-    report.work_contact = (1. - gamma) * (state.contact_force * d) + gamma * (r * d);
+    report.work_contact = (1. - gamma) * (start.contact_force * d) + gamma * (r * d);
     report.work_dirichlet =
       (1. - gamma) * (condition * d) + gamma / scale * (solution.dirichlet_reaction * d);
     add_support_force(system, 1. / scale, solution.dirichlet_reaction, report);
 
-    State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end = end_of_step(system, start, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
 
     // What the rule does to the energy: the mean velocity is not d/tau, and forces are not means of
     // both ends.
     Vector momentum_change = end.momentum, stiffness_change = end.internal_force,
            mean_velocity = end.velocity;
-    momentum_change -= state.momentum;
-    stiffness_change -= state.internal_force;
-    mean_velocity += state.velocity;
+    momentum_change -= start.momentum;
+    stiffness_change -= start.internal_force;
+    mean_velocity += start.velocity;
     mean_velocity.sadd(0.5, -1. / tau, d);
     new_load -= load;
     report.work_scheme = mean_velocity * momentum_change + (1. - gamma) * (unbalanced * d)
                          - (gamma - 0.5) * (stiffness_change * d - new_load * d);
-    swap(state, end);
-    return report;
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -7,11 +7,11 @@
 
 namespace signorini
 {
-  StepReport LaursenChawla::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep LaursenChawla::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
     // A node that is held at zero gap must not drop out by round-off.
     const double    touching = touching_distance(system.length());
-    NormalGap       bounds   = system.normal_gap(state.displacement);
+    NormalGap       bounds   = system.normal_gap(start.displacement);
     const NormalGap gaps     = gaps_at_start(system, bounds);
     for (std::size_t k = 0; k < bounds.size(); ++k)
       if (gaps[k] > touching)
@@ -19,8 +19,8 @@ namespace signorini
       else
         bounds[k] -= gaps[k]; // the motion of the obstacle
 
-    const Vector            b        = rule.right_hand_side(system, state, tau);
-    const IncrementSolution solution = rule.solve(system, state, tau, b, bounds);
-    return rule.finish_implicit(system, state, tau, solution);
+    const Vector            b        = rule.right_hand_side(system, start, tau);
+    const IncrementSolution solution = rule.solve(system, start, tau, b, bounds);
+    return rule.finish_implicit(system, start, tau, solution);
   }
 } // namespace signorini

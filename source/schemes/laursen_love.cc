@@ -79,17 +79,17 @@ namespace signorini
   } // namespace
 
 
-  StepReport LaursenLove::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep LaursenLove::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
-    const Vector            b        = rule.right_hand_side(system, state, tau);
-    const NormalGap         gap      = system.normal_gap(state.displacement);
-    const IncrementSolution solution = rule.solve(system, state, tau, b, gap);
+    const Vector            b        = rule.right_hand_side(system, start, tau);
+    const NormalGap         gap      = system.normal_gap(start.displacement);
+    const IncrementSolution solution = rule.solve(system, start, tau, b, gap);
     const Vector           &d        = solution.increment;
 
     Vector       r      = solution.contact_reaction;
     const double weight = rule.reaction_weight(tau);
     r *= weight;
-    Vector free_increment = state.velocity;
+    Vector free_increment = start.velocity;
     free_increment *= tau;
     const Vector change_by_rule  = rule.velocity_change(d, free_increment, tau);
     Vector       velocity_change = change_by_rule;
@@ -103,24 +103,23 @@ namespace signorini
 
     if (r.linfty_norm() > 0.)
       {
-        Vector velocity = state.velocity; // v*, without impulses
+        Vector velocity = start.velocity; // v*, without impulses
         velocity += velocity_change;
         Vector approach = velocity;
         if (const Vector *motion = obstacle_motion(system))
           approach.add(-1. / tau, *motion);
-        const NormalGap start = gaps_at_start(system, gap);
+        const NormalGap gaps = gaps_at_start(system, gap);
         const Vector    impulses =
-          separate_nodes ? impulses_per_node(system, solution, start, approach, r, weight, report)
+          separate_nodes ? impulses_per_node(system, solution, gaps, approach, r, weight, report)
                             : r; // up to a factor
         give_impulses(system, impulses, velocity, approach, tau, r, velocity_change, report);
       }
-    FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
+    FrictionOfStep friction = friction_of_step(start.friction, solution, weight, r);
     report.work_friction    = friction.work;
     report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     State end =
-      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
-    rule.book_dissipation(system, state, end, d, report);
-    swap(state, end);
-    return report;
+      end_of_step(system, start, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, start, end, d, report);
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -8,45 +8,44 @@
 
 namespace signorini
 {
-  StepReport LoadSteps::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep LoadSteps::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
     Vector b = system.make_vector();
-    system.add_load(b, 1., state.time + tau);
-    b -= state.internal_force;
-    const NormalGap   gap = system.normal_gap(state.displacement);
+    system.add_load(b, 1., start.time + tau);
+    b -= start.internal_force;
+    const NormalGap   gap = system.normal_gap(start.displacement);
     IncrementSolution solution;
-    system.capabilities().statics->equilibrate({b, gap, state, tau}, solution);
+    system.capabilities().statics->equilibrate({b, gap, start, tau}, solution);
     const Vector &d = solution.increment;
 
-    Vector unbalanced = state.internal_force; // at the start
-    system.add_load(unbalanced, -1., state.time);
-    unbalanced -= state.contact_force;
+    Vector unbalanced = start.internal_force; // at the start
+    system.add_load(unbalanced, -1., start.time);
+    unbalanced -= start.contact_force;
     const Vector support = dirichlet_part(system, unbalanced);
     unbalanced -= support;
 
     Vector       r                  = solution.contact_reaction;
-    const double obstacles_at_start = obstacle_work(system, state.contact_force);
+    const double obstacles_at_start = obstacle_work(system, start.contact_force);
     const double friction_at_start =
-      state.friction.any()
-        ? state.friction.force * d - work_of_obstacles_by_friction(system, state.friction)
+      start.friction.any()
+        ? start.friction.force * d - work_of_obstacles_by_friction(system, start.friction)
         : 0.;
     StepReport report;
     report.corrector      = solution.effort;
     report.work_obstacles = 0.5 * (obstacles_at_start + obstacle_work(system, r));
     report.work_contact =
-      0.5 * (state.contact_force * d - friction_at_start + r * d) - report.work_obstacles;
+      0.5 * (start.contact_force * d - friction_at_start + r * d) - report.work_obstacles;
     report.work_dirichlet = 0.5 * (support * d + solution.dirichlet_reaction * d);
     add_support_force(system, 1., solution.dirichlet_reaction, report);
-    FrictionOfStep friction = friction_of_step(state.friction, solution, 1., r);
+    FrictionOfStep friction = friction_of_step(start.friction, solution, 1., r);
     report.work_friction    = friction.work;
     report.work_obstacles += 0.5 * work_of_obstacles_by_friction(system, friction.state);
     report.work_scheme = 0.5 * (friction_at_start - friction.work + unbalanced * d)
-                         - 0.5 * (state.velocity * state.momentum);
+                         - 0.5 * (start.velocity * start.momentum);
 
-    Vector stop = state.velocity;
+    Vector stop = start.velocity;
     stop *= -1.;
-    State end = end_of_step(system, state, tau, d, stop, std::move(r), std::move(friction.state));
-    swap(state, end);
-    return report;
+    State end = end_of_step(system, start, tau, d, stop, std::move(r), std::move(friction.state));
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -7,10 +7,10 @@
 
 namespace signorini
 {
-  StepReport MoreauJean::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep MoreauJean::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
-    NormalGap       bounds   = system.normal_gap(state.displacement);
-    const NormalGap approach = system.relative_normal(state.velocity);
+    NormalGap       bounds   = system.normal_gap(start.displacement);
+    const NormalGap approach = system.relative_normal(start.velocity);
     const double    touching = touching_distance(system.length());
     for (std::size_t k = 0; k < bounds.size(); ++k)
       {
@@ -18,8 +18,8 @@ namespace signorini
         bounds[k] =
           bounds[k] - half_step <= touching ? half_step : std::numeric_limits<double>::infinity();
       }
-    const Vector            b        = rule.right_hand_side(system, state, tau);
-    const IncrementSolution solution = rule.solve(system, state, tau, b, bounds);
-    return rule.finish_implicit(system, state, tau, solution);
+    const Vector            b        = rule.right_hand_side(system, start, tau);
+    const IncrementSolution solution = rule.solve(system, start, tau, b, bounds);
+    return rule.finish_implicit(system, start, tau, solution);
   }
 } // namespace signorini

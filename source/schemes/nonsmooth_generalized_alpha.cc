@@ -106,20 +106,21 @@ namespace signorini
   }
 
 
-  StepReport
-  NonsmoothGeneralizedAlpha::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep NonsmoothGeneralizedAlpha::make_step(DynamicalSystem &system,
+                                                 const State     &start,
+                                                 const double     tau)
   {
     Assert(tau > 0., dealii::ExcMessage("A step has a positive size."));
-    const Vector a      = acceleration_of(system, state, false);
-    const Vector d_free = rule.free_increment(state, a, tau);
-    const Vector b      = rule.right_hand_side(system, state, a, d_free, tau);
+    const Vector a      = acceleration_of(system, start, false);
+    const Vector d_free = rule.free_increment(start, a, tau);
+    const Vector b      = rule.right_hand_side(system, start, a, d_free, tau);
 
     // d_free - beta tau/gamma (v + tau (1 - gamma) a)
-    Vector bound = state.velocity;
+    Vector bound = start.velocity;
     bound.add(tau * (1. - rule.gamma), a);
     bound.sadd(-rule.beta * tau / rule.gamma, 1., d_free);
     Vector                  jump;
-    const IncrementSolution solution = solve(system, state, tau, b, bound, jump);
+    const IncrementSolution solution = solve(system, start, tau, b, bound, jump);
     const Vector           &d        = solution.increment;
     Vector                  r        = solution.contact_reaction; // tau/2 P
     r *= 2. / (tau * tau);
@@ -147,10 +148,9 @@ namespace signorini
                             + (1. / tau - weight * tau / 2.) * dirichlet_impulse_work;
     add_support_force(system, weight, solution.dirichlet_reaction, report);
     add_support_force(system, 1. / tau - weight * tau / 2., impulse, report);
-    State end = end_of_step(system, state, tau, d, velocity_change, std::move(r));
+    State end = end_of_step(system, start, tau, d, velocity_change, std::move(r));
     end.acceleration.swap(a_new);
-    report.work_scheme = rule.work(system, state, end, a, d);
-    swap(state, end);
-    return report;
+    report.work_scheme = rule.work(system, start, end, a, d);
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -83,12 +83,13 @@ namespace signorini
   }
 
 
-  StepReport
-  ProjectedContactStabilized::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep ProjectedContactStabilized::make_step(DynamicalSystem &system,
+                                                  const State     &start,
+                                                  const double     tau)
   {
     StepReport               report;
-    const NormalGap          gap      = system.normal_gap(state.displacement);
-    const Motion             motion   = move(system, state, tau, gap);
+    const NormalGap          gap      = system.normal_gap(start.displacement);
+    const Motion             motion   = move(system, start, tau, gap);
     const IncrementSolution &solution = motion.solution;
     const Vector            &p = motion.predictor.increment, &c = motion.predictor.correction,
                  &mass_c = motion.predictor.mass_correction, &d = solution.increment;
@@ -125,16 +126,15 @@ namespace signorini
     const ActiveSet held =
       staying_nodes(system, gaps_at_start(system, gap), solution, true, stop_sticking_nodes);
     report.work_predictor += at_end(system, d, [&] {
-      return stop_held_nodes(system, held, tau, state.velocity, velocity_change, r, report);
+      return stop_held_nodes(system, held, tau, start.velocity, velocity_change, r, report);
     });
 
-    FrictionOfStep friction = friction_of_step(state.friction, solution, weight, r);
+    FrictionOfStep friction = friction_of_step(start.friction, solution, weight, r);
     report.work_friction    = friction.work;
     report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
     State end =
-      end_of_step(system, state, tau, d, velocity_change, std::move(r), std::move(friction.state));
-    rule.book_dissipation(system, state, end, d, report);
-    swap(state, end);
-    return report;
+      end_of_step(system, start, tau, d, velocity_change, std::move(r), std::move(friction.state));
+    rule.book_dissipation(system, start, end, d, report);
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -176,30 +176,29 @@ namespace signorini
   }
 
 
-  StepReport ReferenceIntegration::advance(DynamicalSystem &system, State &state, const double tau)
+  TakenStep
+  ReferenceIntegration::make_step(DynamicalSystem &system, const State &start, const double tau)
   {
-    Equation     equation(system, state, tau);
-    const auto   massless = massless_entries(system);
-    const Vector start    = state.displacement;
-    Motion       motion   = motion_at_start(system, state, tau, massless);
-    integrate(equation, motion, state.time, tau, tolerance, system.length());
+    Equation   equation(system, start, tau);
+    const auto massless = massless_entries(system);
+    Motion     motion   = motion_at_start(system, start, tau, massless);
+    integrate(equation, motion, start.time, tau, tolerance, system.length());
 
     Vector contact_force;
-    Vector increment = equation.equilibrium(state.time + tau, motion.block(0), contact_force);
-    increment -= start;
+    Vector increment = equation.equilibrium(start.time + tau, motion.block(0), contact_force);
+    increment -= start.displacement;
     Vector velocity_change = motion.block(1);
     velocity_change /= tau;
     for (const unsigned int i : massless)
       velocity_change.local_element(i) = increment.local_element(i) / tau;
-    velocity_change -= state.velocity;
+    velocity_change -= start.velocity;
 
     StepReport report;
     report.corrector = equation.effort;
     State end =
-      end_of_step(system, state, tau, increment, velocity_change, std::move(contact_force));
+      end_of_step(system, start, tau, increment, velocity_change, std::move(contact_force));
     if (system.capabilities().moving_dirichlet != nullptr)
       add_support_force(system, 1., support_force(system, end), report);
-    swap(state, end);
-    return report;
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

@@ -82,10 +82,10 @@ namespace signorini
   }
 
 
-  StepReport TrapezoidalRule::finish_implicit(DynamicalSystem         &system,
-                                              State                   &state,
-                                              const double             tau,
-                                              const IncrementSolution &solution) const
+  TakenStep TrapezoidalRule::finish_implicit(DynamicalSystem         &system,
+                                             const State             &start,
+                                             const double             tau,
+                                             const IncrementSolution &solution) const
   {
     const Vector &d = solution.increment;
     Vector        r = solution.contact_reaction;
@@ -98,16 +98,15 @@ namespace signorini
     report.work_dirichlet = dirichlet_work(solution, tau);
     add_support_force(system, reaction_weight(tau), solution.dirichlet_reaction, report);
 
-    FrictionOfStep friction = friction_of_step(state.friction, solution, reaction_weight(tau), r);
+    FrictionOfStep friction = friction_of_step(start.friction, solution, reaction_weight(tau), r);
     report.work_friction    = friction.work;
     report.work_obstacles += work_of_obstacles_by_friction(system, friction.state);
 
-    Vector free_increment = state.velocity;
+    Vector free_increment = start.velocity;
     free_increment *= tau;
     const Vector change = velocity_change(d, free_increment, tau);
-    State end = end_of_step(system, state, tau, d, change, std::move(r), std::move(friction.state));
-    book_dissipation(system, state, end, d, report);
-    swap(state, end);
-    return report;
+    State end = end_of_step(system, start, tau, d, change, std::move(r), std::move(friction.state));
+    book_dissipation(system, start, end, d, report);
+    return {std::move(end), std::move(report)};
   }
 } // namespace signorini

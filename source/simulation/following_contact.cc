@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <sstream>
 
 namespace signorini
@@ -59,12 +60,12 @@ namespace signorini
        */
       void make(const bool is_trial)
       {
-        end = start;
+        latest.reset(); // its memory is for the next one
         contact.let_steps_be_trials(is_trial);
-        report = scheme.advance(system, end, step_size);
-        correctors.add(report.corrector);
-        predictors.add(report.predictor);
-        increment = end.displacement;
+        latest.emplace(scheme.make_step(system, start, step_size));
+        correctors.add(latest->report.corrector);
+        predictors.add(latest->report.predictor);
+        increment = latest->state.displacement;
         increment -= start.displacement;
         latest_mismatch = contact.mismatch(increment);
       }
@@ -98,13 +99,13 @@ namespace signorini
 
       bool passes_through() const { return contact.passes_through(increment); }
 
-      StepReport finish(State &state)
+      TakenStep finish()
       {
-        swap(state, end);
+        StepReport &report   = latest->report;
         report.corrector     = correctors;
         report.predictor     = predictors;
-        report.work_geometry = contact.geometry_work(state.contact_force);
-        return report;
+        report.work_geometry = contact.geometry_work(latest->state.contact_force);
+        return std::move(*latest);
       }
 
     private:
@@ -114,10 +115,9 @@ namespace signorini
       const State                     &start;
       const double                     step_size;
       const std::vector<unsigned int> &entries; ///< on which normals depend
-      State                            end;
+      std::optional<TakenStep>         latest;
       Vector                           increment;
       double                           latest_mismatch = 0.;
-      StepReport                       report;
       SolveReport                      correctors, predictors;
 
       void follow(const Vector &motion_of_entries)
@@ -137,10 +137,10 @@ namespace signorini
   } // namespace
 
 
-  StepReport
-  FollowingContact::advance(DynamicalSystem &system, State &state, const double step_size)
+  TakenStep
+  FollowingContact::make_step(DynamicalSystem &system, const State &start, const double step_size)
   {
-    RepeatedStep step(*scheme, system, state, step_size);
+    RepeatedStep step(*scheme, system, start, step_size);
     const bool   begins_with_trials = expects_repetitions;
     step.make(begins_with_trials);
     expects_repetitions = step.mismatch() > 1.;
@@ -164,14 +164,14 @@ namespace signorini
       return before;
     };
     if ((begins_with_trials || before > 1.) && !step.repeat(false, difference))
-      throw StepError(which_step(state, step_size)
+      throw StepError(which_step(start, step_size)
                       + " finds no motion that belongs to its own normals of contact. Take smaller "
                         "steps, let `Time/Step size control` choose them, or set `Contact/Motion = "
                         "linearised` if nothing slides along curved obstacles.");
     if (step.passes_through())
-      throw StepError(which_step(state, step_size)
+      throw StepError(which_step(start, step_size)
                       + " takes a body through an obstacle. Take smaller steps, or let `Time/Step "
                         "size control` choose them.");
-    return step.finish(state);
+    return step.finish();
   }
 } // namespace signorini

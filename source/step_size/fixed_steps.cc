@@ -28,8 +28,8 @@ namespace signorini
             parts == smallest_parts ? step_size : step_size * parts / smallest_parts;
           TakenStep step             = take_step(scheme, system, state, size);
           step.report.rejected_steps = rejected;
-          state                      = std::move(step.state);
-          return step.report;
+          swap(state, step.state);
+          return std::move(step.report);
         }
       catch (const StepError &error)
         {

@@ -21,8 +21,7 @@ namespace signorini
   TakenStep
   take_step(TimeScheme &scheme, DynamicalSystem &system, const State &start, const double step_size)
   {
-    TakenStep step{start, {}};
-    step.report           = scheme.advance(system, step.state, step_size);
+    TakenStep step        = scheme.make_step(system, start, step_size);
     step.report.step_size = step_size;
     // deal.II asserts that scalar products are finite, so the entries are looked at first.
     if (!std::isfinite(step.state.velocity.l1_norm() + step.state.displacement.l1_norm())

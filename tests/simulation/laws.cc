@@ -28,12 +28,13 @@ namespace
     {
     }
 
-    StepReport advance(DynamicalSystem &system, State &state, const double step_size) override
+    TakenStep
+    make_step(DynamicalSystem &system, const State &start, const double step_size) override
     {
-      StepReport report = scheme.advance(system, state, step_size);
-      if (state.step == 8)
-        mischief(state, report);
-      return report;
+      TakenStep step = scheme.make_step(system, start, step_size);
+      if (step.state.step == 8)
+        mischief(step.state, step.report);
+      return step;
     }
 
     Needs needs() const override { return scheme.needs(); }

@@ -38,18 +38,18 @@ namespace
 
     Needs needs() const override { return scheme->needs(); }
 
-    StepReport advance(DynamicalSystem &system, State &state, const double tau) override
+    TakenStep make_step(DynamicalSystem &system, const State &start, const double tau) override
     {
       ++n_calls;
       const bool fails =
-        tau > 1.001 * limit && state.time < end - 1e-9 && state.time + tau > begin + 1e-9;
+        tau > 1.001 * limit && start.time < end - 1e-9 && start.time + tau > begin + 1e-9;
       n_failures += fails;
       if (fails && !blows_up)
         throw StepError("the stub does not want to.");
-      const StepReport report = scheme->advance(system, state, tau);
+      TakenStep step = scheme->make_step(system, start, tau);
       if (fails)
-        state.velocity(0) = std::numeric_limits<double>::quiet_NaN();
-      return report;
+        step.state.velocity(0) = std::numeric_limits<double>::quiet_NaN();
+      return step;
     }
 
   private:

@@ -40,12 +40,34 @@ namespace signorini
      */
     void update(dealii::parallel::distributed::Triangulation<dim> &triangulation);
 
-    const dealii::MappingQ<dim> &mapping() const { return cached_mapping; }
+    const dealii::MappingQ<dim> &mapping() const
+    {
+      return is_straight() ? static_cast<const dealii::MappingQ<dim> &>(straight_mapping)
+                           : cached_mapping;
+    }
 
     /** Whether cells are parts of their ancestors in a base mesh. */
     bool has_base() const { return !base_levels.empty(); }
 
   private:
+    /**
+     * By the vertices of cells, wherever they are. deal.II is not to take cells for translations of
+     * each other: values would depend on the order of cells by round-off.
+     */
+    class StraightMapping : public dealii::MappingQ<dim>
+    {
+    public:
+      StraightMapping()
+        : dealii::MappingQ<dim>(1)
+      {
+      }
+      std::unique_ptr<dealii::Mapping<dim>> clone() const override
+      {
+        return std::make_unique<StraightMapping>();
+      }
+      bool preserves_vertex_locations() const override { return false; }
+    };
+
     using Points = std::vector<dealii::Point<dim>>;
     /** Rows of a sparse matrix: columns and values. */
     using Interpolation = std::vector<std::vector<std::pair<unsigned int, double>>>;
@@ -53,9 +75,12 @@ namespace signorini
     const std::vector<unsigned int> base_levels;
     const dealii::FE_Q<dim>         polynomials;
     std::vector<Interpolation>      parts; ///< support points of the children of a cell
-    dealii::MappingQCache<dim>      cached_mapping;
+    const StraightMapping           straight_mapping;
+    dealii::MappingQCache<dim>      cached_mapping; ///< of degree 2; support points are not cheap
     std::unordered_map<dealii::CellId, Points, CellIdHash<dim>>
       base_points; ///< support points of cells up to the base level
+
+    bool is_straight() const { return polynomials.degree == 1; }
   };
 } // namespace signorini
 

@@ -29,7 +29,7 @@ namespace signorini
   class BackwardEuler : public TimeScheme
   {
   public:
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
   };
 } // namespace signorini
 

@@ -48,7 +48,7 @@ namespace signorini
     {
     }
 
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
 
     Needs needs() const override
     {

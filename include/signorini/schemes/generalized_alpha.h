@@ -32,7 +32,7 @@ namespace signorini
     /** HHT, -1/3 <= alpha <= 0. */
     static GeneralizedAlpha hht(double alpha) { return GeneralizedAlpha(AlphaRule(0., -alpha)); }
 
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
 
   private:
     const AlphaRule rule;

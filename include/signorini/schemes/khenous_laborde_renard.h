@@ -42,7 +42,7 @@ namespace signorini
   public:
     KhenousLabordeRenard(double beta, double gamma);
 
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
 
   private:
     const double beta, gamma;

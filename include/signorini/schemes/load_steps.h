@@ -31,7 +31,7 @@ namespace signorini
   class LoadSteps : public TimeScheme
   {
   public:
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
 
     Needs needs() const override
     {

@@ -29,7 +29,7 @@ namespace signorini
     /** @param tolerance accepted relative error per step of the integrator */
     explicit ReferenceIntegration(double tolerance);
 
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
 
     Needs needs() const override
     {

@@ -74,10 +74,10 @@ namespace signorini
                           StepReport      &report) const;
 
     /** A step whose predictor is tau v and whose only contact force is that of the solution. */
-    StepReport finish_implicit(DynamicalSystem         &system,
-                               State                   &state,
-                               double                   step_size,
-                               const IncrementSolution &solution) const;
+    TakenStep finish_implicit(DynamicalSystem         &system,
+                              const State             &start,
+                              double                   step_size,
+                              const IncrementSolution &solution) const;
   };
 
   /**

@@ -38,9 +38,10 @@ namespace signorini
 
     double spectral_radius() const { return radius; }
 
-    StepReport advance(DynamicalSystem &system, State &state, const double step_size) override
+    TakenStep
+    make_step(DynamicalSystem &system, const State &start, const double step_size) override
     {
-      return scheme->advance(system, state, step_size);
+      return scheme->make_step(system, start, step_size);
     }
 
     void  forget() override { scheme->forget(); }

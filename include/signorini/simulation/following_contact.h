@@ -31,7 +31,7 @@ namespace signorini
     }
 
     /** @throws StepError if no motion belongs to its own normals */
-    StepReport advance(DynamicalSystem &system, State &state, double step_size) override;
+    TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) override;
 
     void forget() override
     {

@@ -10,13 +10,6 @@
 
 namespace signorini
 {
-  /** A step that a scheme has made: where it ended, and what happened. */
-  struct TakenStep
-  {
-    State      state;
-    StepReport report;
-  };
-
   /** How often a step that cannot be solved is halved before the run ends. */
   constexpr unsigned int times_halved = 5;
 

@@ -47,6 +47,13 @@ namespace signorini
     }
   };
 
+  /** A step that a scheme has made: where it ended, and what happened. */
+  struct TakenStep
+  {
+    State      state;
+    StepReport report;
+  };
+
   /** The balance of forces of a step, as error indicators see it. */
   enum class StepBalance
   {
@@ -64,20 +71,27 @@ namespace signorini
   /**
    * A one-step method for @f$M \ddot u + A u = f + r@f$ with unilateral contact.
    *
-   * Contract of advance(): on entry the state is complete (momentum = @f$M v@f$, internal_force =
-   * @f$A u@f$) and admissible up to tolerance, and the system offers what the scheme needs; on exit
-   * the state is the complete one of a step later. Nothing but `state` is changed, and if an
-   * exception leaves advance(), the state is as it was. A StepError leaves it on all processes
-   * alike, and the next step may be a shorter one. The scheme keeps no memory between steps, but
-   * may keep one between repetitions of a step. In a trial (is_trial()) no more than the
-   * displacement on exit has to be that of the step.
+   * Contract of make_step(): the state at the start is complete (momentum = @f$M v@f$,
+   * internal_force = @f$A u@f$) and admissible up to tolerance, and the system offers what the
+   * scheme needs; the state at the end is the complete one of a step later. A StepError leaves it
+   * on all processes alike, and the next step may be a shorter one. The scheme keeps no memory
+   * between steps, but may keep one between repetitions of a step. In a trial (is_trial()) no more
+   * than the displacement at the end has to be that of the step.
    */
   class TimeScheme
   {
   public:
     virtual ~TimeScheme() = default;
 
-    virtual StepReport advance(DynamicalSystem &system, State &state, double step_size) = 0;
+    virtual TakenStep make_step(DynamicalSystem &system, const State &start, double step_size) = 0;
+
+    /** Make a step and go on from its end. If an exception leaves it, the state is as it was. */
+    StepReport advance(DynamicalSystem &system, State &state, const double step_size)
+    {
+      TakenStep step = make_step(system, state, step_size);
+      swap(state, step.state);
+      return std::move(step.report);
+    }
 
     /** What may be expected of the next step is as unknown as at the start of a run. */
     virtual void forget() {}
