@@ -61,8 +61,7 @@ namespace signorini
                 continue;
               Lanes<double> mirrored = load(y + 4 * column);
               if constexpr (with_stiffness)
-                mirrored -=
-                  block_transposed_product<dim, double>(matrices.stiffness[k].data(), difference);
+                mirrored -= block_transposed_product<dim>(matrices.stiffness[k].data(), difference);
               if constexpr (with_mass)
                 mirrored += mass_weight * mass[k] * x_row;
               std::memcpy(y + 4 * column, &mirrored, sizeof(mirrored));

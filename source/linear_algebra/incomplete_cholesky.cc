@@ -241,19 +241,21 @@ namespace signorini
       return without_spare_lanes<dim, float>(
         block_product<dim>(inverse_pivots[i].data(), numbers.data()));
     };
+    const auto *blocks     = lower.data(); // the compiler cannot know that they stay
+    const auto *columns_of = columns.data();
+    const auto *start      = row_start.data();
     // (D + L) y = r in place
     float *y = work.data();
     for (unsigned int i = 0; i < pattern.n_local; ++i)
       {
-        Lanes<float> residual = load(y + 4 * i);
-        for (unsigned int a = row_start[i]; a < row_start[i + 1]; ++a)
-          if constexpr (block_size == 1)
-            residual -= lower[a][0] * load(y + 4 * columns[a]);
-          else
-            {
-              prefetch(lower[a].data());
-              residual -= block_product<dim>(lower[a].data(), y + 4 * columns[a]);
-            }
+        Lanes<float>       residual = load(y + 4 * i);
+        const unsigned int last     = start[i + 1];
+        for (unsigned int a = start[i]; a < last; ++a)
+          {
+            if constexpr (block_size > 1)
+              prefetch(blocks[a].data());
+            residual -= times<dim>(blocks[a], y + 4 * columns_of[a]);
+          }
         residual = solve_pivot(i, residual);
         std::memcpy(y + 4 * i, &residual, sizeof(residual));
       }
@@ -265,17 +267,13 @@ namespace signorini
       {
         const Lanes<float> z = load(y + 4 * i) - solve_pivot(i, load(s + 4 * i));
         std::memcpy(y + 4 * i, &z, sizeof(z));
-        for (unsigned int a = row_start[i + 1]; a-- > row_start[i];)
+        const unsigned int first = start[i];
+        for (unsigned int a = start[i + 1]; a-- > first;)
           {
-            float       *target = s + 4 * columns[a];
-            Lanes<float> sum    = load(target);
             if constexpr (block_size > 1)
-              prefetch_backwards(lower[a].data());
-            if constexpr (block_size == 1)
-              sum += lower[a][0] * z;
-            else
-              sum += block_transposed_product<dim, float>(lower[a].data(), z);
-            std::memcpy(target, &sum, sizeof(sum));
+              prefetch_backwards(blocks[a].data());
+            float *target = s + 4 * columns_of[a];
+            store(target, load(target) + transposed_times<dim>(blocks[a], z));
           }
       }
   }

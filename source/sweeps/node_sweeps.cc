@@ -132,19 +132,24 @@ namespace signorini
   {
     // (I + L') t = p: what is known of t goes to the sums of the rows before. What has been read
     // last is still in the cache, so L is read backwards.
-    float *sums = y.data();
+    float      *sums      = y.data();
+    const auto *lower     = matrix.lower.data(); // the compiler cannot know that they stay
+    const auto *columns   = matrix.columns.data();
+    const auto *row_start = matrix.row_start.data();
     for (unsigned int i = end; i-- > begin;)
       {
-        const Lanes<float> of_p = load(p.data() + 4 * i), sum = load(sums + 4 * i);
+        const Lanes<float> of_p = load(p.data() + 4 * i),
+                           sum  = without_spare_lanes<dim, float>(load(sums + 4 * i));
         const Lanes<float> of_t = special.contain(i) ? special.back(i, of_p, sum) : of_p - sum;
         store(t.data() + 4 * i, of_t);
         store(sums + 4 * i, Lanes<float>{});
-        for (unsigned int a = matrix.row_start[i + 1]; a-- > matrix.row_start[i];)
+        const unsigned int first = row_start[i];
+        for (unsigned int a = row_start[i + 1]; a-- > first;)
           {
             if constexpr (block_size > 1)
-              prefetch_backwards(matrix.lower[a].data());
-            float *target = sums + 4 * matrix.columns[a];
-            store(target, load(target) + transposed_times<dim>(matrix.lower[a], of_t));
+              prefetch_backwards(lower[a].data());
+            float *target = sums + 4 * columns[a];
+            store(target, load(target) + transposed_times<dim>(lower[a], of_t));
           }
       }
   }
@@ -158,23 +163,27 @@ namespace signorini
   {
     // (I + L) y = p - t + E t, and q = t + y
     Lanes<double> pq{}, rq{}, qq{}, rr{};
+    const auto   *lower     = matrix.lower.data();
+    const auto   *columns   = matrix.columns.data();
+    const auto   *row_start = matrix.row_start.data();
+    float        *of_rows   = y.data();
     for (unsigned int i = begin; i < end; ++i)
       {
         const Lanes<float> of_p = load(p.data() + 4 * i);
-        Lanes<float>       of_t = load(t.data() + 4 * i), sum = load(y.data() + 4 * i);
-        for (unsigned int a = matrix.row_start[i]; a < matrix.row_start[i + 1]; ++a)
+        Lanes<float>       of_t = load(t.data() + 4 * i), sum = load(of_rows + 4 * i);
+        const unsigned int last = row_start[i + 1];
+        for (unsigned int a = row_start[i]; a < last; ++a)
           {
             if constexpr (block_size > 1)
-              prefetch(matrix.lower[a].data());
-            sum -= times<dim>(matrix.lower[a], load(y.data() + 4 * matrix.columns[a]));
+              prefetch(lower[a].data());
+            sum -= times<dim>(lower[a], of_rows + 4 * columns[a]);
           }
         Lanes<float> of_y = without_spare_lanes<dim, float>(of_p - of_t + sum);
-        store(y.data() + 4 * i,
+        store(of_rows + 4 * i,
               special.contain(i) ? special.forth(i, of_p, sum, t, of_t, of_y) : of_y);
-        const Lanes<double> q        = __builtin_convertvector(of_t + of_y, Lanes<double>),
-                            p_double = __builtin_convertvector(of_p, Lanes<double>),
-                            r_double =
-                              __builtin_convertvector(load(r.data() + 4 * i), Lanes<double>);
+        const Lanes<double> q        = in_double_precision(of_t + of_y),
+                            p_double = in_double_precision(of_p),
+                            r_double = in_double_precision(load(r.data() + 4 * i));
         pq += p_double * q;
         rq += r_double * q;
         qq += q * q;

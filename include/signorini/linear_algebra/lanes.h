@@ -49,6 +49,12 @@ namespace signorini
     std::memcpy(numbers, &lanes, sizeof(lanes));
   }
 
+  /** One by one, of which GCC makes one instruction; of __builtin_convertvector() it makes four. */
+  inline Lanes<double> in_double_precision(const Lanes<float> lanes)
+  {
+    return Lanes<double>{lanes[0], lanes[1], lanes[2], lanes[3]};
+  }
+
   /** block x, the block stored column by column. */
   template <int dim, typename Number>
   inline Lanes<Number> block_product(const Number *block, const Number *x)
@@ -68,10 +74,7 @@ namespace signorini
     return sum;
   }
 
-  /**
-   * Set the lanes beyond the components of a node to zero, as block_transposed_product() wants
-   * them.
-   */
+  /** Set the lanes beyond the components of a node to zero. */
   template <int dim, typename Number>
   inline Lanes<Number> without_spare_lanes(Lanes<Number> lanes)
   {
@@ -80,17 +83,39 @@ namespace signorini
     return lanes;
   }
 
-  /** Transposed block times x; the lanes of x beyond dim must be zero. */
-  template <int dim, typename Number>
-  inline Lanes<Number> block_transposed_product(const Number *block, const Lanes<Number> x)
+  /** Transposed block times x, the block stored column by column. */
+  template <int dim>
+  inline Lanes<float> block_transposed_product(const float *block, const Lanes<float> x)
+  {
+    // Whole rows of the block, picked from its numbers, meet one component of x each.
+    if constexpr (dim == 2)
+      {
+        const Lanes<float> all = load(block);
+        return __builtin_shufflevector(all, all, 0, 2, 0, 2) * x[0]
+               + __builtin_shufflevector(all, all, 1, 3, 1, 3) * x[1];
+      }
+    else
+      {
+        const Lanes<float> first = load(block), second = load(block + 3), third = load(block + 5);
+        const Lanes<float> upper = __builtin_shufflevector(first, second, 0, 4, 1, 5);
+        const Lanes<float> lower = __builtin_shufflevector(first, second, 2, 6, 3, 7);
+        return __builtin_shufflevector(upper, third, 0, 1, 5, 5) * x[0]
+               + __builtin_shufflevector(upper, third, 2, 3, 6, 6) * x[1]
+               + __builtin_shufflevector(lower, third, 0, 1, 7, 7) * x[2];
+      }
+  }
+
+  /** The same in double precision; the lanes of x beyond dim must be zero. */
+  template <int dim>
+  inline Lanes<double> block_transposed_product(const double *block, const Lanes<double> x)
   {
     // Each component of the result is the sum of the lanes of one product; pairs of lanes are added
     // side by side.
-    const Lanes<Number> zero{}, first = load(block) * x, second = load(block + dim) * x;
-    const Lanes<Number> third = dim == 3 ? load(block + 2 * dim * (dim == 3)) * x : zero;
-    const Lanes<Number> left  = __builtin_shufflevector(first, second, 0, 4, 2, 6)
+    const Lanes<double> zero{}, first = load(block) * x, second = load(block + dim) * x;
+    const Lanes<double> third = dim == 3 ? load(block + 2 * dim * (dim == 3)) * x : zero;
+    const Lanes<double> left  = __builtin_shufflevector(first, second, 0, 4, 2, 6)
                                + __builtin_shufflevector(first, second, 1, 5, 3, 7);
-    const Lanes<Number> right = __builtin_shufflevector(third, zero, 0, 4, 2, 6)
+    const Lanes<double> right = __builtin_shufflevector(third, zero, 0, 4, 2, 6)
                                 + __builtin_shufflevector(third, zero, 1, 5, 3, 7);
     return __builtin_shufflevector(left, right, 0, 1, 4, 5)
            + __builtin_shufflevector(left, right, 2, 3, 6, 7);

@@ -29,12 +29,20 @@ namespace signorini
       return block_product<dim, float>(block.data(), x);
   }
   template <int dim, typename Entry>
+  inline Lanes<float> times(const Entry &block, const float *x)
+  {
+    if constexpr (std::tuple_size<Entry>() == 1)
+      return block[0] * load(x);
+    else
+      return block_product<dim, float>(block.data(), x);
+  }
+  template <int dim, typename Entry>
   inline Lanes<float> transposed_times(const Entry &block, const Lanes<float> x)
   {
     if constexpr (std::tuple_size<Entry>() == 1)
       return block[0] * x;
     else
-      return block_transposed_product<dim, float>(block.data(), x);
+      return block_transposed_product<dim>(block.data(), x);
   }
 
   /** Numbers that are stored column by column. */
