@@ -3,6 +3,7 @@
 
 #include <signorini/diagnostics/expected_impact.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace signorini
@@ -51,15 +52,18 @@ namespace signorini
     }
 
 
-    double Z_of(const Collider &side)
+    /** What a body resists with, per area of the touch: all of its cross-section does. */
+    double Z_of(const Collider &side, const FirstTouch &touch)
     {
-      return side.density * side.wave_speed;
+      const double Z = side.density * side.wave_speed;
+      return std::isfinite(side.depth) ? Z * std::max(1., side.volume / side.depth / touch.area)
+                                       : Z;
     }
 
     /** The time of a wave through a body. */
-    double way_through(const Collider &side, const FirstTouch &touch)
+    double way_through(const Collider &side)
     {
-      return side.volume / touch.area / side.wave_speed;
+      return side.depth / side.wave_speed;
     }
 
 
@@ -67,15 +71,16 @@ namespace signorini
     impact_of_flat_faces(const FirstTouch &touch, const Collider &body, const Collider &other)
     {
       // What comes back from within a much stiffer body is small; a rigid one is the limit.
-      const double Z = Z_of(body), Z_other = Z_of(other);
-      double       way = Z_other < 2. * Z ? way_through(other, touch) : way_through(body, touch);
+      const double Z = Z_of(body, touch), Z_other = Z_of(other, touch);
+      double       way = Z_other < 2. * Z ? way_through(other) : way_through(body);
       if (Z_other < 2. * Z && Z < 2. * Z_other)
-        way = std::min(way, way_through(body, touch));
+        way = std::min(way, way_through(body));
       ExpectedImpact impact;
       impact.force    = touch.area * in_series(Z, Z_other) * touch.speed;
       impact.duration = 2. * way;
       impact.n_nodes  = touch.n_at_once;
-      impact.strain   = impact.force / touch.area / (Z * body.wave_speed);
+      impact.strain =
+        impact.force / touch.area / (body.density * body.wave_speed * body.wave_speed);
       return impact;
     }
   } // namespace

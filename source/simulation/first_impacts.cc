@@ -31,16 +31,21 @@ namespace signorini
 
     /** A body as a side of an impact; one that is held does not give way. */
     template <int dim>
-    Collider collider(const BodyDescription<dim>  &body,
-                      const double                 mass,
-                      const std::array<double, 3> &normal)
+    Collider collider(const BodyDescription<dim>     &body,
+                      const double                    mass,
+                      const dealii::BoundingBox<dim> &box,
+                      const std::array<double, 3>    &normal)
     {
-      const double nu = body.material.poissons_ratio;
+      const double nu    = body.material.poissons_ratio;
+      double       depth = 0.;
+      for (unsigned int c = 0; c < dim; ++c)
+        depth += std::abs(normal[c]) * box.side_length(c);
       return {is_held(body, normal) ? infinite : mass,
               mass / body.material.density,
               body.material.youngs_modulus / (1. - nu * nu),
               body.material.pressure_wave_speed(),
-              body.material.density};
+              body.material.density,
+              depth};
     }
 
 
@@ -234,10 +239,10 @@ namespace signorini
                 const std::vector<double> &masses,
                 FirstImpact               &first)
     {
-      const Collider rigid{infinite, infinite, infinite, infinite, infinite};
-      const auto    &bodies = meshed.discretization.mesh().bodies();
-      const auto     side   = [&](const unsigned int body) {
-        return collider(bodies[body], masses[body], touch.normal);
+      const Collider rigid{infinite, infinite, infinite, infinite, infinite, infinite};
+      const auto    &mesh = meshed.discretization.mesh();
+      const auto     side = [&](const unsigned int body) {
+        return collider(mesh.bodies()[body], masses[body], mesh.bounding_box(body), touch.normal);
       };
       first.node_spacing = touch.node_spacing;
       first.is_round     = touch.curvature > 0.;

@@ -19,13 +19,13 @@ using namespace signorini::tests;
 namespace
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const Collider   rigid{infinite, infinite, infinite, infinite, infinite};
+  const Collider   rigid{infinite, infinite, infinite, infinite, infinite, infinite};
 
   /** Of radius 10, in mm, t, s. */
   Collider steel_ball()
   {
     const double volume = 4. / 3. * M_PI * 1000.;
-    return {7.85e-9 * volume, volume, 210000. / 0.91, 6e6, 7.85e-9};
+    return {7.85e-9 * volume, volume, 210000. / 0.91, 6e6, 7.85e-9, 20.};
   }
 
   template <int dim>
@@ -69,7 +69,7 @@ TEST(ExpectedImpact, AFlatFaceSendsAPlaneWave)
   touch.is_smooth = true;
   touch.area      = 1.;
   // Density 1, wave speed 30, length 10: force rho c v A = 300, duration 2 L/c.
-  const Collider bar{10., 10., 900., 30., 1.};
+  const Collider bar{10., 10., 900., 30., 1., 10.};
   ExpectedImpact impact = expected_impact<2>(touch, bar, rigid);
   EXPECT_DOUBLE_EQ(impact.force, 300.);
   EXPECT_DOUBLE_EQ(impact.duration, 2. / 3.);
@@ -77,6 +77,26 @@ TEST(ExpectedImpact, AFlatFaceSendsAPlaneWave)
   impact = expected_impact<2>(touch, bar, bar);
   EXPECT_DOUBLE_EQ(impact.force, 150.);
   EXPECT_DOUBLE_EQ(impact.duration, 2. / 3.);
+}
+
+TEST(ExpectedImpact, OfABarOnAWideBlockIsThatOnAWall)
+{
+  FirstTouch touch;
+  touch.time      = 0.;
+  touch.speed     = 10.;
+  touch.is_smooth = true;
+  touch.area      = 1.;
+  const Collider bar{10., 10., 900., 30., 1., 10.};
+  // Of a fourth of the impedance, as long, and 400 times as wide: the force and duration of a bar
+  // on a wall (300, 2/3) but for one per cent, whichever of the two is named first.
+  const Collider block{1000., 4000., 14., 30. / 4., 1., 10.};
+  for (const auto &[body, other] : {std::pair(bar, block), std::pair(block, bar)})
+    {
+      const ExpectedImpact impact = expected_impact<2>(touch, body, other);
+      EXPECT_NEAR(impact.force, 300., 3.1);
+      EXPECT_DOUBLE_EQ(impact.duration, 2. / 3.);
+    }
+  EXPECT_NEAR(expected_impact<2>(touch, bar, block).strain, 1. / 3., 0.004);
 }
 
 TEST(FirstTouch, OfABallOnAPlane)

@@ -16,6 +16,7 @@ namespace signorini
     double modulus    = 0.; ///< E / (1 - nu^2), infinite for what is rigid
     double wave_speed = 0.; ///< of pressure waves
     double density    = 0.;
+    double depth      = 0.; ///< along the normal of the touch
   };
 
   /** The first impact of a pair in round numbers, as long as no other force matters. */
@@ -32,7 +33,8 @@ namespace signorini
    * 3d, flattening (5 m v^2 / (4 K))^(2/5), duration 2.943 flattening / v (Johnson, Contact
    * Mechanics 1985, section 11.4); in 2d the linear law of a cylinder, pi/4 E* per unit of length
    * and flattening. Flat ones: the pressure Z v of a plane wave, Z = rho c, until it has run
-   * through the shorter body (a much softer one) and back.
+   * through the shorter body (a much softer one) and back. A body that is wider than the faces that
+   * touch gives way as much less: its mass per depth counts.
    * @param touch of smooth surfaces that do meet @param other mass and modulus infinite if rigid
    */
   template <int dim>
