@@ -8,6 +8,9 @@
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/manifold_lib.h>
 
+#include <cmath>
+#include <sstream>
+
 namespace signorini
 {
   using dealii::Point;
@@ -27,7 +30,7 @@ namespace signorini
   void CylinderShape::make_coarse_mesh(const Placement<3>       &placement,
                                        dealii::Triangulation<3> &mesh) const
   {
-    dealii::GridGenerator::cylinder(mesh, radius, length / 2.);
+    dealii::GridGenerator::subdivided_cylinder(mesh, n_axial_cells, radius, length / 2.);
     // deal.II's cylinder lies along x; turn x into the wanted axis by a proper rotation.
     dealii::GridTools::transform(
       [this](const Point<3> &p) {
@@ -54,6 +57,20 @@ namespace signorini
   }
 
 
+  std::vector<std::string> CylinderShape::notes() const
+  {
+    constexpr double width_over_radius = 0.75, much_longer = 5.;
+    const double     n_even = length / (width_over_radius * radius);
+    if (n_even < much_longer * n_axial_cells)
+      return {};
+    std::ostringstream text;
+    text << "its cells are about " << std::round(n_even / n_axial_cells)
+         << " times as long as wide, and the solvers slow; with `Axial cells = "
+         << std::ceil(n_even) << "` they are even";
+    return {text.str()};
+  }
+
+
   template <>
   std::shared_ptr<const BodyShape<2>> parse_cylinder_shape(const SectionReader &in)
   {
@@ -69,6 +86,7 @@ namespace signorini
     cylinder->radius    = parse_radius(in);
     cylinder->length    = in.positive_number("Length", "it is the distance between bottom and top");
     cylinder->axis      = std::string("xyz").find(in.text("Axis"));
+    cylinder->n_axial_cells = in.integer("Axial cells", 1, 100000);
     return cylinder;
   }
 } // namespace signorini

@@ -19,6 +19,12 @@ namespace signorini
     prm.declare_entry(
       "Length", "2", Double(), "Cylinder: distance between bottom and top (length), > 0.");
     prm.declare_entry("Axis", "z", Selection("x|y|z"), "Cylinder: direction of the axis.");
+    prm.declare_entry(
+      "Axial cells",
+      "2",
+      Integer(1),
+      "Cylinder: coarse cells from bottom to top. Those of a slender one are as long "
+      "as wide with about 4/3 of its length over its radius.");
   }
 
 

@@ -33,7 +33,7 @@ namespace signorini
          "cylinders",
          "cylinder (3d; boundary ids 0 mantle, 1 bottom, 2 top)",
          declare_round_shapes<dim>,
-         {"Centre", "Radius", "Length", "Axis"},
+         {"Centre", "Radius", "Length", "Axis", "Axial cells"},
          parse_cylinder_shape<dim>},
         {"file",
          "bodies from mesh files",

@@ -50,12 +50,13 @@ namespace
     if constexpr (dim == 3)
       {
         BodyDescription<3> cylinder, anvil;
-        cylinder.name                            = "cylinder";
-        shape_of<CylinderShape>(cylinder).centre = some_point<3>();
-        shape_of<CylinderShape>(cylinder).length = 3.;
-        shape_of<CylinderShape>(cylinder).axis   = 1;
-        anvil.name                               = "file";
-        anvil.shape                              = std::make_shared<MeshFileShape<3>>(
+        cylinder.name                                   = "cylinder";
+        shape_of<CylinderShape>(cylinder).centre        = some_point<3>();
+        shape_of<CylinderShape>(cylinder).length        = 3.;
+        shape_of<CylinderShape>(cylinder).axis          = 1;
+        shape_of<CylinderShape>(cylinder).n_axial_cells = 3;
+        anvil.name                                      = "file";
+        anvil.shape                                     = std::make_shared<MeshFileShape<3>>(
           describe_mesh_file<3>(SIGNORINI_SOURCE_DIR "/parameters/meshes/anvil.msh"));
         bodies.push_back(cylinder);
         bodies.push_back(anvil);
@@ -170,6 +171,19 @@ TEST(CoarseMeshes, HavePointsForExpressionsOnTheirBoundaries)
   check_boundary_points<3>();
 }
 
+
+TEST(CoarseMeshes, OfSlenderCylindersAreTold)
+{
+  CylinderShape cylinder;
+  cylinder.length = 3.;
+  EXPECT_TRUE(cylinder.notes().empty());
+  cylinder.length = 30.;
+  ASSERT_EQ(cylinder.notes().size(), 1U);
+  EXPECT_NE(cylinder.notes()[0].find("20 times as long as wide"), std::string::npos);
+  EXPECT_NE(cylinder.notes()[0].find("`Axial cells = 40`"), std::string::npos);
+  cylinder.n_axial_cells = 40;
+  EXPECT_TRUE(cylinder.notes().empty());
+}
 
 TEST(CoarseMeshes, MayHaveManifoldsOfAnyId)
 {

@@ -8,6 +8,8 @@
 #include <signorini/prm/section_reader.h>
 
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace signorini
 {
@@ -15,9 +17,10 @@ namespace signorini
   struct CylinderShape : public BodyShape<3>
   {
     dealii::Point<3> centre;
-    double           radius = 1.;
-    double           length = 2.; ///< from bottom to top
-    unsigned int     axis   = 2;  ///< its direction: 0, 1, 2
+    double           radius        = 1.;
+    double           length        = 2.; ///< from bottom to top
+    unsigned int     axis          = 2;  ///< its direction: 0, 1, 2
+    unsigned int     n_axial_cells = 2;  ///< coarse cells from bottom to top
 
     dealii::Point<3>                        midpoint() const override { return centre; }
     std::vector<dealii::types::boundary_id> boundary_ids() const override { return {0, 1, 2}; }
@@ -25,10 +28,14 @@ namespace signorini
     void                          make_coarse_mesh(const Placement<3>       &placement,
                                                    dealii::Triangulation<3> &mesh) const override;
     std::vector<dealii::Point<3>> corners_around() const override;
+    double                        n_coarse_cells() const override { return 5. * n_axial_cells; }
     bool                          is_round() const override { return true; }
+    /** About cells that are much longer than wide. */
+    std::vector<std::string> notes() const override;
   };
 
-  /** `Shape = cylinder`: centre, radius, length, axis. @throws UserError in 2d */
+  /** `Shape = cylinder`: centre, radius, length, axis, coarse cells along it. @throws UserError in
+   * 2d */
   template <int dim>
   std::shared_ptr<const BodyShape<dim>> parse_cylinder_shape(const SectionReader &in);
 } // namespace signorini
