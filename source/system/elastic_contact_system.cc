@@ -225,7 +225,8 @@ namespace signorini
       step_contact && step_contact->steps_are_trials()};
     ConstrainedSolver &of_step = matrix.condensed ? *matrix.condensed : *solver;
     solution.effort            = of_step.solve(constrained, active, increment, residual);
-    matrix.effort.add(solution.effort);
+    if (solution.effort.n_fallbacks == 0) // else it says more about friction than about the matrix
+      matrix.effort.add(solution.effort);
 
     const bool pressed_from_elsewhere = problem.further_reaction != nullptr;
     extract(friction_of_nodes, residual, *matrix.product, pressed_from_elsewhere, drag, solution);

@@ -17,6 +17,10 @@ namespace signorini
 {
   namespace
   {
+    /** By problems of Tresca's friction to where Newton's method may begin anew. */
+    constexpr unsigned int most_detours = 4;
+
+
     /** How large the iterates are, from which more can be lost than is won. */
     class IterateSizes
     {
@@ -73,23 +77,48 @@ namespace signorini
   {
     check_sizes(problem, status, solution, residual);
     AssertDimension(problem.friction.size(), status.size());
+    stiffness          = node_stiffness(problem);
+    outcome            = Outcome::undecided;
+    SolveReport report = iterate(problem, status, solution, residual, problem.continues);
+    if (outcome == Outcome::solved)
+      return report;
+    ++report.n_fallbacks;
+    for (unsigned int n = 0; n < most_detours && outcome == Outcome::undecided; ++n)
+      {
+        report.add(fallback.approach(problem, status, solution, residual));
+        report.add(iterate(problem, status, solution, residual, false));
+      }
+    if (outcome != Outcome::solved)
+      report.add(fallback.solve(problem, status, solution, residual));
+    return report;
+  }
+
+
+  SolveReport FrictionalNewton::iterate(const ConstrainedProblem &problem,
+                                        ActiveSet                &status,
+                                        Vector                   &solution,
+                                        Vector                   &residual,
+                                        const bool                continues)
+  {
     SolveReport     report;
     StatusRecord    record(solution);
     Precision       precision = Precision::rough;
     double          last_norm = 0.;
     const ActiveSet at_start  = status;
-    stiffness                 = node_stiffness(problem);
-    start(problem, status, solution, residual, problem.continues);
+    start(problem, status, solution, residual, continues);
     IterateSizes sizes(solution, tolerance, problem.bound_tolerance);
     while (report.active_set_iterations < limits.maximum_iterations)
       {
         ++report.active_set_iterations;
         linearise(problem, status, solution, residual);
-        const bool is_guess = report.linear_iterations == 0 && !problem.continues;
+        const bool is_guess = report.linear_iterations == 0 && !continues;
         const auto linear   = step(problem, solution, residual, precision, last_norm, is_guess);
         report.add_iterations(linear.iterations, linear.saved_iterations);
         if (!linear.converged)
-          break;
+          {
+            outcome = Outcome::no_linear_solution;
+            break;
+          }
         sizes.add(solution, slip.round_off());
         if (sizes.went_astray())
           {
@@ -103,13 +132,14 @@ namespace signorini
           }
         if (update(problem, status, solution, residual) == 0)
           {
-            const bool is_solved = linear.iterations == 0 || problem.is_rough;
-            if (is_solved && !sizes.left_round_off())
+            const bool is_balanced = linear.iterations == 0 || problem.is_rough;
+            if (is_balanced && !sizes.left_round_off())
               {
                 report.n_active = record.n_closed(status);
+                outcome         = Outcome::solved;
                 return report;
               }
-            if (is_solved)
+            if (is_balanced)
               {
                 compute_residual(problem, solution, residual);
                 sizes.forget();
@@ -122,8 +152,6 @@ namespace signorini
           hold(problem, status, solution, residual);
         last_norm = slip.any() ? slip.initial_norm() : 0.;
       }
-    report.add(fallback.solve(problem, status, solution, residual));
-    ++report.n_fallbacks;
     return report;
   }
 

@@ -19,7 +19,9 @@ namespace signorini
    * penalised or regularised. Without slip the linear systems are symmetric and solved by conjugate
    * gradients.
    *
-   * If statuses come back or the iterations are used up, TrescaFixedPoint finishes the work.
+   * If statuses come back or the iterations are used up, a few problems of TrescaFixedPoint lead
+   * closer to the solution, where the method begins anew; at last TrescaFixedPoint finishes the
+   * work.
    */
   class FrictionalNewton : public ConstrainedSolver
   {
@@ -48,6 +50,21 @@ namespace signorini
     Vector                   correction, product;
     double                   tolerance = 0.; ///< that of the problem, or what is attainable
     std::vector<double>      stiffness; ///< of each node: the mean of the diagonal over its entries
+
+    enum class Outcome
+    {
+      solved,
+      undecided, ///< statuses came back, or there were too many iterations
+      no_linear_solution
+    };
+    Outcome outcome = Outcome::undecided; ///< of the latest iterate()
+
+    /** Newton's method. @param continues see ConstrainedProblem */
+    SolveReport iterate(const ConstrainedProblem &problem,
+                        ActiveSet                &status,
+                        Vector                   &solution,
+                        Vector                   &residual,
+                        bool                      continues);
 
     /**
      * Put the fixed and held entries to their values, compute the residual, look at statuses.

@@ -14,7 +14,8 @@ namespace signorini
    * forces of the last problem, until they stand. Each problem is convex and solved by a method
    * that cannot fail; the sequence converges linearly if the friction is not too strong, which
    * small steps guarantee. Where it overshoots, as with strong friction at single nodes, the bounds
-   * go a part of the way only. Slower than FrictionalNewton; its solution is the same.
+   * go a part of the way only. Slower than FrictionalNewton; its solution is the same. A problem is
+   * solved as far as its bounds are worth it.
    */
   class TrescaFixedPoint : public ConstrainedSolver
   {
@@ -29,9 +30,23 @@ namespace signorini
                       Vector                   &solution,
                       Vector                   &residual) override;
 
+    /** A few of the problems: close to the solution, where Newton's method may go on. */
+    SolveReport approach(const ConstrainedProblem &problem,
+                         ActiveSet                &status,
+                         Vector                   &solution,
+                         Vector                   &residual);
+
   private:
     const unsigned int maximum_iterations;
     TrescaMinimisation minimisation;
+
+    /** @param most problems @return whether the bounds stand */
+    bool settle(const ConstrainedProblem &problem,
+                unsigned int              most,
+                ActiveSet                &status,
+                Vector                   &solution,
+                Vector                   &residual,
+                SolveReport              &report);
   };
 } // namespace signorini
 
