@@ -121,7 +121,7 @@ namespace signorini
         float       *target = y.data() + 4 * (matrix.order.interface_begin + row);
         Lanes<float> sum    = load(target);
         for (unsigned int k = rows.row_start[row]; k < rows.row_start[row + 1]; ++k)
-          sum += sign * times<dim>(rows.blocks[k], load(ghosts.data() + 4 * rows.ghosts[k]));
+          sum += sign * times<dim>(rows.blocks[k], ghosts.data() + 4 * rows.ghosts[k]);
         store(target, without_spare_lanes<dim, float>(sum));
       }
   }

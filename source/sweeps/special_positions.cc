@@ -199,7 +199,7 @@ namespace signorini
     Slip        &slip = slipping[node.slip];
     Lanes<float> row  = of_t + slip.upper + slip.lower_ghosts; // of K t
     for (unsigned int a = matrix.row_start[position]; a < matrix.row_start[position + 1]; ++a)
-      row += times<dim>(matrix.lower[a], load(t.data() + 4 * matrix.columns[a]));
+      row += times<dim>(matrix.lower[a], t.data() + 4 * matrix.columns[a]);
     const Lanes<float> of_slip = block_product<dim, float>(slip.turning.data(), of_t)
                                  - slip.coupling * product_of<dim>(slip.normal, row);
     of_t = slip.t;
@@ -226,7 +226,7 @@ namespace signorini
           continue;
         const unsigned int row = slip.position - matrix.order.interface_begin;
         for (unsigned int k = rows.row_start[row]; k < rows.row_start[row + 1]; ++k)
-          slip.lower_ghosts += times<dim>(rows.blocks[k], load(ghosts.data() + 4 * rows.ghosts[k]));
+          slip.lower_ghosts += times<dim>(rows.blocks[k], ghosts.data() + 4 * rows.ghosts[k]);
       }
   }
 

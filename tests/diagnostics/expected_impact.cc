@@ -28,6 +28,17 @@ namespace
     return {7.85e-9 * volume, volume, 210000. / 0.91, 6e6, 7.85e-9, 20.};
   }
 
+  /** With speed 10 and area 1. */
+  FirstTouch touch_of_flat_faces()
+  {
+    FirstTouch touch;
+    touch.time      = 0.;
+    touch.speed     = 10.;
+    touch.is_smooth = true;
+    touch.area      = 1.;
+    return touch;
+  }
+
   template <int dim>
   FirstTouch first_touch(const Scene<dim> &scene, const double speed)
   {
@@ -63,11 +74,7 @@ TEST(ExpectedImpact, ASteelBallAsHertzSays)
 
 TEST(ExpectedImpact, AFlatFaceSendsAPlaneWave)
 {
-  FirstTouch touch;
-  touch.time      = 0.;
-  touch.speed     = 10.;
-  touch.is_smooth = true;
-  touch.area      = 1.;
+  const FirstTouch touch = touch_of_flat_faces();
   // Density 1, wave speed 30, length 10: force rho c v A = 300, duration 2 L/c.
   const Collider bar{10., 10., 900., 30., 1., 10.};
   ExpectedImpact impact = expected_impact<2>(touch, bar, rigid);
@@ -81,12 +88,8 @@ TEST(ExpectedImpact, AFlatFaceSendsAPlaneWave)
 
 TEST(ExpectedImpact, OfABarOnAWideBlockIsThatOnAWall)
 {
-  FirstTouch touch;
-  touch.time      = 0.;
-  touch.speed     = 10.;
-  touch.is_smooth = true;
-  touch.area      = 1.;
-  const Collider bar{10., 10., 900., 30., 1., 10.};
+  const FirstTouch touch = touch_of_flat_faces();
+  const Collider   bar{10., 10., 900., 30., 1., 10.};
   // Of a fourth of the impedance, as long, and 400 times as wide: the force and duration of a bar
   // on a wall (300, 2/3) but for one per cent, whichever of the two is named first.
   const Collider block{1000., 4000., 14., 30. / 4., 1., 10.};

@@ -19,15 +19,7 @@ namespace signorini
     Lanes<double> column[n];
   };
 
-  /** A block, or its transpose, times lanes; or a number times lanes. */
-  template <int dim, typename Entry>
-  inline Lanes<float> times(const Entry &block, const Lanes<float> x)
-  {
-    if constexpr (std::tuple_size<Entry>() == 1)
-      return block[0] * x;
-    else
-      return block_product<dim, float>(block.data(), x);
-  }
+  /** A block, or its transpose, times the numbers of a node; or a number times these. */
   template <int dim, typename Entry>
   inline Lanes<float> times(const Entry &block, const float *x)
   {
