@@ -22,7 +22,7 @@ namespace signorini
     prm.declare_entry(
       "Axial cells",
       "2",
-      Integer(1),
+      Integer(),
       "Cylinder: coarse cells from bottom to top. Those of a slender one are as long "
       "as wide with about 4/3 of its length over its radius.");
   }
