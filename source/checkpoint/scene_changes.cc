@@ -18,6 +18,7 @@ namespace signorini
                                                  "Time/Step tolerance",
                                                  "Time/Stop on warning",
                                                  "Solver/Tolerance",
+                                                 "Solver/Preconditioner",
                                                  "Output/Guard",
                                                  "Output/VTU every",
                                                  "Output/VTU states",

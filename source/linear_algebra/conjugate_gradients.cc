@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/interruption.h>
 #include <signorini/linear_algebra/conjugate_gradients.h>
 #include <signorini/linear_algebra/lanczos.h>
 #include <signorini/linear_algebra/rough_solver.h>
@@ -56,6 +57,7 @@ namespace signorini
       while (norm_square > smaller_norm * smaller_norm
              && report.iterations < limits.maximum_iterations)
         {
+          heed_interruption(solution.get_mpi_communicator());
           matrix.vmult(product, direction);
           ++report.iterations;
           const double curvature = dot(direction, product);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/interruption.h>
 #include <signorini/linear_algebra/gmres.h>
 #include <signorini/linear_algebra/hessenberg.h>
 #include <signorini/linear_algebra/vector_kernels.h>
@@ -95,6 +96,7 @@ namespace signorini
     unsigned int j = 0;
     for (; j < m && norm > goal; ++j)
       {
+        heed_interruption(residual.get_mpi_communicator());
         Vector &next = place(basis, j + 1, residual);
         matrix(next, preconditioned[j]);
         for (unsigned int i = 0; i <= j; ++i)

@@ -103,7 +103,35 @@ namespace signorini
           begin_anew(packed, stepping, observation);
       }
     if (is_told_to_end)
-      interruption.end(state.time, "To go on: signorini --resume " + scene.file_name);
+      interruption.end(state.time, how_to_go_on());
+  }
+
+
+  template <int dim>
+  StepReport Simulation<dim>::advance_or_leave(TimeStepping     &stepping,
+                                               Observation<dim> &observation,
+                                               Interruption     &interruption)
+  {
+    try
+      {
+        return advance(stepping, observation);
+      }
+    catch (const StepAbandoned &)
+      {
+        if (MovingContact *contact = meshed->system.capabilities().moving_contact)
+          contact->take_back(state);
+        PackedState packed(state, meshed->surface);
+        write_checkpoint(packed, stepping, observation);
+        interruption.is_wanted(mesh.communicator()); // which signal
+        interruption.end(state.time, "The next step takes long and was left. " + how_to_go_on());
+      }
+  }
+
+
+  template <int dim>
+  std::string Simulation<dim>::how_to_go_on() const
+  {
+    return "To go on: signorini --resume " + scene.file_name;
   }
 
 
@@ -245,7 +273,9 @@ namespace signorini
 
 
 #define INSTANTIATE(dim)                                                                           \
-  template void Simulation<dim>::resume();                                                         \
+  template void       Simulation<dim>::resume();                                                   \
+  template StepReport Simulation<dim>::advance_or_leave(                                           \
+    TimeStepping &, Observation<dim> &, Interruption &);                                           \
   template void Simulation<dim>::keep_checkpoints(                                                 \
     TimeStepping &, Observation<dim> &, Interruption &);
   INSTANTIATE(2)

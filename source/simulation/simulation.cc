@@ -174,7 +174,7 @@ namespace signorini
     Interruption interruption;
     while (!stepping.finished(state))
       {
-        const StepReport         report = advance(stepping, observation);
+        const StepReport         report = advance_or_leave(stepping, observation, interruption);
         std::vector<std::string> news;
         {
           TimerOutput::Scope scope(timer, "diagnostics and tables");
@@ -335,8 +335,9 @@ namespace signorini
       settle_damping();
     if (problems)
       problems->expect(state.step + 1, meshed->discretization, meshed->coordinates, meshed->system);
-    StepReport report  = stepping.advance(meshed->system, state);
-    report.force_delay = report.step_size * force_delay();
+    const Interruption::Step step;
+    StepReport               report = stepping.advance(meshed->system, state);
+    report.force_delay              = report.step_size * force_delay();
     return report;
   }
 

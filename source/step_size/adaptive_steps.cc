@@ -54,7 +54,7 @@ namespace signorini
         waiting.reset();
         return hand_out_one_of_several(system, state, std::move(second));
       }
-    StepTrial trial = find_trial(system, state);
+    StepTrial trial = find_trial_or_forget_it(system, state);
     record_changes(state, trial);
     TakenStep &last = trial.steps.back();
     if (parameters.end_time - last.state.time <= round_off * last.report.step_size)
@@ -63,6 +63,20 @@ namespace signorini
       return hand_out(state, std::move(last));
     waiting = std::move(last);
     return hand_out_one_of_several(system, state, std::move(trial.steps.front()));
+  }
+
+
+  StepTrial AdaptiveSteps::find_trial_or_forget_it(DynamicalSystem &system, const State &state)
+  {
+    try
+      {
+        return find_trial(system, state);
+      }
+    catch (...) // a run that goes on from here tries the same sizes
+      {
+        now = before;
+        throw;
+      }
   }
 
 

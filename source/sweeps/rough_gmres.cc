@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/interruption.h>
 #include <signorini/linear_algebra/hessenberg.h>
 #include <signorini/sweeps/rough_gmres.h>
 
@@ -93,6 +94,7 @@ namespace signorini
     Hessenberg hessenberg(start, most);
     while (hessenberg.n_columns() < most && hessenberg.norm() > reduction * start)
       {
+        heed_interruption(communicator);
         const unsigned int j = hessenberg.n_columns() + 1;
         if (basis.size() <= j)
           basis.emplace_back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/interruption.h>
 #include <signorini/linear_algebra/flush_denormals.h>
 #include <signorini/sweeps/symmetric_gauss_seidel.h>
 
@@ -137,6 +138,7 @@ namespace signorini
     std::fill(solution.begin(), solution.end(), 0.f);
     while (!report.reached && report.iterations < maximum_iterations)
       {
+        heed_interruption(sweeps.communicator());
         if (goal < left())
           leave_out(goal / sweeps.n_parts());
         sweeps.sweep_back();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/interruption.h>
 #include <signorini/base/user_error.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/variational_inequality/held_values.h>
@@ -268,6 +269,7 @@ namespace signorini
     double norm                  = iteration.gradient_norm();
     for (; norm > goal && report.linear_iterations < maximum_iterations; ++report.linear_iterations)
       {
+        heed_interruption(solution.get_mpi_communicator());
         report.active_set_iterations += iteration.advance();
         norm = iteration.gradient_norm();
       }

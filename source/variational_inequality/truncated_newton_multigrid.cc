@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/interruption.h>
 #include <signorini/linear_algebra/improved_guess.h>
 #include <signorini/linear_algebra/vector_kernels.h>
 #include <signorini/variational_inequality/attainable_norm.h>
@@ -228,6 +229,7 @@ namespace signorini
     bool was_free = true, same_set = false;
     while (point.norm() > goal && report.linear_iterations < maximum_iterations)
       {
+        heed_interruption(solution.get_mpi_communicator());
         const bool is_linear = was_free && !point.should_release();
         if (!is_linear)
           point.nonlinear_step();

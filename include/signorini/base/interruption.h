@@ -7,6 +7,7 @@
 #include <deal.II/base/mpi.h>
 
 #include <csignal>
+#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -32,6 +33,23 @@ namespace signorini
   };
 
 
+  /** Leaves a step that is being made. The state is that of its start. */
+  class StepAbandoned : public std::exception
+  {
+  public:
+    const char *what() const noexcept override { return "a step was left because of a signal"; }
+  };
+
+
+  /**
+   * For the iterations of solvers, which are all that a step may wait for: where a step goes on for
+   * half a second after a signal, it is left. Collective; costs a message in every sixteenth call,
+   * and nothing where no step is being made.
+   * @throws StepAbandoned on all processes
+   */
+  void heed_interruption(MPI_Comm communicator);
+
+
   /**
    * As long as it lives, the first SIGINT (Ctrl-C) or SIGTERM is noted instead of ending the
    * program; a second one of the same kind ends it at once. One at a time.
@@ -42,6 +60,15 @@ namespace signorini
     Interruption();
     Interruption(const Interruption &) = delete;
     ~Interruption();
+
+    /** As long as it lives, a step is being made that may be left: see heed_interruption(). */
+    class Step
+    {
+    public:
+      Step();
+      Step(const Step &) = delete;
+      ~Step();
+    };
 
     /** Whether one of the processes was told to end: the same on all. Collective. */
     bool is_wanted(MPI_Comm communicator);

@@ -108,6 +108,12 @@ namespace signorini
     /** All steps, and the summary; or the end of a run that fails. */
     void go_to_the_end(TimeStepping &, Observation<dim> &, RunLog &);
 
+    /**
+     * The next step; or, if it takes long after a signal, a checkpoint of its start.
+     * @throws Interrupted
+     */
+    StepReport  advance_or_leave(TimeStepping &, Observation<dim> &, Interruption &);
+    std::string how_to_go_on() const;
     /** A checkpoint if one is due, or if the run was told to end. @throws Interrupted */
     void keep_checkpoints(TimeStepping &, Observation<dim> &, Interruption &);
     /** Whether the scene wants one after this step, or at the end. */

@@ -103,6 +103,7 @@ namespace signorini
     void      count(const StepTrial &trial, const State &state);
     void      choose_next_size(const StepTrial &trial, double factor);
     StepTrial find_trial(DynamicalSystem &system, const State &state);
+    StepTrial find_trial_or_forget_it(DynamicalSystem &system, const State &state);
     double    span(const State &state, double touch) const;
     /** @return nothing if the step cannot be solved */
     std::optional<StepTrial> attempt(DynamicalSystem &system, const State &state, double size);
