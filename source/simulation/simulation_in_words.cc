@@ -20,19 +20,6 @@ namespace signorini
 
   namespace
   {
-    /** Courant numbers of steps in which multigrid is worth it, about. */
-    constexpr double long_step = 40.;
-
-    /** A body with less than its inverse of the stiffness can carry another one. */
-    constexpr double much_stiffer = 30.;
-
-    template <int dim>
-    double youngs_modulus(const Scene<dim> &scene, const unsigned int body)
-    {
-      return scene.bodies[body].material.youngs_modulus;
-    }
-
-
     /** What several processes, or no inertia, keep from being solved for contact nodes alone. */
     template <int dim>
     std::string note_about_condensation(const Scene<dim>       &scene,
@@ -148,18 +135,6 @@ namespace signorini
         note("the mesh of '", body.name, "': ", clause);
     if (!scene.why_linearised.empty())
       note("contact is linearised about the initial configuration: ", scene.why_linearised);
-    if (mesh.courant_number(scene.time.step_size) > long_step)
-      for (const PairDescription &pair : scene.pairs)
-        if (pair.of_two_bodies())
-          if (const double ratio =
-                youngs_modulus(scene, pair.slave) / youngs_modulus(scene, pair.master);
-              ratio > much_stiffer)
-            note("the pair '",
-                 pair.name,
-                 "' names the body first that is ",
-                 std::round(ratio),
-                 " times as stiff: with steps of this size it takes the solvers fewer iterations "
-                 "the other way round");
     constexpr unsigned int smooth = 4; // measured, see doc/adaptivity.md
     for (const BodyDescription<dim> &body : scene.bodies)
       if (scene.adaptivity.has_target() && body.shape->is_round() && body.refinements < smooth)
@@ -187,8 +162,9 @@ namespace signorini
   {
     std::vector<std::string> result = start_remarks.warnings;
     result.insert(result.end(), expected.warnings.begin(), expected.warnings.end());
-    for (const std::string &warning : element_warnings(mesh))
-      result.push_back(warning);
+    for (const auto &sentences :
+         {element_warnings(mesh), stiff_slaves(scene, mesh.courant_number(scene.time.step_size))})
+      result.insert(result.end(), sentences.begin(), sentences.end());
     if (!scene.pairs.empty() && meshed->surface.n_global_nodes() == 0)
       result.push_back("Contact/Pairs names a pair, but no node can come into contact: none faces "
                        "its obstacle, or all of them are prescribed.");

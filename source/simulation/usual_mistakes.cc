@@ -2,9 +2,12 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/expressions.h>
+#include <signorini/base/spelling.h>
 #include <signorini/simulation/usual_mistakes.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 namespace signorini
 {
@@ -34,6 +37,28 @@ namespace signorini
       return scheme.inertia && !scheme.predictor && scheme.massless != MasslessNodesAre::needed
              && scheme.balance != StepBalance::end;
     }
+
+
+    /** Courant number of steps in which a wave goes so far that nodes feel each other's stiffness.
+     */
+    constexpr double long_step = 40.;
+
+    /** A body with less than its inverse of the stiffness can carry another one. */
+    constexpr double much_stiffer = 30.;
+
+    template <int dim>
+    double youngs_modulus(const Scene<dim> &scene, const unsigned int body)
+    {
+      return scene.bodies[body].material.youngs_modulus;
+    }
+
+
+    /** A pair with its sides exchanged, as a scene writes it. */
+    std::string exchanged(const std::string &pair)
+    {
+      const std::size_t colon = pair.find(':');
+      return trim(pair.substr(colon + 1)) + " : " + trim(pair.substr(0, colon));
+    }
   } // namespace
 
 
@@ -55,6 +80,32 @@ namespace signorini
   }
 
 
+  template <int dim>
+  std::vector<std::string> stiff_slaves(const Scene<dim> &scene, const double courant_number)
+  {
+    std::vector<std::string> result;
+    if (!scheme_info(scene.time.scheme).inertia || courant_number > long_step)
+      for (const PairDescription &pair : scene.pairs)
+        if (pair.of_two_bodies())
+          if (const double ratio =
+                youngs_modulus(scene, pair.slave) / youngs_modulus(scene, pair.master);
+              ratio > much_stiffer)
+            {
+              std::ostringstream text;
+              text << "the pair '" << pair.name << "' names the body first that is "
+                   << std::round(ratio)
+                   << " times as stiff. Each of its nodes has to fit the soft surface, which takes "
+                      "the solvers many times the iterations, and meshes for a target more cells. "
+                      "Write `Pairs = "
+                   << exchanged(pair.name) << "`.";
+              result.push_back(text.str());
+            }
+    return result;
+  }
+
+
   template std::vector<std::string> usual_mistakes(const Scene<2> &, const Preflight &);
   template std::vector<std::string> usual_mistakes(const Scene<3> &, const Preflight &);
+  template std::vector<std::string> stiff_slaves(const Scene<2> &, double);
+  template std::vector<std::string> stiff_slaves(const Scene<3> &, double);
 } // namespace signorini

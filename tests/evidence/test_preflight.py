@@ -197,12 +197,15 @@ class Preflight(check_history.SceneTest):
             self.assertNotIn("Step size", warning)
 
     def test_stiff_body_first(self):
-        """Long steps with the stiffer body first are noted, and only they."""
+        """Of long steps with the stiffer body first it is warned, and only of them; the remedy can
+        be copied into the scene."""
         scene = check_history.scene_file("two_bars")
         stiff, long = "Bodies/left/Young's modulus=1e5", "Time/Step size=0.5"
         for overrides, expected in (([stiff, long], True), ([stiff], False), ([long], False)):
-            notes = self.forecast(scene, *overrides)["notes"]
-            self.assertEqual(any("the other way round" in note for note in notes), expected)
+            warnings = self.forecast(scene, *overrides)["warnings"]
+            self.assertEqual(
+                any("Write `Pairs = right[0] : left[1]`." in warning for warning in warnings), expected
+            )
 
     def test_unknown_form(self):
         done = validate(check_history.scene_file("bar_2d"), form="--validate=xml")

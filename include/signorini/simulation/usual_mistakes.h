@@ -14,6 +14,13 @@ namespace signorini
    */
   template <int dim>
   std::vector<std::string> usual_mistakes(const Scene<dim> &scene, const Preflight &preflight);
+
+  /**
+   * A sentence about each pair that takes the nodes of a much stiffer body for the contact, in
+   * steps so long that this matters, or without inertia.
+   */
+  template <int dim>
+  std::vector<std::string> stiff_slaves(const Scene<dim> &scene, double courant_number);
 } // namespace signorini
 
 #endif
