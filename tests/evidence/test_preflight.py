@@ -203,9 +203,8 @@ class Preflight(check_history.SceneTest):
         stiff, long = "Bodies/left/Young's modulus=1e5", "Time/Step size=0.5"
         for overrides, expected in (([stiff, long], True), ([stiff], False), ([long], False)):
             warnings = self.forecast(scene, *overrides)["warnings"]
-            self.assertEqual(
-                any("Write `Pairs = right[0] : left[1]`." in warning for warning in warnings), expected
-            )
+            remedy = "Write `Pairs = right[0] : left[1]`."
+            self.assertEqual(any(remedy in warning for warning in warnings), expected)
 
     def test_unknown_form(self):
         done = validate(check_history.scene_file("bar_2d"), form="--validate=xml")
