@@ -11,7 +11,10 @@
 
 namespace signorini
 {
-  bool sticks(const FrictionLaw &law, const NodeForces &node, const double stiffness)
+  bool sticks(const FrictionLaw &law,
+              const NodeForces  &node,
+              const double       stiffness,
+              const bool         stops_first)
   {
     Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
     // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
@@ -20,8 +23,17 @@ namespace signorini
     // A node that slips against its force stops first, however far it went: turned round at once,
     // it may go to and fro for ever.
     return bound > 0.
-           && (node.tangential.dot(node.slip) < 0.
+           && ((stops_first && node.tangential.dot(node.slip) < 0.)
                || (node.tangential + stiffness * node.slip).norm() <= bound * (1. + round_off));
+  }
+
+
+  bool may_turn_round(const FrictionLaw &law, const NodeForces &node, const double stiffness)
+  {
+    // The force changes by 2 b, and the slip by 2 b/c.
+    constexpr double far = 3.;
+    return node.tangential.dot(node.slip) < 0.
+           && stiffness * node.slip.norm() > far * law.bound(node.normal);
   }
 
 

@@ -131,7 +131,10 @@ namespace signorini
   template <int dim>
   std::string Simulation<dim>::how_to_go_on() const
   {
-    return "To go on: signorini --resume " + scene.file_name;
+    std::string command = "signorini --resume " + scene.file_name;
+    for (const auto &[key, value] : scene.overrides)
+      command += " --set \"" + key + "=" + value + "\"";
+    return "To go on: " + command;
   }
 
 

@@ -20,6 +20,9 @@ namespace signorini
     /** By problems of Tresca's friction to where Newton's method may begin anew. */
     constexpr unsigned int most_detours = 4;
 
+    /** Of all friction: where more turns round, a body as a whole may do so. */
+    constexpr double most_that_turns = 0.25;
+
 
     /** How large the iterates are, from which more can be lost than is won. */
     class IterateSizes
@@ -79,6 +82,7 @@ namespace signorini
     AssertDimension(problem.friction.size(), status.size());
     stiffness          = node_stiffness(problem);
     outcome            = Outcome::undecided;
+    turns_at_once      = true;
     SolveReport report = iterate(problem, status, solution, residual, problem.continues);
     if (outcome == Outcome::solved)
       return report;
@@ -167,7 +171,12 @@ namespace signorini
   FrictionalNewton::is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision)
   {
     if (!record.is_new(status))
-      return !may_be_for_want_of_accuracy(record, precision);
+      {
+        if (!std::exchange(turns_at_once, false))
+          return !may_be_for_want_of_accuracy(record, precision);
+        record.forget();
+        return false;
+      }
     if (precision == Precision::settled)
       precision = Precision::rough;
     return false;
@@ -203,6 +212,45 @@ namespace signorini
   }
 
 
+  NodeForces FrictionalNewton::forces_by_law(const ConstrainedProblem &problem,
+                                             const ActiveSet          &status,
+                                             const std::size_t         n,
+                                             const Vector             &solution,
+                                             const Vector             &residual) const
+  {
+    const std::size_t k      = slipping[n];
+    NodeForces        forces = node_forces(problem.friction[k],
+                                    problem.bounded_entries[k],
+                                    contact_status::is_closed(status[k]),
+                                    solution,
+                                    residual);
+    forces.tangential        = slip.forces()[n];
+    return forces;
+  }
+
+
+  bool FrictionalNewton::few_turn_round(const ConstrainedProblem &problem,
+                                        const ActiveSet          &status,
+                                        const Vector             &solution,
+                                        const Vector             &residual) const
+  {
+    double turning = 0., all = 0.; // bounds of the forces
+    for (std::size_t k = 0; k < status.size(); ++k)
+      all += problem.friction[k].law.bound(contact_status::is_closed(status[k])
+                                             ? residual.local_element(problem.bounded_entries[k])
+                                             : 0.);
+    for (std::size_t n = 0; n < slipping.size(); ++n)
+      {
+        const FrictionLaw &law    = problem.friction[slipping[n]].law;
+        const NodeForces   forces = forces_by_law(problem, status, n, solution, residual);
+        if (may_turn_round(law, forces, stiffness[slipping[n]]))
+          turning += law.bound(forces.normal);
+      }
+    const double more = turning - most_that_turns * all;
+    return dealii::Utilities::MPI::sum(more, solution.get_mpi_communicator()) <= 0.;
+  }
+
+
   unsigned int FrictionalNewton::update(const ConstrainedProblem &problem,
                                         ActiveSet                &status,
                                         const Vector             &solution,
@@ -210,6 +258,7 @@ namespace signorini
   {
     unsigned int n_changes = 0;
     auto         slipped   = slipping.begin();
+    const bool   may_turn  = turns_at_once && few_turn_round(problem, status, solution, residual);
     for (std::size_t k = 0; k < status.size(); ++k)
       {
         const unsigned int  i      = problem.bounded_entries[k];
@@ -234,7 +283,8 @@ namespace signorini
               forces = {stiffness[k] * beyond,
                         TangentVector::Zero(),
                         forces.slip}; // about what will hold it
-            if (!node.slides && sticks(node.law, forces, stiffness[k]))
+            const bool turns = may_turn && may_turn_round(node.law, forces, stiffness[k]);
+            if (!node.slides && sticks(node.law, forces, stiffness[k], !turns))
               status[k] = closed ? contact_status::stick : contact_status::hang;
           }
         n_changes += (status[k] != old);

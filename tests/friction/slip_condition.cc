@@ -87,6 +87,8 @@ TEST(SlipCondition, DecidesWhoSticks)
   EXPECT_FALSE(sticks(law, {2., {0.8, 0.9}, {0., 0.}}, 1.)) << "force beyond the bound";
   EXPECT_FALSE(sticks(law, {2., {0.6, 0.8}, {3., 4.}}, 1.)) << "slip along the force";
   EXPECT_TRUE(sticks(law, {2., {0.6, 0.8}, {-30., -40.}}, 1.)) << "slip against the force";
+  EXPECT_FALSE(sticks(law, {2., {0.6, 0.8}, {-30., -40.}}, 1., false)) << "it need not stop";
+  EXPECT_TRUE(sticks(law, {2., {0.6, 0.8}, {-0.6, -0.8}}, 1., false)) << "below the bound";
   EXPECT_FALSE(sticks(law, {0., {0., 0.}, {0., 0.}}, 1.)) << "no normal force, no friction";
 }
 

@@ -45,8 +45,19 @@ namespace signorini
     TangentVector coupling;
   };
 
-  /** Whether |y| <= b. @param stiffness c > 0, any; of the size of K */
-  bool sticks(const FrictionLaw &law, const NodeForces &node, double stiffness);
+  /**
+   * Whether |y| <= b, or whether the node slips against its force.
+   * @param stiffness   c > 0, any; of the size of K
+   * @param stops_first if false, only the first counts
+   */
+  bool
+  sticks(const FrictionLaw &law, const NodeForces &node, double stiffness, bool stops_first = true);
+
+  /**
+   * Whether a node slips so far against its force that the same force the other way would not bring
+   * it back, if it were alone: it may go on slipping, with its force turned round.
+   */
+  bool may_turn_round(const FrictionLaw &law, const NodeForces &node, double stiffness);
 
   /**
    * The condition of a slipping node. Where the node would rather stick, only the direction of y

@@ -19,7 +19,12 @@ namespace signorini
    * penalised or regularised. Without slip the linear systems are symmetric and solved by conjugate
    * gradients.
    *
-   * If statuses come back or the iterations are used up, a few problems of TrescaFixedPoint lead
+   * A node that slips against its force stops first, and slips the other way from the next step on;
+   * or its force is turned round at once, if not many are. The second is faster where single nodes
+   * go to and fro, and never comes to an end where a body does: at first it is tried, until
+   * statuses come back.
+   *
+   * If they come back again or the iterations are used up, a few problems of TrescaFixedPoint lead
    * closer to the solution, where the method begins anew; at last TrescaFixedPoint finishes the
    * work.
    */
@@ -58,6 +63,8 @@ namespace signorini
       no_linear_solution
     };
     Outcome outcome = Outcome::undecided; ///< of the latest iterate()
+    /** Whether forces turn round at once; until statuses come back. */
+    bool turns_at_once = true;
 
     /** Newton's method. @param continues see ConstrainedProblem */
     SolveReport iterate(const ConstrainedProblem &problem,
@@ -75,6 +82,17 @@ namespace signorini
                Vector                   &solution,
                Vector                   &residual,
                bool                      continues);
+    /** Of a node whose forces the linearised law gave in the last step. @param n in `slipping` */
+    NodeForces forces_by_law(const ConstrainedProblem &problem,
+                             const ActiveSet          &status,
+                             std::size_t               n,
+                             const Vector             &solution,
+                             const Vector             &residual) const;
+    /** Whether the nodes that may turn round bear little of all friction. Collective. */
+    bool few_turn_round(const ConstrainedProblem &problem,
+                        const ActiveSet          &status,
+                        const Vector             &solution,
+                        const Vector             &residual) const;
     /** The semismooth Newton update of the statuses. @return number of changes on all processes */
     unsigned int update(const ConstrainedProblem &problem,
                         ActiveSet                &status,
@@ -104,7 +122,7 @@ namespace signorini
     static bool may_be_for_want_of_accuracy(StatusRecord &record, Precision &precision);
     /** Statuses have changed: how accurate to be from now on. @return whether they go in a circle
      */
-    static bool is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision);
+    bool is_cycle(StatusRecord &record, const ActiveSet &status, Precision &precision);
     /**
      * Solve the linear system.
      * @param last_norm what was unbalanced at the start of the last one
