@@ -30,8 +30,9 @@ namespace signorini
 
   bool may_turn_round(const FrictionLaw &law, const NodeForces &node, const double stiffness)
   {
-    // The force changes by 2 b, and the slip by 2 b/c.
-    constexpr double far = 3.;
+    // The force changes by 2 b, the slip of a node by 2 b/c, and that of neighbours which do the
+    // same by more.
+    constexpr double far = 10.;
     return node.tangential.dot(node.slip) < 0.
            && stiffness * node.slip.norm() > far * law.bound(node.normal);
   }
