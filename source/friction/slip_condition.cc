@@ -14,17 +14,21 @@ namespace signorini
   bool sticks(const FrictionLaw &law,
               const NodeForces  &node,
               const double       stiffness,
-              const bool         stops_first)
+              const SlipHistory &history)
   {
     Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
     // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
     constexpr double round_off = 1e-13;
+    constexpr double left_open = 1e-9;
     const double     bound     = law.bound(node.normal);
+    const double     size      = (node.tangential + stiffness * node.slip).norm();
+    if (history.has_slipped && stiffness * node.slip.norm() <= left_open * bound)
+      return size < bound * (1. - left_open);
     // A node that slips against its force stops first, however far it went: turned round at once,
     // it may go to and fro for ever.
     return bound > 0.
-           && ((stops_first && node.tangential.dot(node.slip) < 0.)
-               || (node.tangential + stiffness * node.slip).norm() <= bound * (1. + round_off));
+           && ((history.stops_first && node.tangential.dot(node.slip) < 0.)
+               || size <= bound * (1. + (history.has_stuck ? left_open : round_off)));
   }
 
 

@@ -271,8 +271,11 @@ namespace signorini
         status[k] = closed ? contact_status::slip : contact_status::open;
         if (node.law.any() && !node.entries.empty())
           {
-            NodeForces forces = node_forces(node, i, closed && was, solution, residual);
-            if (slipped != slipping.end() && *slipped == k)
+            NodeForces  forces = node_forces(node, i, closed && was, solution, residual);
+            SlipHistory history;
+            history.has_stuck   = was == closed && contact_status::sticks(old);
+            history.has_slipped = slipped != slipping.end() && *slipped == k;
+            if (history.has_slipped)
               {
                 forces.tangential = slip.forces()[slipped++ - slipping.begin()];
                 if (was && !closed)
@@ -283,8 +286,8 @@ namespace signorini
               forces = {stiffness[k] * beyond,
                         TangentVector::Zero(),
                         forces.slip}; // about what will hold it
-            const bool turns = may_turn && may_turn_round(node.law, forces, stiffness[k]);
-            if (!node.slides && sticks(node.law, forces, stiffness[k], !turns))
+            history.stops_first = !(may_turn && may_turn_round(node.law, forces, stiffness[k]));
+            if (!node.slides && sticks(node.law, forces, stiffness[k], history))
               status[k] = closed ? contact_status::stick : contact_status::hang;
           }
         n_changes += (status[k] != old);

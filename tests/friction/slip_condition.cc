@@ -87,9 +87,30 @@ TEST(SlipCondition, DecidesWhoSticks)
   EXPECT_FALSE(sticks(law, {2., {0.8, 0.9}, {0., 0.}}, 1.)) << "force beyond the bound";
   EXPECT_FALSE(sticks(law, {2., {0.6, 0.8}, {3., 4.}}, 1.)) << "slip along the force";
   EXPECT_TRUE(sticks(law, {2., {0.6, 0.8}, {-30., -40.}}, 1.)) << "slip against the force";
-  EXPECT_FALSE(sticks(law, {2., {0.6, 0.8}, {-30., -40.}}, 1., false)) << "it need not stop";
-  EXPECT_TRUE(sticks(law, {2., {0.6, 0.8}, {-0.6, -0.8}}, 1., false)) << "below the bound";
+  SlipHistory turns;
+  turns.stops_first = false;
+  EXPECT_FALSE(sticks(law, {2., {0.6, 0.8}, {-30., -40.}}, 1., turns)) << "it need not stop";
+  EXPECT_TRUE(sticks(law, {2., {0.6, 0.8}, {-0.6, -0.8}}, 1., turns)) << "below the bound";
   EXPECT_FALSE(sticks(law, {0., {0., 0.}, {0., 0.}}, 1.)) << "no normal force, no friction";
+}
+
+// At the bound, but for what solvers leave open, a node remains what it was.
+TEST(SlipCondition, GoesOnAtTheBound)
+{
+  const FrictionLaw law{0.5};
+  const NodeForces above{2., {0.6, 0.8 + 1e-11}, {0., 0.}}, below{2., {0.6, 0.8 - 1e-11}, {0., 0.}},
+    back{2., {0.6, 0.8}, {0., -1e-11}}, far{2., {0.6, 0.8 + 1e-7}, {0., 0.}};
+  SlipHistory stuck, slipped;
+  stuck.has_stuck     = true;
+  slipped.has_slipped = true;
+  EXPECT_FALSE(sticks(law, above, 1.));
+  EXPECT_TRUE(sticks(law, above, 1., stuck));
+  EXPECT_FALSE(sticks(law, far, 1., stuck));
+  EXPECT_TRUE(sticks(law, below, 1.));
+  EXPECT_FALSE(sticks(law, below, 1., slipped));
+  EXPECT_TRUE(sticks(law, {2., {0.6, 0.7}, {0., 0.}}, 1., slipped));
+  EXPECT_TRUE(sticks(law, back, 1.));
+  EXPECT_FALSE(sticks(law, back, 1., slipped));
 }
 
 TEST(SlipCondition, ForceIsOnTheCone)

@@ -45,13 +45,24 @@ namespace signorini
     TangentVector coupling;
   };
 
+  /** What is already known of a node about which sticks() decides. */
+  struct SlipHistory
+  {
+    bool has_stuck   = false; ///< in the solution that is judged
+    bool has_slipped = false; ///< there, by the linearised law
+    bool stops_first = true;  ///< if it slips against its force
+  };
+
   /**
-   * Whether |y| <= b, or whether the node slips against its force.
-   * @param stiffness   c > 0, any; of the size of K
-   * @param stops_first if false, only the first counts
+   * Whether |y| <= b, or whether the node slips against its force. What has stuck or slipped goes
+   * on as long as this is right but for what solvers leave open: a body at rest, whose friction has
+   * carried it there, is at the bound all over, and round-off would choose.
+   * @param stiffness c > 0, any; of the size of K
    */
-  bool
-  sticks(const FrictionLaw &law, const NodeForces &node, double stiffness, bool stops_first = true);
+  bool sticks(const FrictionLaw &law,
+              const NodeForces  &node,
+              double             stiffness,
+              const SlipHistory &history = {});
 
   /**
    * Whether a node slips so far against its force that the same force the other way would not bring
