@@ -19,6 +19,7 @@ namespace signorini
     Assert(stiffness > 0., dealii::ExcMessage("The stiffness of a node is positive."));
     // Beyond the bound by round-off only, the transverse stiffness of slip would be infinite.
     constexpr double round_off = 1e-13;
+    // By solvers, of the force of a node, which is small beside those that their tolerance is of.
     constexpr double left_open = 1e-9;
     const double     bound     = law.bound(node.normal);
     const double     size      = (node.tangential + stiffness * node.slip).norm();

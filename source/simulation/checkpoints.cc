@@ -118,8 +118,7 @@ namespace signorini
       }
     catch (const StepAbandoned &)
       {
-        if (MovingContact *contact = meshed->system.capabilities().moving_contact)
-          contact->take_back(state);
+        meshed->take_contact_back(state);
         PackedState packed(state, meshed->surface);
         write_checkpoint(packed, stepping, observation);
         interruption.is_wanted(mesh.communicator()); // which signal

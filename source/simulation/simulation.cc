@@ -283,8 +283,7 @@ namespace signorini
     attempt([&] { complete_fields(observation, true); });
     if (has_state && fields)
       attempt([&] {
-        if (MovingContact *contact = meshed->system.capabilities().moving_contact)
-          contact->take_back(state);
+        meshed->take_contact_back(state);
         write_fields(observation);
         complete_fields(observation, true);
       });
@@ -318,8 +317,7 @@ namespace signorini
           return report;
         rejected = report.rejected_steps + 1;
         state    = start;
-        if (MovingContact *contact = meshed->system.capabilities().moving_contact)
-          contact->take_back(state);
+        meshed->take_contact_back(state);
         stepping.take_back();
         adapt_mesh(stepping, observation);
       }

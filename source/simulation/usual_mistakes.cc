@@ -84,22 +84,23 @@ namespace signorini
   std::vector<std::string> stiff_slaves(const Scene<dim> &scene, const double courant_number)
   {
     std::vector<std::string> result;
-    if (!scheme_info(scene.time.scheme).inertia || courant_number > long_step)
-      for (const PairDescription &pair : scene.pairs)
-        if (pair.of_two_bodies())
-          if (const double ratio =
-                youngs_modulus(scene, pair.slave) / youngs_modulus(scene, pair.master);
-              ratio > much_stiffer)
-            {
-              std::ostringstream text;
-              text << "the pair '" << pair.name << "' names the body first that is "
-                   << std::round(ratio)
-                   << " times as stiff. Each of its nodes has to fit the soft surface, which takes "
-                      "the solvers many times the iterations, and meshes for a target more cells. "
-                      "Write `Pairs = "
-                   << exchanged(pair.name) << "`.";
-              result.push_back(text.str());
-            }
+    if (scheme_info(scene.time.scheme).inertia && courant_number <= long_step)
+      return result;
+    for (const PairDescription &pair : scene.pairs)
+      {
+        const double ratio = pair.of_two_bodies() ? youngs_modulus(scene, pair.slave)
+                                                      / youngs_modulus(scene, pair.master)
+                                                  : 0.;
+        if (ratio <= much_stiffer)
+          continue;
+        std::ostringstream text;
+        text << "the pair '" << pair.name << "' names the body first that is " << std::round(ratio)
+             << " times as stiff. Each of its nodes has to fit the soft surface, which takes the "
+                "solvers many times the iterations, and meshes for a target more cells. Write "
+                "`Pairs = "
+             << exchanged(pair.name) << "`.";
+        result.push_back(text.str());
+      }
     return result;
   }
 

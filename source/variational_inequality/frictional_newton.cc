@@ -212,39 +212,28 @@ namespace signorini
   }
 
 
-  NodeForces FrictionalNewton::forces_by_law(const ConstrainedProblem &problem,
-                                             const ActiveSet          &status,
-                                             const std::size_t         n,
-                                             const Vector             &solution,
-                                             const Vector             &residual) const
-  {
-    const std::size_t k      = slipping[n];
-    NodeForces        forces = node_forces(problem.friction[k],
-                                    problem.bounded_entries[k],
-                                    contact_status::is_closed(status[k]),
-                                    solution,
-                                    residual);
-    forces.tangential        = slip.forces()[n];
-    return forces;
-  }
-
-
   bool FrictionalNewton::few_turn_round(const ConstrainedProblem &problem,
                                         const ActiveSet          &status,
                                         const Vector             &solution,
                                         const Vector             &residual) const
   {
     double turning = 0., all = 0.; // bounds of the forces
+    auto   slipped = slipping.begin();
     for (std::size_t k = 0; k < status.size(); ++k)
-      all += problem.friction[k].law.bound(contact_status::is_closed(status[k])
-                                             ? residual.local_element(problem.bounded_entries[k])
-                                             : 0.);
-    for (std::size_t n = 0; n < slipping.size(); ++n)
       {
-        const FrictionLaw &law    = problem.friction[slipping[n]].law;
-        const NodeForces   forces = forces_by_law(problem, status, n, solution, residual);
-        if (may_turn_round(law, forces, stiffness[slipping[n]]))
-          turning += law.bound(forces.normal);
+        const FrictionNode &node   = problem.friction[k];
+        NodeForces          forces = node_forces(node,
+                                        problem.bounded_entries[k],
+                                        contact_status::is_closed(status[k]),
+                                        solution,
+                                        residual);
+        const double        bound  = node.law.bound(forces.normal);
+        all += bound;
+        if (slipped == slipping.end() || *slipped != k)
+          continue;
+        forces.tangential = slip.forces()[slipped++ - slipping.begin()];
+        if (may_turn_round(node.law, forces, stiffness[k]))
+          turning += bound;
       }
     const double more = turning - most_that_turns * all;
     return dealii::Utilities::MPI::sum(more, solution.get_mpi_communicator()) <= 0.;

@@ -49,115 +49,55 @@ end
 
 
 #: Of rubber, on its edge: which nodes stick and which slip comes back again and again.
-RUBBER_ON_ITS_EDGE = """
-set Dimension = 3
-subsection Time
-  set Step size = 2e-4
-  set End time  = 6e-3
-end
-subsection Bodies
-  set Names = block
-  subsection block
-    set Shape            = box
-    set Lower corner     = -0.05, -0.05, 0
-    set Upper corner     = 0.05, 0.05, 0.06
-    set Repetitions      = 5, 5, 3
-    set Refinements      = 1
-    set Rotation         = 5, 3, 0
-    set Translation      = 0, 0, 0.01
-    set Young's modulus  = 5e6
-    set Poisson's ratio  = 0.49
-    set Density          = 1100
-    set Initial velocity = 0; 0; -2
-  end
-end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Shape = plane
-  end
-end
-subsection Contact
-  set Pairs = block : floor
-  subsection block : floor
-    set Friction coefficient = 0.5
-  end
-end
-"""
+RUBBER_ON_ITS_EDGE = check_history.box_on_floor(
+    0.5,
+    ("Step size = 2e-4", "End time = 6e-3"),
+    (
+        "Lower corner = -0.05, -0.05, 0",
+        "Upper corner = 0.05, 0.05, 0.06",
+        "Repetitions = 5, 5, 3",
+        "Refinements = 1",
+        "Rotation = 5, 3, 0",
+        "Translation = 0, 0, 0.01",
+        "Young's modulus = 5e6",
+        "Poisson's ratio = 0.49",
+        "Density = 1100",
+        "Initial velocity = 0; 0; -2",
+    ),
+)
 
 #: Of rubber, on a flat face, in a step so long that the face spreads as a whole: where it is hardly
 #: pressed, nodes would stick and slip by turns.
-RUBBER_ON_ITS_FACE = """
-set Dimension = 3
-subsection Time
-  set Step size = 0.05
-  set End time  = 0.1
-end
-subsection Bodies
-  set Names = box
-  subsection box
-    set Shape            = box
-    set Lower corner     = 0, 0, 0
-    set Upper corner     = 1, 1, 1
-    set Repetitions      = 4, 4, 4
-    set Refinements      = 2
-    set Young's modulus  = 1000
-    set Poisson's ratio  = 0.49
-    set Density          = 1
-    set Initial velocity = 0.5; 0; -1
-  end
-end
-subsection Obstacles
-  set Names = floor
-  subsection floor
-    set Shape  = plane
-    set Point  = 0, 0, -0.01
-    set Normal = 0, 0, 1
-  end
-end
-subsection Contact
-  set Pairs = box : floor
-  subsection box : floor
-    set Friction coefficient = 0.3
-  end
-end
-"""
+RUBBER_ON_ITS_FACE = check_history.box_on_floor(
+    0.3,
+    ("Step size = 0.05", "End time = 0.1"),
+    (
+        "Lower corner = 0, 0, 0.01",
+        "Upper corner = 1, 1, 1.01",
+        "Repetitions = 4, 4, 4",
+        "Refinements = 2",
+        "Young's modulus = 1000",
+        "Poisson's ratio = 0.49",
+        "Density = 1",
+        "Initial velocity = 0.5; 0; -1",
+    ),
+)
 
 #: Of rubber, at rest under its weight: where it has spread, friction is at its bound.
-MAT_AT_REST = """
-set Dimension = 3
-subsection Time
-  set Start     = equilibrium
-  set Step size = 5e-4
-  set End time  = 2.5e-3
-end
-subsection Bodies
-  set Names = mat
-  subsection mat
-    set Shape           = box
-    set Lower corner    = -0.1, -0.04, 0
-    set Upper corner    = 0.1, 0.04, 0.02
-    set Repetitions     = 10, 4, 1
-    set Refinements     = 1
-    set Young's modulus = 5e6
-    set Poisson's ratio = 0.49
-    set Density         = 1100
-    set Body force      = 0; 0; -9.81
-  end
-end
-subsection Obstacles
-  set Names = table
-  subsection table
-    set Normal = 0, 0, 1
-  end
-end
-subsection Contact
-  set Pairs = mat : table
-  subsection mat : table
-    set Friction coefficient = 0.2
-  end
-end
-"""
+MAT_AT_REST = check_history.box_on_floor(
+    0.2,
+    ("Start = equilibrium", "Step size = 5e-4", "End time = 2.5e-3"),
+    (
+        "Lower corner = -0.1, -0.04, 0",
+        "Upper corner = 0.1, 0.04, 0.02",
+        "Repetitions = 10, 4, 1",
+        "Refinements = 1",
+        "Young's modulus = 5e6",
+        "Poisson's ratio = 0.49",
+        "Density = 1100",
+        "Body force = 0; 0; -9.81",
+    ),
+)
 
 
 def block_in_bowl(step):

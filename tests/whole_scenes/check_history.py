@@ -62,6 +62,37 @@ end
 """
 
 
+def box_on_floor(coefficient, time, box):
+    """The text of a scene in 3d: a box with friction above a floor at height 0. time, box: lines
+    "Key = value" of their sections."""
+
+    def lines(values, blanks):
+        return "".join(f"{blanks}set {value}\n" for value in values)
+
+    return f"""set Dimension = 3
+subsection Time
+{lines(time, "  ")}end
+subsection Bodies
+  set Names = box
+  subsection box
+    set Shape = box
+{lines(box, "    ")}  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Normal = 0, 0, 1
+  end
+end
+subsection Contact
+  set Pairs = box : floor
+  subsection box : floor
+    set Friction coefficient = {coefficient}
+  end
+end
+"""
+
+
 def bar(name, *entries):
     """The section of a body in 2d that moves as a bar of length 10 with wave speed 30: without
     Poisson's ratio, one cell thick. Further entries: "key=value"."""

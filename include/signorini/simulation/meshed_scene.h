@@ -63,6 +63,13 @@ namespace signorini
     /** f at a time, null without loads. */
     const Vector *load(const double time) { return loads.any() ? &loads.at(time) : nullptr; }
 
+    /** Go back to an earlier state: contact that follows has its geometry again. */
+    void take_contact_back(const State &earlier)
+    {
+      if (MovingContact *contact = system.capabilities().moving_contact)
+        contact->take_back(earlier);
+    }
+
   private:
     /** Matrices, and the note about their mass; empty: they have not got it yet. */
     using Matrices = std::pair<std::shared_ptr<Discretization<dim>>, std::optional<std::string>>;

@@ -82,12 +82,6 @@ namespace signorini
                Vector                   &solution,
                Vector                   &residual,
                bool                      continues);
-    /** Of a node whose forces the linearised law gave in the last step. @param n in `slipping` */
-    NodeForces forces_by_law(const ConstrainedProblem &problem,
-                             const ActiveSet          &status,
-                             std::size_t               n,
-                             const Vector             &solution,
-                             const Vector             &residual) const;
     /** Whether the nodes that may turn round bear little of all friction. Collective. */
     bool few_turn_round(const ConstrainedProblem &problem,
                         const ActiveSet          &status,
