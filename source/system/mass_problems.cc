@@ -84,18 +84,25 @@ namespace signorini
 
 
   template <int dim>
-  void MassProblems<dim>::surround(const Corrections &corrections, const double accepted)
+  double MassProblems<dim>::size_of(const Corrections &corrections) const
   {
     const ElasticMatrices<dim> &matrices = discretization.matrices();
-    std::vector<unsigned int>   nodes;
-    double                      square = 0.;
+    double                      square   = 0.;
     for (const auto &[entry, value] : corrections)
-      {
-        nodes.push_back(entry / dim);
-        square += matrices.mass[matrices.pattern.row_start[entry / dim]] * value * value;
-      }
-    square = dealii::Utilities::MPI::sum(square, discretization.communicator());
-    near_contact.surround(nodes, square > 0. ? accepted / std::sqrt(square) : 1.);
+      square += matrices.mass[matrices.pattern.row_start[entry / dim]] * value * value;
+    return std::sqrt(dealii::Utilities::MPI::sum(square, discretization.communicator()));
+  }
+
+
+  template <int dim>
+  void MassProblems<dim>::surround(const Corrections &corrections,
+                                   const double       size,
+                                   const double       accepted)
+  {
+    std::vector<unsigned int> nodes;
+    for (const auto &correction : corrections)
+      nodes.push_back(correction.first / dim);
+    near_contact.surround(nodes, size > 0. ? accepted / size : 1.);
   }
 
 
@@ -142,12 +149,15 @@ namespace signorini
                                                  Vector                  &mass_correction)
   {
     prepare();
-    const double accepted = tolerance * problem.step_size * std::sqrt(problem.energy_scale / 2.);
-    Corrections  corrections;
+    Corrections corrections;
     for (unsigned int k = 0; k < left.size(); ++k)
       if (left[k] < 0. || projected[k])
         corrections.emplace_back(coordinates.normal_entries()[k], std::min(left[k], 0.));
-    surround(corrections, accepted);
+    // An obstacle that moves may be all that does.
+    const double size      = size_of(corrections);
+    const double of_motion = problem.step_size * std::sqrt(problem.energy_scale / 2.);
+    const double accepted  = tolerance * std::max(of_motion, size);
+    surround(corrections, size, accepted);
     const bool is_new = near_contact.number() != last_neighbourhood;
     correction        = last_correction;
     coordinates.displacement_to_contact(correction);
@@ -241,7 +251,7 @@ namespace signorini
 
     ActiveSet    none;
     const double accepted = tolerance * std::sqrt(energy_scale / 2.);
-    surround(corrections, accepted);
+    surround(corrections, size_of(corrections), accepted);
     report =
       solve_near_contact({{}, {}, fixed, values, accepted}, none, correction, mass_correction);
     report.n_active = n_active;

@@ -49,6 +49,9 @@ namespace signorini
      */
     constexpr double turning = 1e-3;
 
+    /** Of the energy norm of nodes pushed in one by one: less than if a compact body is pressed. */
+    constexpr double pushed_freely = 1e-3;
+
     /** Forces on rigid motions, relative to all that acts on them, that are none. */
     constexpr double balanced = 1e-8;
 
@@ -338,9 +341,22 @@ namespace signorini
   {
     Vector force = problem.force;
     coordinates.force_to_contact(force);
-    const double response = response_size(
-      stiffness, *preconditioner, force, coordinates.dirichlet_entries(), problem.prescribed);
-    return std::max(response, std::sqrt(2. * problem.energy));
+    std::vector<unsigned int> entries = coordinates.dirichlet_entries();
+    std::vector<double>       values  = problem.prescribed;
+    const double to_loads = response_size(stiffness, *preconditioner, force, entries, values);
+
+    // Obstacles may be all that presses: nodes that touch stay where they are put.
+    for (std::size_t k = 0; k < problem.bounds.size(); ++k)
+      if (problem.bounds[k] <= tolerance_of_bounds())
+        {
+          entries.push_back(coordinates.normal_entries()[k]);
+          values.push_back(std::min(problem.bounds[k], 0.));
+        }
+    force                    = 0.;
+    const double to_contact  = response_size(stiffness, *preconditioner, force, entries, values);
+    const double of_surfaces = rough_response_size(stiffness, force, entries, values);
+    return std::max(
+      {to_loads, to_contact, pushed_freely * of_surfaces, std::sqrt(2. * problem.energy)});
   }
 
 

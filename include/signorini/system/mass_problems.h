@@ -79,8 +79,10 @@ namespace signorini
 
     /** Entries of contact nodes in contact coordinates, and about what a correction is there. */
     using Corrections = std::vector<std::pair<unsigned int, double>>;
-    /** Where they are solved for. */
-    void surround(const Corrections &corrections, double accepted);
+    /** Norm in the mass matrix, about. Collective. */
+    double size_of(const Corrections &corrections) const;
+    /** Where they are solved for. @param size see size_of() */
+    void surround(const Corrections &corrections, double size, double accepted);
 
     /** A ConstrainedProblem with the mass, without forces, near contact. */
     struct NearContact
