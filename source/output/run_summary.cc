@@ -248,6 +248,9 @@ namespace signorini
     std::ostringstream text;
     text << std::setprecision(2) << "  error by steps    " << about_per_cent(error)
          << " of the contact force (estimated; L2 in time)\n";
+    if (error_of_steps.comes_from_earlier_contacts())
+      text << "                    most of it because earlier contacts have errors, and later ones "
+              "do not come in time\n";
     if (subject.target > 0. && error > missed * subject.target)
       text << "                    the target was " << 100. * subject.target
            << " %: give a `Time/Step size` of about " << std::setprecision(1)

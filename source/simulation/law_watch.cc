@@ -118,6 +118,8 @@ namespace signorini
         // has the energy E moves a body of mass m with the momentum sqrt(2 E m) at most.
         if (has_inertia)
           scale = std::max(scale, std::sqrt(2. * energy_scale * masses[b]) / report.step_size);
+        else // forces that squeeze a body may add up to nothing
+          scale = std::max(scale, largest_force);
         // Where a trial has strained what then stays at rest, round-off of that is left.
         scale = std::max(scale,
                          least_strain * masses[b] * std::pow(mesh.lowest_frequency(), 2)

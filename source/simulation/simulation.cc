@@ -134,8 +134,7 @@ namespace signorini
   {
     const double before_end =
       force_before_end(scheme_info(scene.time.scheme), scene.time.parameters);
-    return make_time_stepping(scene.time,
-                              scene.step_sizes,
+    return make_time_stepping(scene,
                               *scheme,
                               [this] { return 1. / mesh.courant_number(1.); },
                               {before_end, [this] { return force_delay(); }});

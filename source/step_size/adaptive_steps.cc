@@ -125,7 +125,7 @@ namespace signorini
       --now.level;
     if (now.rest > 0 || !trial.is_known)
       return;
-    if (rules.flight_is_free && trial.is_flight)
+    if (trial.is_free)
       {
         now.level = highest;
         return;

@@ -16,6 +16,7 @@ namespace signorini
     StepTrial    trial = motion.attempt(system, start, span, tolerance);
     const State &end   = trial.steps.back().state;
     trial.is_flight    = !any_contact(trial.end_statuses, end.displacement);
+    trial.is_free      = trial.is_flight;
     trial.exponent     = 0.5;
     if (trial.is_flight)
       trial.error = 0.;

@@ -29,6 +29,16 @@ namespace signorini
      */
     constexpr double of_single_steps = 2.;
 
+    /**
+     * Of the embedded estimate, what vibrations lose of their phase in a radian, as part of their
+     * amplitude: with the angle w = omega tau of a step the estimate is w^2, and the trapezoidal
+     * rule is late by w^3/12.
+     */
+    constexpr double of_radian = 1. / 12.;
+    /** What of this is left for the next step: vibrations change their velocity little where they
+     * turn. */
+    constexpr double lasting = 0.9;
+
     /** As in the column contact_force of history.csv, of all processes. */
     double contact_force(const DynamicalSystem &system, const State &state)
     {
@@ -54,25 +64,33 @@ namespace signorini
     const double larger = std::max(before, force_at_end);
     if (larger == 0.)
       {
-        trial.error       = 0.;
         tried             = with(start, end, before, 0.);
         tried.mean_square = 0.;
+        tried.waves       = std::max(trial.error / (span * span), lasting * course.waves);
+        trial.is_free     = trial.is_flight && (!comes_back || tried.waves == 0.);
+        trial.error =
+          comes_back ? of_waves(of_radian * tried.waves * span * span, span, tolerance) : 0.;
         return trial;
       }
+    const double waves  = of_waves(std::pow(trial.error, 2), span, tolerance);
     const double unit   = span * span / largest.expected(start, end, larger);
     tried               = with(start, end, before, of_single_steps * tolerance / unit);
+    tried.waves         = 0.;
     const bool   is_new = tried.present.size == 0.; // a stretch is complete
     const double usual  = std::sqrt(tried.mean_square) * unit;
     const double latest = is_new ? tried.roughness * unit : 0.;
-    double       waves  = std::pow(trial.error, 2);
-    if (span < nearly * first)
-      waves = 0.;
-    else if (span < nearly * 2. * first)
-      waves = std::min(waves, hinders * tolerance);
-    trial.is_known = is_new;
-    trial.error    = std::max({usual, waves, latest > of_single_steps * tolerance ? latest : 0.});
+    trial.is_known      = is_new;
+    trial.error = std::max({usual, waves, latest > of_single_steps * tolerance ? latest : 0.});
     trial.error /= of_single_steps;
     return trial;
+  }
+
+
+  double GoalEstimate::of_waves(const double error, const double span, const double tolerance) const
+  {
+    if (span < nearly * first)
+      return 0.;
+    return span < nearly * 2. * first ? std::min(error, hinders * tolerance) : error;
   }
 
 
@@ -149,7 +167,7 @@ namespace signorini
     rules.trusts_power       = false;
     rules.enough_for_impacts = 0.;
     rules.key_of_tolerance   = "Adaptivity/Target error";
-    rules.content_in_flight  = 1.;
+    rules.content_in_flight  = 0.25;
     rules.wave_part          = 2.; // shorter ones make contact ring with the smallest cells
     rules.rest               = 0;
     rules.smallest_part      = 1. / 8.;

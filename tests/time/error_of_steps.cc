@@ -3,7 +3,8 @@
 
 // The estimate of what steps leave open of a contact force has the values that its definition gives
 // for simple courses: the square of the step for a smooth force, the delay for a straight one,
-// whatever the sizes of the steps; and nothing for a constant one.
+// whatever the sizes of the steps; and nothing for a constant one. What a contact leaves of its
+// error grows in flight, and makes the next contact come at a wrong time.
 
 #include <signorini/time/error_of_steps.h>
 
@@ -32,6 +33,17 @@ namespace
         time += size;
       }
     return result.relative_error();
+  }
+
+  /** Contacts of the length 1 with flights of one length in between, half sines; the first one is
+   *  as strong as the parameter says. */
+  Force bounces(const unsigned int n, const double flight, const double first = 1.)
+  {
+    return [=](const double t) {
+      const double begin = std::floor(t / (1. + flight)) * (1. + flight);
+      const double sine  = std::sin(std::acos(-1.) * (t - begin));
+      return t < n * (1. + flight) && t < begin + 1. ? (t < 1. ? first : 1.) * sine : 0.;
+    };
   }
 
   std::vector<double> equal(const unsigned int n, const double end)
@@ -85,4 +97,29 @@ TEST(ErrorOfSteps, UnitsDoNotMatter)
     return [unit](const double t) { return unit * t * t * (2. - t); };
   };
   EXPECT_DOUBLE_EQ(error(hump(1.), equal(20, 2.)), error(hump(1024.), equal(20, 2.)));
+}
+
+TEST(ErrorOfSteps, GrowsInFlight)
+{
+  const double tau = 0.01;
+  const auto   of  = [&](const unsigned int n, const double flight, const double first = 1.) {
+    const double end = n * (1. + flight);
+    return error(bounces(n, flight, first), equal(std::lround(end / tau), end), 0.5);
+  };
+  // The delay of half a step is an error of tau/2 * pi of the force, and 0.15 of it one of the
+  // speed. In a flight of the length 10 the next contact becomes late by that, times pi of the
+  // force.
+  const double pi = std::acos(-1.), own = 0.5 * tau * pi, late = 0.15 * own * 10. * pi;
+  EXPECT_NEAR(of(1, 10.), own, 0.05 * own);
+  EXPECT_NEAR(of(2, 10.), std::sqrt(own * own + late * late / 2.), 0.1 * late);
+  EXPECT_NEAR(of(2, 1.), own, 0.2 * own) << "a short flight";
+  EXPECT_GT(of(4, 10.), 2. * of(2, 10.)) << "errors of speeds and of times add up";
+  EXPECT_LT(of(2, 1e4), 1.2) << "no more than all of the force";
+}
+
+TEST(ErrorOfSteps, ATouchLeavesLittle)
+{
+  // A hundredth of the impulse, long before the only blow.
+  const double blow = error(bounces(1, 10.), equal(1100, 11.), 0.5);
+  EXPECT_NEAR(error(bounces(2, 10., 0.01), equal(2200, 22.), 0.5) / blow, 1., 0.05);
 }

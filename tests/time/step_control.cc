@@ -30,14 +30,19 @@ namespace
     std::string              summary;
   };
 
+  std::unique_ptr<GoalEstimate> make_goal(TimeScheme &scheme, const bool comes_back)
+  {
+    return std::make_unique<GoalEstimate>(
+      scheme, first_size, ForceInStep{0.5, [] { return 0.; }}, comes_back);
+  }
+
   template <typename Estimate>
   std::unique_ptr<StepEstimate> make_estimate(TimeScheme &scheme)
   {
     if constexpr (std::is_same_v<Estimate, ForceEstimate>)
       return std::make_unique<ForceEstimate>(scheme, first_size);
     else if constexpr (std::is_same_v<Estimate, GoalEstimate>)
-      return std::make_unique<GoalEstimate>(
-        scheme, first_size, ForceInStep{0.5, [] { return 0.; }});
+      return make_goal(scheme, false);
     else
       return std::make_unique<Estimate>(scheme);
   }
@@ -305,6 +310,30 @@ TYPED_TEST(ForceControl, UnitsOfForceDoNotMatter)
       sizes.push_back(run<TypeParam>(bar, flying(bar, 1.), tolerated<TypeParam>, 3.).sizes);
     }
   EXPECT_EQ(sizes[0], sizes[1]);
+}
+
+TEST(StepEstimates, ForceThatMayComeBackFindsVibrationsInPhase)
+{
+  // A mass on a spring, far from any wall. Steps of the angle w estimate w^2 in units of the
+  // amplitude, and are late by w^3/12: a twelfth of their estimate in each radian.
+  const double tolerance = 1e-3;
+  const auto   sizes     = [&](const bool comes_back) {
+    BouncingMass system;
+    system.spring              = 1.;
+    const auto          scheme = make_time_scheme("contact-stabilized");
+    AdaptiveSteps       steps(make_goal(*scheme, comes_back),
+                        {tolerance, first_size, minimum, maximum, 20.});
+    std::vector<double> result;
+    for (State state = make_state(system, 1., 0.); !steps.finished(state);)
+      result.push_back(steps.advance(system, state).step_size);
+    return result;
+  };
+  const std::vector<double> free = sizes(false), followed = sizes(true);
+  EXPECT_GT(*std::max_element(free.begin(), free.end()), maximum / 2.);
+  const double largest = *std::max_element(followed.begin(), followed.end());
+  EXPECT_LE(largest * largest / 12., 3. * tolerance) << "the latest are remembered where it turns";
+  EXPECT_GE(largest * largest / 12., tolerance / 8.);
+  EXPECT_LE(followed.size(), 16u + 20. / (largest / 2.)) << "few steps are shorter";
 }
 
 TEST(StepEstimates, Orders)

@@ -4,8 +4,7 @@
 #ifndef signorini_simulation_make_time_stepping_h
 #define signorini_simulation_make_time_stepping_h
 
-#include <signorini/scene/step_size_parameters.h>
-#include <signorini/scene/time_parameters.h>
+#include <signorini/scene/scene.h>
 #include <signorini/step_size/goal_estimate.h>
 #include <signorini/step_size/time_stepping.h>
 
@@ -20,9 +19,9 @@ namespace signorini
    *                           gain nothing
    * @param force_in_step      of the scheme
    */
+  template <int dim>
   std::unique_ptr<TimeStepping>
-  make_time_stepping(const TimeParameters          &time,
-                     const StepSizeParameters      &sizes,
+  make_time_stepping(const Scene<dim>              &scene,
                      TimeScheme                    &scheme,
                      const std::function<double()> &shortest_wave_time,
                      const ForceInStep             &force_in_step);

@@ -31,16 +31,24 @@ namespace signorini
    * - A constant force may hide waves that carry the next one. So the square of the embedded
    *   estimate of the motion counts as well (errors of forces are of the size of squared errors in
    *   the energy norm), but for no shorter steps than the first one.
-   * - Flight has no error: what vibrates there is the business of its next contact.
+   * - In flight there is no force. If contact may come back, vibrations have to arrive in phase:
+   *   each radian may lose the tolerance, as part of the motion.
    */
   class GoalEstimate : public StepEstimate
   {
   public:
-    /** @param first size of the first step */
-    GoalEstimate(TimeScheme &scheme, const double first, ForceInStep force_in_step)
+    /**
+     * @param first      size of the first step
+     * @param comes_back whether a flight may end in another contact
+     */
+    GoalEstimate(TimeScheme  &scheme,
+                 const double first,
+                 ForceInStep  force_in_step,
+                 const bool   comes_back)
       : motion(scheme)
       , first(first)
       , force_in_step(std::move(force_in_step))
+      , comes_back(comes_back)
     {
     }
 
@@ -55,6 +63,7 @@ namespace signorini
     EmbeddedEstimate  motion;
     const double      first;
     const ForceInStep force_in_step;
+    const bool        comes_back;
     LargestForce      largest;
 
     /** The force so far, in stretches that are as long as the first step, or longer. */
@@ -64,6 +73,7 @@ namespace signorini
       ForceOfStep present;      ///< so far: its instant times its size, its force times its size
       double      roughness   = 0.; ///< error over tau^2, of the last but one stretch
       double      mean_square = 0.; ///< of it, what is past fades away
+      double      waves       = 0.; ///< in flight: embedded estimate over tau^2
 
       void begin(double time, double size, double force);
       void add(const ForceOfStep &stretch);
@@ -72,6 +82,9 @@ namespace signorini
     Course tried;                 ///< with the latest attempt
 
     double force_at_end = 0.; ///< of the latest attempt
+
+    /** What waves count that the force does not show. @param error theirs, in this step */
+    double of_waves(double error, double span, double tolerance) const;
 
     /** The course with the latest attempt. @param most roughness that counts in the mean */
     Course with(const State &start, const State &end, double force_before, double most) const;

@@ -36,6 +36,7 @@ namespace signorini
     double       exponent  = 1.;
     bool         is_known  = true;  ///< false: nothing to compare with, no error is known
     bool         is_flight = false; ///< no contact at start and end
+    bool         is_free   = false; ///< a flight whose steps may have any length
     unsigned int n_solved  = 0;     ///< steps that were computed, those thrown away included
   };
 

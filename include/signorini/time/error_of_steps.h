@@ -40,7 +40,8 @@ namespace signorini
 
   /**
    * The estimated error of the contact force by the steps of a run, relative to the force, both in
-   * @f$L^2@f$ of time.
+   * @f$L^2@f$ of time: the error of each step, and that of contacts which come too early or too
+   * late because of earlier ones. Each contact leaves an error of the speed, which grows in flight.
    */
   class ErrorOfSteps
   {
@@ -55,11 +56,39 @@ namespace signorini
 
     double relative_error() const;
 
-    void archive(Archive &archive) { archive(last, before, squared_error, squared_force); }
+    /** Whether most of the error is that of contacts which are too early or too late. */
+    bool comes_from_earlier_contacts() const
+    {
+      return squared_error_of_time + error_of_time() > squared_error;
+    }
+
+    void archive(Archive &archive)
+    {
+      archive(last, before, squared_error, squared_force, squared_error_of_time, contact);
+      archive(largest_impulse, error_of_impulses, late);
+    }
 
   private:
     ForceOfStep last, before;
     double      squared_error = 0., squared_force = 0.; ///< times lengths of steps
+    double      squared_error_of_time = 0.; ///< by contacts in the past that did not come in time
+
+    /** A contact, sums as above. */
+    struct Contact
+    {
+      double duration = 0., impulse = 0.;
+      double squared_error = 0., squared_force = 0., squared_slope = 0.;
+
+      void add(const ForceOfStep &step, double error, const ForceDifferences &force);
+    };
+    Contact contact;                ///< the present one
+    double  largest_impulse   = 0.; ///< of a contact
+    double  error_of_impulses = 0.; ///< by all contacts so far
+    double  late              = 0.; ///< over the largest impulse: by how much the next one is late
+
+    void end_contact();
+    /** Square of the error of the present contact, by its being late, or early. */
+    double error_of_time() const;
   };
 } // namespace signorini
 
