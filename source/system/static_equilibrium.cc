@@ -22,9 +22,6 @@ namespace signorini
   {
     constexpr unsigned int maximum_steps = 60;
 
-    /** Solutions after which a body is taken to slide without end whatever its slip does. */
-    constexpr unsigned int patience = 40;
-
     /**
      * Of springs where contact holds: weaker than the bending of a body a thousand times as long as
      * thick. Friction needs springs that are not weak, or its solver looks for the point where a
@@ -43,17 +40,11 @@ namespace signorini
     /** Tolerances that the last solution, accepted by its solver, may leave for the next one. */
     constexpr double of_last_solution = 10.;
 
-    /**
-     * Of the stiffness of a node: what resists the turning of its slip, bound over slip, is nothing
-     * below. Bodies that slide without end come here.
-     */
-    constexpr double turning = 1e-3;
-
     /** Of the energy norm of nodes pushed in one by one: less than if a compact body is pressed. */
     constexpr double pushed_freely = 1e-3;
 
-    /** Forces on rigid motions, relative to all that acts on them, that are none. */
-    constexpr double balanced = 1e-8;
+    /** The same, of a body that creeps along without end: friction does not see so little. */
+    constexpr double hardly_unbalanced = 1e-6;
 
     /** Mass that makes the matrix of the preconditioner definite, for bodies with free motions. */
     template <int dim>
@@ -129,44 +120,50 @@ namespace signorini
 
 
   template <int dim>
-  StaticSolution StaticEquilibrium<dim>::solve(const StaticProblem &problem, ActiveSet status)
+  StaticSolution
+  StaticEquilibrium<dim>::solve(const StaticProblem &problem, ActiveSet status, const Vector *start)
   {
     StaticSolution solution;
     solution.increment = solution.residual = discretization.make_vector();
-    solution.status                        = std::move(status);
-    solution.acceleration                  = Eigen::VectorXd::Zero(rigid.size());
+    if (start != nullptr)
+      solution.increment = *start;
+    solution.status       = std::move(status);
+    solution.acceleration = Eigen::VectorXd::Zero(rigid.size());
 
     const double     response  = response_to(problem);
     const double     accepted  = of_forces * parameters.tolerance * response;
     double           moved     = loose.cols() > 0 ? response : 0.; // anchors, in the norm of K
     double           tolerance = std::max(accepted, rough * std::min(moved, response));
-    Eigen::VectorXd  last      = solution.acceleration; // rigid part of d, where it is anchored
-    Eigen::MatrixXd  S         = springs(problem.near_contact_only ? loose : loose.leftCols(0));
+    Eigen::VectorXd  last = matrix.amplitudes(solution.increment); // rigid part of d, its anchor
+    Eigen::MatrixXd  S    = springs(problem.near_contact_only ? loose : loose.leftCols(0));
     AitkenRelaxation relaxation;
     Eigen::Index     n_free = loose.cols();
     while (solution.n_steps++ < maximum_steps)
       {
         solve_anchored(problem, S, last, tolerance, solution);
-        const Eigen::VectorXd now   = matrix.amplitudes(solution.increment);
-        const Eigen::VectorXd step  = now - last;
-        const Eigen::VectorXd borne = S * step;
-        const Eigen::MatrixXd free = free_motions(problem, solution, solution.acceleration + borne);
+        const Eigen::VectorXd now    = matrix.amplitudes(solution.increment);
+        const Eigen::VectorXd step   = now - last;
+        const Eigen::VectorXd borne  = S * step;
+        const Eigen::VectorXd drive  = solution.acceleration + borne;
+        const bool            creeps = solution.n_steps == patience_with_slip
+                            && unbalanced_part(problem, solution, drive) <= hardly_unbalanced;
+        const Eigen::MatrixXd free    = free_motions(problem, solution, drive);
         const auto            project = [&](const Eigen::VectorXd &motion) {
           return Eigen::VectorXd(free * (free.transpose() * motion));
         };
         moved                 = std::sqrt(borne.dot(step));
-        solution.acceleration = project(solution.acceleration + borne);
-        if (moved <= accepted && tolerance == accepted)
+        solution.acceleration = project(drive);
+        if (creeps || (moved <= accepted && tolerance == accepted))
           {
             take_out_motion(rigid,
-                            free,
+                            motions_without_slip(problem, solution),
                             now,
                             coordinates,
                             solution.status,
                             problem.bounds,
                             tolerance_of_bounds(),
                             solution.increment);
-            solution.is_held = !is_driven(problem, solution, accepted);
+            solution.is_held = creeps || !is_driven(problem, solution, accepted);
             return solution;
           }
         // What is free goes on in its direction, as slip does, but no further than with springs
@@ -202,12 +199,25 @@ namespace signorini
     try
       {
         problem.near_contact_only = false;
-        return solve(problem, status);
+        return with_friction ? land(problem, status) : solve(problem, status);
       }
     catch (const StepError &)
       {
         return near; // what is not held has fallen without end
       }
+  }
+
+
+  template <int dim>
+  StaticSolution StaticEquilibrium<dim>::land(const StaticProblem &problem, const ActiveSet &status)
+  {
+    const Friction         none;
+    StaticEquilibrium<dim> smooth(discretization, coordinates, parameters, false);
+    const StaticSolution   landed = smooth.solve(
+      {problem.force, problem.bounds, problem.prescribed, none, problem.energy}, status);
+    StaticSolution found = solve(problem, landed.status, &landed.increment);
+    found.effort.add(landed.effort);
+    return found;
   }
 
 
@@ -287,56 +297,6 @@ namespace signorini
 
 
   template <int dim>
-  Eigen::MatrixXd StaticEquilibrium<dim>::free_motions(const StaticProblem   &problem,
-                                                       const StaticSolution  &solution,
-                                                       const Eigen::VectorXd &drive) const
-  {
-    const std::vector<unsigned int> held = coordinates.held_entries(solution.status);
-    if (!with_friction || solution.n_steps > patience)
-      return rigid.free_amplitudes(held);
-
-    std::vector<HeldDirection> directions; // slip of nodes, along and across
-    const auto                 for_each_slip = [&](const auto &action) {
-      for (std::size_t k = 0; k < problem.friction.size(); ++k)
-        {
-          const FrictionNode &node = problem.friction[k];
-          if (solution.status[k] != contact_status::slip || node.entries.empty())
-            continue;
-          const NodeForces forces = node_forces(
-            node, coordinates.normal_entries()[k], true, solution.increment, solution.residual);
-          const double slip = forces.slip.norm(), bound = node.law.bound(forces.normal);
-          if (slip > 0. && bound > turning * diagonal.local_element(node.entries[0]) * slip)
-            action(node.entries, TangentVector(forces.slip / slip));
-        }
-    };
-    for_each_slip([&](const std::vector<unsigned int> &entries, const TangentVector &along) {
-      if (entries.size() > 1)
-        directions.push_back({{{entries[0], entries[1]}}, {{-along[1], along[0]}}});
-    });
-    const Eigen::MatrixXd free = rigid.free_amplitudes(held, directions);
-    Vector                motion(discretization.make_vector());
-    rigid.add_in_contact(free * (free.transpose() * drive), motion);
-    for_each_slip([&](const std::vector<unsigned int> &entries, const TangentVector &along) {
-      double forwards = 0.;
-      for (unsigned int j = 0; j < entries.size(); ++j)
-        forwards += along[j] * motion.local_element(entries[j]);
-      if (forwards < 0.)
-        directions.push_back(
-          {{{entries.front(), entries.back()}}, {{along[0], entries.size() > 1 ? along[1] : 0.}}});
-    });
-    return rigid.free_amplitudes(held, directions);
-  }
-
-
-  template <int dim>
-  Eigen::MatrixXd StaticEquilibrium<dim>::springs(const Eigen::MatrixXd &free) const
-  {
-    return stiffness_of_springs
-           * (weakness * loose * loose.transpose() + (1. - weakness) * free * free.transpose());
-  }
-
-
-  template <int dim>
   double StaticEquilibrium<dim>::response_to(const StaticProblem &problem)
   {
     Vector force = problem.force;
@@ -357,37 +317,6 @@ namespace signorini
     const double of_surfaces = rough_response_size(stiffness, force, entries, values);
     return std::max(
       {to_loads, to_contact, pushed_freely * of_surfaces, std::sqrt(2. * problem.energy)});
-  }
-
-
-  template <int dim>
-  bool StaticEquilibrium<dim>::is_driven(const StaticProblem  &problem,
-                                         const StaticSolution &solution,
-                                         const double          error) const
-  {
-    if (solution.acceleration.norm() <= 10. * error * std::sqrt(stiffness_of_springs))
-      return false;
-    Vector force = problem.force;
-    coordinates.force_to_contact(force);
-    for (unsigned int i = 0; i < force.locally_owned_size(); ++i)
-      force.local_element(i) =
-        std::abs(force.local_element(i)) + std::abs(solution.residual.local_element(i));
-    const Eigen::VectorXd  all = rigid.sizes_of_products(force);
-    constexpr Eigen::Index n   = RigidModes<dim>::n_motions;
-    for (Eigen::Index first = 0; first < all.size(); first += n) // body by body
-      if (solution.acceleration.segment(first, n).norm() > balanced * all.segment(first, n).norm())
-        return true;
-    return false;
-  }
-
-
-  template <int dim>
-  std::string StaticEquilibrium<dim>::unheld_motion(const StaticSolution &solution) const
-  {
-    std::vector<std::string> names;
-    for (const auto &body : discretization.mesh().bodies())
-      names.push_back(body.name);
-    return motion_in_words(names, rigid, solution.acceleration);
   }
 
 

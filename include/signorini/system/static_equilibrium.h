@@ -73,10 +73,13 @@ namespace signorini
                       bool                           with_friction);
 
     /**
-     * Collective. @param status a guess
+     * Collective.
+     * @param status a guess
+     * @param start  an increment to begin with; null: none
      * @throws StepError if no equilibrium is found
      */
-    StaticSolution solve(const StaticProblem &problem, ActiveSet status);
+    StaticSolution
+    solve(const StaticProblem &problem, ActiveSet status, const Vector *start = nullptr);
 
     /**
      * The same near contact and, if nothing holds what is loaded there, farther away. Collective.
@@ -90,6 +93,9 @@ namespace signorini
     std::string unheld_motion(const StaticSolution &solution) const;
 
   private:
+    /** Solutions after which a body is taken to slide without end whatever its slip does. */
+    static constexpr unsigned int patience_with_slip = 40;
+
     const Discretization<dim>            &discretization;
     const ContactCoordinates<dim>        &coordinates;
     const SolverParameters                parameters;
@@ -113,6 +119,9 @@ namespace signorini
     Eigen::MatrixXd free_motions(const StaticProblem   &problem,
                                  const StaticSolution  &solution,
                                  const Eigen::VectorXd &drive) const;
+    /** Those that leave all slip with friction as it is. */
+    Eigen::MatrixXd motions_without_slip(const StaticProblem  &problem,
+                                         const StaticSolution &solution) const;
     /** Of the springs: weak where contact holds. @param free motions that nothing holds */
     Eigen::MatrixXd springs(const Eigen::MatrixXd &free) const;
     double          tolerance_of_bounds() const;
@@ -121,6 +130,11 @@ namespace signorini
      * with pains: all nodes that have slipped are at the edge between sticking and slipping.
      */
     std::optional<StaticSolution> try_rest(const StaticProblem &problem);
+    /**
+     * With friction, for bodies that have far to fall: as if there were none first, since the
+     * springs that friction needs hold them back.
+     */
+    StaticSolution land(const StaticProblem &problem, const ActiveSet &status);
     /** Go on from a solution. @param S springs, @param anchor amplitudes where they are at rest */
     void solve_anchored(const StaticProblem   &problem,
                         const Eigen::MatrixXd &S,
@@ -129,6 +143,10 @@ namespace signorini
                         StaticSolution        &solution);
     /** Norm of the solution, about, in that of K; or that of the deformations so far. */
     double response_to(const StaticProblem &problem);
+    /** The largest part that forces on the motions of a body are of all that acts on it. */
+    double unbalanced_part(const StaticProblem   &problem,
+                           const StaticSolution  &solution,
+                           const Eigen::VectorXd &forces) const;
     /** Whether accelerations are more than round-off and the error of the solution. */
     bool
     is_driven(const StaticProblem &problem, const StaticSolution &solution, double error) const;
