@@ -31,6 +31,19 @@ namespace signorini
   template <int dim>
   ObstaclePlace<dim> ObstacleMotion<dim>::place(const double time) const
   {
+    for (const auto &[instant, place] : recent)
+      if (instant == time)
+        return place;
+    recent.emplace_front(time, find_place(time));
+    if (recent.size() > n_recent)
+      recent.pop_back();
+    return recent.front().second;
+  }
+
+
+  template <int dim>
+  ObstaclePlace<dim> ObstacleMotion<dim>::find_place(const double time) const
+  {
     ObstaclePlace<dim> result{centre, {}, rotation(0.), 0.};
     for (unsigned int c = 0; c < dim; ++c)
       result.displacement[c] =

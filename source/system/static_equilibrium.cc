@@ -43,9 +43,6 @@ namespace signorini
     /** Of the energy norm of nodes pushed in one by one: less than if a compact body is pressed. */
     constexpr double pushed_freely = 1e-3;
 
-    /** The same, of a body that creeps along without end: friction does not see so little. */
-    constexpr double hardly_unbalanced = 1e-6;
-
     /** Mass that makes the matrix of the preconditioner definite, for bodies with free motions. */
     template <int dim>
     std::vector<double> mass_factors(const Discretization<dim> &discretization,
@@ -124,9 +121,8 @@ namespace signorini
   StaticEquilibrium<dim>::solve(const StaticProblem &problem, ActiveSet status, const Vector *start)
   {
     StaticSolution solution;
-    solution.increment = solution.residual = discretization.make_vector();
-    if (start != nullptr)
-      solution.increment = *start;
+    solution.residual     = discretization.make_vector();
+    solution.increment    = start != nullptr ? *start : solution.residual;
     solution.status       = std::move(status);
     solution.acceleration = Eigen::VectorXd::Zero(rigid.size());
 
@@ -141,12 +137,11 @@ namespace signorini
     while (solution.n_steps++ < maximum_steps)
       {
         solve_anchored(problem, S, last, tolerance, solution);
-        const Eigen::VectorXd now    = matrix.amplitudes(solution.increment);
-        const Eigen::VectorXd step   = now - last;
-        const Eigen::VectorXd borne  = S * step;
-        const Eigen::VectorXd drive  = solution.acceleration + borne;
-        const bool            creeps = solution.n_steps == patience_with_slip
-                            && unbalanced_part(problem, solution, drive) <= hardly_unbalanced;
+        const Eigen::VectorXd now     = matrix.amplitudes(solution.increment);
+        const Eigen::VectorXd step    = now - last;
+        const Eigen::VectorXd borne   = S * step;
+        const Eigen::VectorXd drive   = solution.acceleration + borne;
+        const bool            creeps  = goes_on_creeping(problem, solution, drive);
         const Eigen::MatrixXd free    = free_motions(problem, solution, drive);
         const auto            project = [&](const Eigen::VectorXd &motion) {
           return Eigen::VectorXd(free * (free.transpose() * motion));

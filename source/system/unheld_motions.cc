@@ -22,6 +22,9 @@ namespace signorini
 
     /** Forces on rigid motions, relative to all that acts on them, that are none. */
     constexpr double balanced = 1e-7;
+
+    /** The same, of a body that creeps along without end: friction does not see so little. */
+    constexpr double hardly_unbalanced = 1e-6;
   } // namespace
 
 
@@ -119,6 +122,16 @@ namespace signorini
 
 
   template <int dim>
+  bool StaticEquilibrium<dim>::goes_on_creeping(const StaticProblem   &problem,
+                                                const StaticSolution  &solution,
+                                                const Eigen::VectorXd &drive) const
+  {
+    return solution.n_steps == patience_with_slip
+           && unbalanced_part(problem, solution, drive) <= hardly_unbalanced;
+  }
+
+
+  template <int dim>
   std::string StaticEquilibrium<dim>::unheld_motion(const StaticSolution &solution) const
   {
     std::vector<std::string> names;
@@ -137,6 +150,8 @@ namespace signorini
     const StaticProblem &, const StaticSolution &, const Eigen::VectorXd &) const;        \
   template bool StaticEquilibrium<dim>::is_driven(                                                 \
     const StaticProblem &, const StaticSolution &, double) const;                                  \
+  template bool StaticEquilibrium<dim>::goes_on_creeping(                                          \
+    const StaticProblem &, const StaticSolution &, const Eigen::VectorXd &) const;                 \
   template std::string StaticEquilibrium<dim>::unheld_motion(const StaticSolution &) const;
   INSTANTIATE(2)
   INSTANTIATE(3)

@@ -8,8 +8,10 @@
 #include <deal.II/base/point.h>
 
 #include <array>
+#include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace signorini
 {
@@ -71,6 +73,12 @@ namespace signorini
     const dealii::Tensor<1, dim>    axis;
     const bool                      moves_by_rate, rotates;
     const std::unique_ptr<Function> translation, angular_velocity;
+
+    /** Of the instants asked for last: a step asks for few, again and again. */
+    static constexpr unsigned int                             n_recent = 4;
+    mutable std::deque<std::pair<double, ObstaclePlace<dim>>> recent;
+
+    ObstaclePlace<dim> find_place(double time) const;
 
     /** A component of a function of t. */
     double value(Function &function, double time, unsigned int component) const;

@@ -147,6 +147,10 @@ namespace signorini
     double unbalanced_part(const StaticProblem   &problem,
                            const StaticSolution  &solution,
                            const Eigen::VectorXd &forces) const;
+    /** Whether anchors still move after many solutions because of forces that are next to none. */
+    bool goes_on_creeping(const StaticProblem   &problem,
+                          const StaticSolution  &solution,
+                          const Eigen::VectorXd &drive) const;
     /** Whether accelerations are more than round-off and the error of the solution. */
     bool
     is_driven(const StaticProblem &problem, const StaticSolution &solution, double error) const;
