@@ -379,7 +379,10 @@ namespace signorini
               << discretization.mesh().bodies()[pair.slave].name << "' penetrates the obstacle '"
               << obstacles[pair.obstacle].name << "' at the start, by " << maximum << " at ("
               << place
-              << "). Move the body or the obstacle apart, or change the initial displacement.";
+              << "). Move the body or the obstacle apart: the body has to be outside both with its "
+                 "initial displacement and without. A press fit begins apart, with an obstacle "
+                 "that "
+                 "moves in (`Motion`).";
             throw UserError(message.str());
           }
       }
