@@ -150,15 +150,15 @@ namespace signorini
         solution.acceleration = project(drive);
         if (creeps || (moved <= accepted && tolerance == accepted))
           {
+            solution.is_held = creeps || !is_driven(problem, solution, accepted);
             take_out_motion(rigid,
-                            motions_without_slip(problem, solution),
+                            solution.is_held ? motions_without_slip(problem, solution) : free,
                             now,
                             coordinates,
                             solution.status,
                             problem.bounds,
                             tolerance_of_bounds(),
                             solution.increment);
-            solution.is_held = creeps || !is_driven(problem, solution, accepted);
             return solution;
           }
         // What is free goes on in its direction, as slip does, but no further than with springs
