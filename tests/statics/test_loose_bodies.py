@@ -58,7 +58,7 @@ set Pairs = {", ".join(pairs)}
 FLOOR = {"floor": ["Normal = 0, 1"]}
 
 
-class Supports(check_history.SceneTest):
+class LooseBodies(check_history.SceneTest):
     def test_a_block_falls_as_far_as_it_takes(self):
         for modulus, gap in ((1e7, 0.1), (1e7, 1.0), (2.1e11, 1e-5), (2.1e11, 0.01)):
             with self.subTest(modulus=modulus, gap=gap):
