@@ -91,7 +91,7 @@ namespace signorini
                                   const ForceDifferences &force)
   {
     duration += step.size;
-    impulse += step.size * step.force;
+    impulse += step.size * std::abs(step.force); // schemes with adhesion pull, too
     squared_error += error;
     squared_force += step.size * std::pow(step.force, 2);
     squared_slope += force.size * std::pow(force.slope, 2);

@@ -123,3 +123,10 @@ TEST(ErrorOfSteps, ATouchLeavesLittle)
   const double blow = error(bounces(1, 10.), equal(1100, 11.), 0.5);
   EXPECT_NEAR(error(bounces(2, 10., 0.01), equal(2200, 22.), 0.5) / blow, 1., 0.05);
 }
+
+TEST(ErrorOfSteps, ForcesThatPullCountAsThoseThatPress)
+{
+  const Force press = bounces(2, 10.);
+  const Force pull  = [&](const double t) { return -press(t); };
+  EXPECT_EQ(error(pull, equal(2200, 22.), 0.5), error(press, equal(2200, 22.), 0.5));
+}
