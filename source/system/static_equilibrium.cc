@@ -206,9 +206,11 @@ namespace signorini
   template <int dim>
   StaticSolution StaticEquilibrium<dim>::land(const StaticProblem &problem, const ActiveSet &status)
   {
-    const Friction         none;
-    StaticEquilibrium<dim> smooth(discretization, coordinates, parameters, false);
-    const StaticSolution   landed = smooth.solve(
+    if (!smooth)
+      smooth =
+        std::make_unique<StaticEquilibrium<dim>>(discretization, coordinates, parameters, false);
+    const Friction       none;
+    const StaticSolution landed = smooth->solve(
       {problem.force, problem.bounds, problem.prescribed, none, problem.energy}, status);
     StaticSolution found = solve(problem, landed.status, &landed.increment);
     found.effort.add(landed.effort);

@@ -109,6 +109,7 @@ namespace signorini
     const double                          weakness;      ///< of springs where contact holds
     std::unique_ptr<ConstrainedSolver>    solver;
     Vector                                diagonal; ///< of A
+    std::unique_ptr<StaticEquilibrium>    smooth;   ///< without friction, once bodies have to land
 
     /**
      * A basis of the rigid motions that nothing holds: neither conditions nor closed or sticking
