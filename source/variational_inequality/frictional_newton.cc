@@ -136,17 +136,16 @@ namespace signorini
           }
         if (update(problem, status, solution, residual) == 0)
           {
-            const bool is_balanced = linear.iterations == 0 || problem.is_rough;
-            if (is_balanced && !sizes.left_round_off())
+            if (sizes.left_round_off())
+              {
+                compute_residual(problem, solution, residual);
+                sizes.forget();
+              }
+            else if (linear.iterations == 0 || problem.is_rough)
               {
                 report.n_active = record.n_closed(status);
                 outcome         = Outcome::solved;
                 return report;
-              }
-            if (is_balanced)
-              {
-                compute_residual(problem, solution, residual);
-                sizes.forget();
               }
             precision = std::max(precision, Precision::settled);
           }

@@ -7,9 +7,18 @@
 #include <deal.II/base/mpi.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace signorini
 {
+  namespace
+  {
+    /** Of the stiffness of a slip in terms of that of its node: its round-off may be felt. */
+    constexpr double stiff = 1e3;
+  } // namespace
+
+
   TangentVector tangential_entries(const FrictionNode &node, const Vector &vector)
   {
     TangentVector values = TangentVector::Zero();
@@ -36,18 +45,19 @@ namespace signorini
     Assert(node.entries.size() == 1 || node.entries.size() == 2,
            dealii::ExcMessage("A node that slips has one tangential entry or two."));
     slipping.push_back(
-      {normal, &node, condition, slip_scaling<2>(condition.stiffness / stiffness)});
+      {normal, &node, condition, stiffness, slip_scaling<2>(condition.stiffness / stiffness)});
   }
 
 
   void SlipSystem::finish(const MPI_Comm communicator)
   {
-    unsigned int most = 0; // 1: slip, 2: slip that may turn
+    double most = 0.; // 1: slip, more: slip that may turn, by its stiffness
     for (const Node &node : slipping)
-      most = std::max(most, node.condition.stiffness.norm() > 0. ? 2u : 1u);
+      most = std::max(most, 1. + node.condition.stiffness.norm() / node.stiffness);
     most     = dealii::Utilities::MPI::max(most, communicator);
-    any_slip = most > 0;
-    may_turn = most > 1;
+    any_slip = most > 0.;
+    may_turn = most > 1.;
+    is_stiff = most > stiff;
   }
 
 
@@ -210,5 +220,19 @@ namespace signorini
         add_to_tangential_entries(*node.friction, law_forces.back(), unbalanced);
       }
     residual.swap(unbalanced);
+    if (is_stiff)
+      lost = std::max(lost, round_off_of_slip(correction));
+  }
+
+
+  double SlipSystem::round_off_of_slip(const Vector &correction) const
+  {
+    double square = 0.;
+    for (const Node &node : slipping)
+      square +=
+        (node.condition.stiffness * tangential_entries(*node.friction, correction)).squaredNorm()
+        / node.stiffness;
+    return std::numeric_limits<double>::epsilon()
+           * std::sqrt(dealii::Utilities::MPI::sum(square, correction.get_mpi_communicator()));
   }
 } // namespace signorini

@@ -84,11 +84,12 @@ namespace signorini
       unsigned int        normal;
       const FrictionNode *friction;
       SlipCondition       condition;
-      TangentMatrix       scaling; ///< of the preconditioner
+      double              stiffness; ///< of the node
+      TangentMatrix       scaling;   ///< of the preconditioner
     };
     std::vector<Node>          slipping;
     std::vector<TangentVector> law_forces;
-    bool                       any_slip = false, may_turn = false;
+    bool                       any_slip = false, may_turn = false, is_stiff = false;
     double                     norm_at_start = 0., lost = 0.;
     Gmres                      gmres;
     Refinement                 refinement;
@@ -103,6 +104,11 @@ namespace signorini
     void unbalance(const Vector &residual);
     /** The forces of the laws after a solve, and the residual with them. */
     void balance(const Vector &correction, Vector &residual);
+    /**
+     * What the round-off of Q dx is, as a norm. A slip that is next to nothing is next to
+     * infinitely stiff across: Q dx is the small difference of large numbers.
+     */
+    double round_off_of_slip(const Vector &correction) const;
   };
 
   /** The tangential entries of a node. */
