@@ -9,7 +9,9 @@
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 
 namespace signorini
 {
@@ -50,7 +52,7 @@ namespace signorini
     }
 
 
-    /** Integrals of the stress vector over faces of cells. */
+    /** Integrals of the stress vector over faces of cells, as linear functions. */
     template <int dim>
     class FaceIntegral
     {
@@ -63,59 +65,69 @@ namespace signorini
                  points,
                  update_gradients | update_normal_vectors | update_JxW_values | update_jacobians
                    | update_quadrature_points)
-        , gradients(points.size())
       {
       }
 
-      Tensor<1, dim> of(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                        const unsigned int                                    face,
-                        const Vector                                         &displacement)
+      /** What each degree of freedom of the cell adds to the force. */
+      std::vector<Tensor<1, dim>> of(const typename DoFHandler<dim>::active_cell_iterator &cell,
+                                     const unsigned int                                    face)
       {
         values.reinit(cell, face);
-        values[FEValuesExtractors::Vector(0)].get_function_gradients(displacement, gradients);
-        add_modes(cell, displacement);
-        const Material &material = mesh.bodies()[cell->material_id()].material;
-        Tensor<1, dim>  force;
-        for (unsigned int q = 0; q < points.size(); ++q)
+        const auto                  matrix = mesh.cell_matrices().of(cell);
+        std::vector<Tensor<1, dim>> result(values.dofs_per_cell);
+        for (unsigned int k = 0; k < dim; ++k)
           {
-            const auto strain = symmetrize(gradients[q]);
-            const auto stress = material.lambda() * trace(strain) * unit_symmetric_tensor<dim>()
-                                + 2. * material.mu() * strain;
-            force += values.JxW(q) * (stress * values.normal_vector(q));
+            std::array<double, CellModes<dim>::n_dofs> forces{};
+            ModeGradient<dim>                          of_modes{};
+            for (unsigned int q = 0; q < points.size(); ++q)
+              {
+                const auto stress = stress_of_component(k, q, cell->material_id());
+                for (unsigned int i = 0; i < forces.size(); ++i)
+                  forces[i] +=
+                    scalar_product(stress, values[FEValuesExtractors::Vector(0)].gradient(i, q));
+                if (matrix.has_modes())
+                  add_modes(cell, q, stress, of_modes);
+              }
+            if (matrix.has_modes())
+              matrix.add_mode_forces(of_modes, forces.data());
+            for (unsigned int i = 0; i < forces.size(); ++i)
+              result[i][k] = forces[i];
           }
-        return force;
+        return result;
       }
 
     private:
-      const Mesh<dim>            &mesh;
-      const QGauss<dim - 1>       points;
-      FEFaceValues<dim>           values;
-      std::vector<Tensor<2, dim>> gradients;
-      const FE_Q<dim>             vertex_functions{1};
+      const Mesh<dim>      &mesh;
+      const QGauss<dim - 1> points;
+      FEFaceValues<dim>     values;
+      const FE_Q<dim>       vertex_functions{1};
+
+      /** Whose product with a gradient is that component of the stress vector. */
+      Tensor<2, dim>
+      stress_of_component(const unsigned int k, const unsigned int q, const unsigned int body) const
+      {
+        const Material &material = mesh.bodies()[body].material;
+        Tensor<1, dim>  direction;
+        direction[k]      = values.JxW(q);
+        const auto strain = symmetrize(outer_product(direction, values.normal_vector(q)));
+        return material.lambda() * trace(strain) * unit_symmetric_tensor<dim>()
+               + 2. * material.mu() * strain;
+      }
 
       /** What the modes of the element add: polynomials on the unit cell over its volume. */
       void add_modes(const typename DoFHandler<dim>::active_cell_iterator &cell,
-                     const Vector                                         &displacement)
+                     const unsigned int                                    q,
+                     const Tensor<2, dim>                                 &stress,
+                     ModeGradient<dim>                                    &of_modes) const
       {
-        const auto matrix = mesh.cell_matrices().of(cell);
-        if (!matrix.has_modes())
-          return;
-        std::vector<double> of_vertices;
+        const Point<dim> place =
+          mesh.mapping().transform_real_to_unit_cell(cell, values.quadrature_point(q));
+        const double volume = determinant(Tensor<2, dim>(values.jacobian(q)));
         for (const unsigned int v : cell->vertex_indices())
           for (unsigned int c = 0; c < dim; ++c)
-            of_vertices.push_back(displacement(cell->vertex_dof_index(v, c)));
-        const ModeGradient<dim> modes = matrix.mode_gradient(of_vertices.data());
-        for (unsigned int q = 0; q < points.size(); ++q)
-          {
-            const Point<dim> place =
-              mesh.mapping().transform_real_to_unit_cell(cell, values.quadrature_point(q));
-            const double volume = determinant(Tensor<2, dim>(values.jacobian(q)));
-            for (const unsigned int v : cell->vertex_indices())
-              for (unsigned int c = 0; c < dim; ++c)
-                for (unsigned int i = 0; i < dim; ++i)
-                  gradients[q][c][i] +=
-                    vertex_functions.shape_value(v, place) * modes[c][dim * v + i] / volume;
-          }
+            for (unsigned int i = 0; i < dim; ++i)
+              of_modes[c][dim * v + i] +=
+                vertex_functions.shape_value(v, place) * stress[c][i] / volume;
       }
     };
   } // namespace
@@ -129,13 +141,13 @@ namespace signorini
       if (cell->is_locally_owned())
         for (const unsigned int face : cell->face_indices())
           if (cell->at_boundary(face))
-            faces.push_back({cell, face});
+            faces.push_back({cell, face, {}});
   }
 
 
   template <int dim>
   std::vector<std::array<double, 3>> BoundaryStress<dim>::forces(const Vector &displacement,
-                                                                 const Vector &contact_force) const
+                                                                 const Vector &contact_force)
   {
     const unsigned int  n_bodies = discretization.mesh().bodies().size();
     std::vector<double> sums(3 * n_bodies, 0.);
@@ -144,11 +156,17 @@ namespace signorini
       {
         const Vector everywhere = discretization.interpolate_hanging_nodes(displacement),
                      of_contact = discretization.interpolate_hanging_nodes(contact_force);
-        FaceIntegral<dim> integral(discretization);
-        for (const BoundaryFace &boundary : faces)
+        std::optional<FaceIntegral<dim>> integral;
+        for (BoundaryFace &boundary : faces)
           if (bears<dim>(boundary.cell, boundary.face, of_contact, unnoticed_force * largest))
             {
-              const Tensor<1, dim> force = integral.of(boundary.cell, boundary.face, everywhere);
+              if (boundary.force_of_dofs.empty())
+                {
+                  if (!integral)
+                    integral.emplace(discretization);
+                  boundary.force_of_dofs = integral->of(boundary.cell, boundary.face);
+                }
+              const Tensor<1, dim> force = boundary.force_of(everywhere);
               for (unsigned int c = 0; c < dim; ++c)
                 sums[3 * boundary.cell->material_id() + c] += force[c];
             }
@@ -158,6 +176,17 @@ namespace signorini
     for (std::size_t i = 0; i < sums.size(); ++i)
       result[i / 3][i % 3] = sums[i];
     return result;
+  }
+
+
+  template <int dim>
+  Tensor<1, dim> BoundaryStress<dim>::BoundaryFace::force_of(const Vector &displacement) const
+  {
+    Tensor<1, dim> force;
+    for (const unsigned int v : cell->vertex_indices())
+      for (unsigned int c = 0; c < dim; ++c)
+        force += displacement(cell->vertex_dof_index(v, c)) * force_of_dofs[dim * v + c];
+    return force;
   }
 
 
