@@ -81,7 +81,10 @@ namespace signorini
       return;
     const double force_per_error = reading.force / (effectivity(dim) * 2. * reading.elastic_energy);
     Sums        &sums            = history.sums;
-    const double interval        = history.length();
+    // What ends a flight is judged at once, and the flight had no error.
+    const double interval = previous_force > 0. || reading.step_size == 0.
+                              ? history.length()
+                              : std::min(history.length(), reading.step_size);
     sums.force += interval * std::pow(reading.force, 2);
     sums.error += interval * std::pow(force_per_error * reading.squared_error, 2);
     sums.of_uniform_mesh += interval * std::pow(force_per_error * reading.of_uniform_mesh, 2);

@@ -83,6 +83,7 @@ namespace signorini
       {
         ForceReading reading =
           force_reading(discretization, surface, step.end, indicator, parameters.maximum_level);
+        reading.step_size = step.step_size;
         if (reading.force > 0.)
           reading.of_approach =
             energy_of_slow_approach(discretization, surface, step.end, masses, reading.force);

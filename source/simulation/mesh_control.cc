@@ -60,10 +60,11 @@ namespace signorini
       cells_in_contact(meshed.discretization, meshed.surface, step.end.contact_force);
     if (goal)
       goal->see(meshed.discretization, meshed.surface, step, in_contact, stresses, latest);
-    const ContactWishes wishes = contact_wishes(meshed, step, in_contact);
-    MeshChange          change = mark_cells(
+    const bool          is_unseen = look_between_nodes(meshed, step.end);
+    const ContactWishes wishes    = contact_wishes(meshed, step, in_contact);
+    MeshChange          change    = mark_cells(
       mesh, goal ? goal->marking() : parameters, latest, wishes.to_keep, wishes.to_refine);
-    is_far_off       = goal && goal->is_far_off(change);
+    is_far_off       = goal && (is_unseen || goal->is_far_off(change));
     change.is_urgent = change.is_urgent || is_far_off;
     if (rule.pays(change, step.end.step, goal ? goal->longest_wait() : parameters.longest_wait()))
       return change;
@@ -76,6 +77,26 @@ namespace signorini
   bool MeshControl<dim>::repeats_step(const MeshChange &change, const unsigned int repetition) const
   {
     return change.refines() && repetition < (is_far_off ? most_attempts : parameters.repetitions);
+  }
+
+
+  template <int dim>
+  bool MeshControl<dim>::look_between_nodes(const MeshedScene<dim> &meshed, const State &state)
+  {
+    if (!goal)
+      return false;
+    if (!unseen_contact)
+      unseen_contact.emplace(meshed.discretization, meshed.surface);
+    between_nodes = unseen_contact->find(state.displacement, state.contact_force, state.time).cells;
+    bool any      = false;
+    for (const auto &cell : mesh.active_cells())
+      {
+        const unsigned int i = cell->active_cell_index();
+        between_nodes[i] =
+          between_nodes[i] && cell->level() < static_cast<int>(parameters.maximum_level);
+        any = any || between_nodes[i];
+      }
+    return dealii::Utilities::MPI::logical_or(any, mesh.communicator());
   }
 
 
@@ -93,7 +114,7 @@ namespace signorini
             const unsigned int i    = cell->active_cell_index();
             const unsigned int body = cell->material_id(), level = cell->level();
             wishes.to_keep[i]   = wishes.to_keep[i] || goal->keeps(body, level);
-            wishes.to_refine[i] = goal->refines(body, level);
+            wishes.to_refine[i] = goal->refines(body, level) || between_nodes[i];
           }
     ContactAhead ahead{parameters.distance,
                        std::vector<unsigned int>(mesh.bodies().size(), parameters.maximum_level)};
@@ -169,6 +190,7 @@ namespace signorini
   void MeshControl<dim>::mesh_is_made_anew()
   {
     indicator.reset();
+    unseen_contact.reset();
     stresses.clear();
     latest.reinit(0);
   }

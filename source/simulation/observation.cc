@@ -22,6 +22,13 @@ namespace signorini
         names.push_back(description.name);
       return names;
     }
+
+    std::string remedy_for_coarse_surfaces(const AdaptivityParameters &adaptivity)
+    {
+      if (adaptivity.has_target())
+        return "Allow finer cells there: `Adaptivity/Maximum level`, `Maximum cells`.";
+      return "Refine the body there (`Refinements`), or let `Adaptivity/Target error` do it.";
+    }
   } // namespace
 
 
@@ -55,6 +62,7 @@ namespace signorini
                schemes_where([](const SchemeInfo &info) { return info.projects_velocity; }).front(),
                scene.how_to_follow)
     , missing_pairs(scene.bodies.size(), scene.obstacles, scene.pairs)
+    , unseen_overlap(scene.pairs.size(), remedy_for_coarse_surfaces(scene.adaptivity))
     , velocity_zigzags(probes.size())
     , clock(meshed.discretization.communicator(), false)
   {
@@ -77,6 +85,7 @@ namespace signorini
   {
     ledger.open(state, meshed->load(state.time));
     initial_momentum = momentum_of(state);
+    unseen_overlap.use_mesh(meshed->discretization, meshed->surface);
     tables.use_mesh(*meshed, body_motion, state);
     law_watch.start(*meshed, body_motion, state);
     const HistoryRow row = evaluate(state, report_of_start(state), EnergyBooking());
@@ -114,6 +123,7 @@ namespace signorini
   {
     meshed      = &new_meshed;
     body_motion = BodyMotion<dim>(meshed->discretization);
+    unseen_overlap.use_mesh(meshed->discretization, meshed->surface);
     alternation.forget();
     probes = make_probes(scene, *meshed);
     tables.use_mesh(*meshed, body_motion, state);
@@ -139,6 +149,7 @@ namespace signorini
     run_summary.archive(archive);
     validity.archive(archive);
     missing_pairs.archive(archive);
+    unseen_overlap.archive(archive);
     alternation.archive(archive);
     law_watch.archive(archive);
     turning_normals.archive(archive, meshed->discretization.communicator());
@@ -168,6 +179,8 @@ namespace signorini
     std::vector<std::string> news = validity.judge(validity_reading(state));
     for (const std::string &overlap :
          missing_pairs.judge(meshed->discretization, state.displacement, state.time, is_last))
+      news.push_back(overlap);
+    for (const std::string &overlap : unseen_overlap.judge(state, is_last))
       news.push_back(overlap);
     return news;
   }

@@ -305,7 +305,8 @@ namespace signorini
         const State start  = state;
         StepReport  report = advance_on_this_mesh(stepping);
         report.rejected_steps += rejected;
-        if (repetition == 0 && !mesh_control.is_due(state)) // a repeated step is judged again
+        if (repetition == 0
+            && !mesh_control.is_due(*meshed, state)) // a repeated step is judged again
           return report;
         {
           TimerOutput::Scope scope(timer, "mesh: indicator and marking");

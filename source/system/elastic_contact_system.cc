@@ -165,7 +165,9 @@ namespace signorini
   {
     const bool continues = step_contact && step_contact->repeats()
                            && matrix.forecast.repeat(problem.right_hand_side, increment, residual);
-    if (continues || matrix.forecast.guess(problem.right_hand_side, increment))
+    // Trials that went too far are no reason to move: round-off of their forces would be left.
+    const bool rests = largest_energies.scale() == 0. && right_hand_side.linfty_norm() == 0.;
+    if (continues || (!rests && matrix.forecast.guess(problem.right_hand_side, increment)))
       coordinates.displacement_to_contact(increment);
     else
       first_guess.from_start(problem, *matrix.product, right_hand_side, increment, active);

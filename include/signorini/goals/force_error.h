@@ -17,6 +17,7 @@ namespace signorini
   struct ForceReading
   {
     double time            = 0.;
+    double step_size       = 0.; ///< that ended there; 0: none
     double force           = 0.; ///< sum of normal contact forces, positive
     double elastic_energy  = 0.; ///< of all bodies
     double squared_error   = 0.; ///< sum of squared indicators: of the error in the energy norm

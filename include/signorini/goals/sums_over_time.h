@@ -22,7 +22,7 @@ namespace signorini
      */
     bool begin(const double time, const double first)
     {
-      const bool is_new = time > latest;
+      const bool is_new = time > latest * (1. + round_off);
       if (is_new)
         {
           earlier  = sums;
@@ -40,6 +40,9 @@ namespace signorini
     Sums sums;
 
   private:
+    /** A step that is made again may end at a time with another last digit. */
+    static constexpr double round_off = 1e-12;
+
     Sums   earlier; ///< without the latest judgement
     double latest   = 0.;
     double interval = 0.;

@@ -8,6 +8,7 @@
 #include <signorini/adaptivity/mark_cells.h>
 #include <signorini/adaptivity/remeshing_rule.h>
 #include <signorini/base/archive.h>
+#include <signorini/contact/unseen_contact.h>
 #include <signorini/goals/contact_ahead.h>
 #include <signorini/goals/mesh_goal.h>
 #include <signorini/simulation/meshed_scene.h>
@@ -48,10 +49,10 @@ namespace signorini
      * Whether it is to be judged after a step that may_be_due(), by the state at its end: the
      * indicator is evaluated only then. What ends a flight has not been expected. Collective.
      */
-    bool is_due(const State &state) const
+    bool is_due(const MeshedScene<dim> &meshed, const State &state)
     {
       return rule.is_due(state.step) || (goal && goal->is_expectant())
-             || state.contact_force.linfty_norm() > 0.;
+             || state.contact_force.linfty_norm() > 0. || look_between_nodes(meshed, state);
     }
 
     /**
@@ -100,6 +101,14 @@ namespace signorini
     dealii::Vector<double>               latest;
     unsigned int                         last_change = 0;     ///< after which step
     bool                                 is_far_off  = false; ///< the latest step from the goal
+    std::optional<UnseenContact<dim>>    unseen_contact;      ///< on the present mesh
+    std::vector<bool>                    between_nodes;       ///< cells with it, as last looked for
+
+    /**
+     * Find the cells that may be refined where something comes in between their nodes: what it does
+     * before a node sees it stays. With a goal only. Collective. @return whether there are any
+     */
+    bool look_between_nodes(const MeshedScene<dim> &meshed, const State &state);
 
     /** Cells by what contact is, or is about to be. */
     struct ContactWishes

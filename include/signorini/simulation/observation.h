@@ -9,6 +9,7 @@
 #include <signorini/diagnostics/missing_pairs.h>
 #include <signorini/diagnostics/oscillation.h>
 #include <signorini/diagnostics/turning_normals.h>
+#include <signorini/diagnostics/unseen_overlap.h>
 #include <signorini/diagnostics/validity.h>
 #include <signorini/output/history.h>
 #include <signorini/output/run_summary.h>
@@ -89,6 +90,7 @@ namespace signorini
     StepTables<dim>          tables;
     Validity                 validity;
     MissingPairs<dim>        missing_pairs;
+    UnseenOverlap<dim>       unseen_overlap;
     std::vector<double>      strains; ///< of the bodies, when they were last evaluated
     double                   energy_of_strains = 0.; ///< elastic, at that time
     std::vector<Zigzag>      velocity_zigzags;
