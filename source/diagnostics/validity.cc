@@ -44,9 +44,11 @@ namespace signorini
        " % of its size deep in an obstacle, by the true geometry",
        "Contact is linearised about the initial configuration, with one obstacle per node: do not "
        "trust motion along a curved obstacle, in a corner or past an edge.",
-       "A node has come in past the end of a plane, or more obstacles meet it than can hold it, as "
-       "where a component is prescribed: do not trust the forces there. Give what ends as a box, "
-       "prescribe less, or move the obstacles apart."},
+       "A node has come in past the end of an obstacle, or as a coarse mesh had not seen it "
+       "before, "
+       "or more obstacles meet it than can hold it, as where a component is prescribed: do not "
+       "trust the forces there. Give a plane that ends as a box, begin with finer cells, prescribe "
+       "less, or move the obstacles apart."},
       {&ValidityReading::rotation,
        false,
        rotation_limit(),

@@ -57,7 +57,8 @@ namespace signorini
            << " %. What the finer cells need more to keep a contact of few nodes, or "
               "the coarser ones of a round body that has turned, could not be taken out of the "
               "vibration. Let `Refinements` or `Local refinements` begin with finer cells at the "
-              "contact, or take `Element = standard`; a round body that turns wants finer cells "
+              "contact, or take `Element = standard` if it is another; a round body that turns "
+              "wants finer cells "
               "all over.";
       return text.str();
     }
