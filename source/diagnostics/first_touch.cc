@@ -147,8 +147,13 @@ namespace signorini
         // The lowest point must be near: a tilted face has hardly any curvature.
         const double slope = solution.template segment<dim - 1>(1).norm();
         touch.is_smooth = left < misfit * misfit * squares && slope < solution[dim] * place.radius;
-        if (touch.is_smooth)
-          touch.curvature = solution[dim];
+        if (!touch.is_smooth)
+          return;
+        touch.curvature = solution[dim];
+        // The pole may lie between nodes, where a finer mesh will have one.
+        const double lowest = touch.distance - slope * slope / (2. * solution[dim]);
+        touch.time          = lowest / touch.speed;
+        touch.distance      = std::max(0., lowest);
       }
 
       /** The functions 1, t, |t|^2 / 2 at a position. */
