@@ -139,9 +139,16 @@ namespace signorini
 
 
   template <int dim>
-  BoundingBox<dim> FineFace<dim>::box(const Vector &displacement, const double margin)
+  BoundingBox<dim> FineFace<dim>::box(const Vector &displacement)
   {
-    BoundingBox<dim> result(points(displacement));
+    return BoundingBox<dim>(points(displacement));
+  }
+
+
+  template <int dim>
+  BoundingBox<dim> FineFace<dim>::wide_box(const Vector &displacement) const
+  {
+    BoundingBox<dim> result(vertices(displacement));
     result.extend(margin * size);
     return result;
   }

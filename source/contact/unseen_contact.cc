@@ -24,8 +24,6 @@ namespace signorini
 
   namespace
   {
-    /** Around the boxes of faces, over their diameters. */
-    constexpr double margin = 0.25;
     /** A node that bears is in contact with this other side, if that is as near. */
     constexpr double near_a_node = 0.25;
     /** Around a node that bears, estimates of the error know what contact misses. */
@@ -188,19 +186,19 @@ namespace signorini
 
   template <int dim>
   typename UnseenContact<dim>::Opposite
-  UnseenContact<dim>::other_body(Side &other, Side &own, const Vector &displacement) const
+  UnseenContact<dim>::other_body(Side &other, const Side &own, const Vector &displacement) const
   {
     CommonBoxes<dim> around;
-    for (FineFace<dim> &face : own.faces)
+    for (const FineFace<dim> &face : own.faces)
       {
-        const auto corners = face.box(displacement, margin).get_boundary_points();
+        const auto corners = face.wide_box(displacement).get_boundary_points();
         around.add(corners.first);
         around.add(corners.second);
       }
     const BoundingBox<dim>  box = around.around_all(discretization.communicator())[0];
     std::vector<Point<dim>> own_corners; // of facets, one after the other
     for (FineFace<dim> &face : other.faces)
-      if (boost::geometry::intersects(face.box(displacement, margin), box))
+      if (boost::geometry::intersects(face.wide_box(displacement), box))
         for (const auto &facet : face.facets(displacement))
           own_corners.insert(own_corners.end(), facet.begin(), facet.end());
     const auto corners = of_all_processes(own_corners, discretization.communicator());
@@ -222,7 +220,8 @@ namespace signorini
   {
     std::vector<FineFace<dim> *> candidates;
     for (FineFace<dim> &face : side.faces)
-      if (opposite.may_be_in(face.box(displacement, 0.)))
+      if (opposite.may_be_in(face.wide_box(displacement))
+          && opposite.may_be_in(face.box(displacement)))
         candidates.push_back(&face);
     const MPI_Comm     communicator = discretization.communicator();
     const unsigned int n_candidates = candidates.size();

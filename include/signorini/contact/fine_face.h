@@ -36,11 +36,11 @@ namespace signorini
     /** Whether a vertex has a value. @param values with ghosts */
     bool has_value(unsigned int vertex, const Vector &values) const;
 
-    /**
-     * A box around its surface, and around that a margin in units of the diameter.
-     * @param displacement with ghosts
-     */
-    dealii::BoundingBox<dim> box(const Vector &displacement, double margin);
+    /** Around its surface. @param displacement with ghosts */
+    dealii::BoundingBox<dim> box(const Vector &displacement);
+
+    /** A wider one, for which its surface need not be known. @param displacement with ghosts */
+    dealii::BoundingBox<dim> wide_box(const Vector &displacement) const;
 
     /** The middle of the straight face. @param displacement with ghosts */
     dealii::Point<dim> middle(const Vector &displacement) const;
@@ -65,6 +65,8 @@ namespace signorini
     static constexpr unsigned int n_parts = dim == 2 ? 8 : 4;
     /** Of one and the next grid around the best point; each is twice as fine. */
     static constexpr unsigned int n_closer_looks = 4;
+    /** Of the diameter: bulges are less high. */
+    static constexpr double margin = 0.5;
     /** Reference coordinates on the face; in 2d the second one is zero. */
     using Place = std::array<double, 2>;
 

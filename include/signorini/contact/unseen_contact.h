@@ -61,7 +61,7 @@ namespace signorini
 
     Opposite obstacle(unsigned int pair, double time) const;
     /** The facets of a side that may be near another one. Collective. */
-    Opposite other_body(Side &other, Side &own, const Vector &displacement) const;
+    Opposite other_body(Side &other, const Side &own, const Vector &displacement) const;
 
     /** Whether faces of a side reach into what is opposite, where no node bears. Collective. */
     void judge(Side           &side,
