@@ -18,6 +18,8 @@ namespace signorini
     /** What is passed through by a smaller part of a cell is an edge, or nothing the mesh can see.
      */
     constexpr double part_of_cell = 0.25;
+    /** A visit of an obstacle that is less deep is none. */
+    constexpr double noticed_of_cell = 0.01;
     /** A chord that is deeper, in its length, turns by more than 0.8 radian on a circle. */
     constexpr double deep_on_way = 0.1;
     /** Of a unit normal at the end of a load step: forces of an equilibrium are found to as much.
@@ -36,6 +38,28 @@ namespace signorini
   } // namespace
 
 
+  namespace
+  {
+    /**
+     * Whether an obstacle comes to a node and leaves it again within a step, whose ends do not see
+     * it.
+     */
+    template <int dim>
+    bool pays_a_visit(const MovedObstacle<dim>     &obstacle,
+                      const ContactSite<dim>       &site,
+                      const Facing<dim>            &facing,
+                      const dealii::Tensor<1, dim> &d)
+    {
+      const double noticed = noticed_of_cell * std::pow(facing.area, 1. / (dim - 1));
+      if (!(facing.gap > noticed)
+          || !(obstacle.depth_between(site.start, site.start + d) > noticed))
+        return false;
+      const auto last = obstacle.try_project(site.start + d);
+      return !last || last->gap > noticed;
+    }
+  } // namespace
+
+
   template <int dim>
   bool FollowedContact<dim>::passes_through(const Vector &increment) const
   {
@@ -48,10 +72,15 @@ namespace signorini
         {
           if (facing.of_body || !facing.is_there())
             continue;
-          const MovedObstacle<dim> &faced  = obstacle(facing);
-          const double              length = (d - facing.condition.obstacle_motion).norm();
-          const double              least  = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
-          if (any || faced.is_flat() || facing.gap > length || length < least || was_inside(facing)
+          const MovedObstacle<dim> &faced = obstacle(facing);
+          if (any || pays_a_visit(faced, site, facing, d))
+            {
+              any = true;
+              continue;
+            }
+          const double length = (d - facing.condition.obstacle_motion).norm();
+          const double least  = part_of_cell * std::pow(facing.area, 1. / (dim - 1));
+          if (faced.is_flat() || facing.gap > length || length < least || was_inside(facing)
               || enters(site, facing, d))
             continue;
           // A chord of what slides along the surface is deep only if it turns far.

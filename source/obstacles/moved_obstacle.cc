@@ -26,12 +26,14 @@ namespace signorini
   {
     if (!motion)
       return;
-    before = motion->place(start);
-    after  = motion->place(end);
+    before  = motion->place(start);
+    after   = motion->place(end);
+    between = motion->places_between(start, end);
     for (MovedObstacle &part : parts)
       {
-        part.before = before;
-        part.after  = after;
+        part.before  = before;
+        part.after   = after;
+        part.between = between;
       }
   }
 
@@ -110,6 +112,20 @@ namespace signorini
         const auto projection = shape->try_project(first + gone / length * way);
         deepest               = std::max(deepest, projection ? projection->depth() : 0.);
         gone += projection ? std::max(std::abs(projection->gap), least) : least;
+      }
+    return deepest;
+  }
+
+
+  template <int dim>
+  double MovedObstacle<dim>::depth_between(const Point<dim> &start, const Point<dim> &end) const
+  {
+    double deepest = 0.;
+    for (std::size_t k = 0; k < between.size(); ++k)
+      {
+        const double part = (k + 1.) / (between.size() + 1.);
+        if (const auto way = shape->try_project(between[k].back(start + part * (end - start))))
+          deepest = std::max(deepest, way->depth());
       }
     return deepest;
   }

@@ -42,6 +42,29 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<ObstaclePlace<dim>> ObstacleMotion<dim>::places_between(const double start,
+                                                                      const double end) const
+  {
+    if (moves_by_rate || rotates || start == end)
+      return {};
+    const Tensor<1, dim> first = place(start).displacement, last = place(end).displacement;
+    const double         round_off = 1e-12 * (first.norm() + last.norm());
+    std::vector<ObstaclePlace<dim>> result;
+    bool                            is_straight = true;
+    for (unsigned int k = 1; k < n_parts; ++k)
+      {
+        const double part = double(k) / n_parts;
+        result.push_back(find_place(start + part * (end - start)));
+        const Tensor<1, dim> straight = (1. - part) * first + part * last;
+        is_straight = is_straight && (result.back().displacement - straight).norm() <= round_off;
+      }
+    if (is_straight)
+      result.clear();
+    return result;
+  }
+
+
+  template <int dim>
   ObstaclePlace<dim> ObstacleMotion<dim>::find_place(const double time) const
   {
     ObstaclePlace<dim> result{centre, {}, rotation(0.), 0.};

@@ -89,11 +89,18 @@ namespace signorini
      */
     double depth_on_way(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const;
 
+    /**
+     * How deep a point that goes straight through the step is in the obstacle in between, where
+     * that does not go straight; length.
+     */
+    double depth_between(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const;
+
   private:
     std::shared_ptr<const RigidObstacle<dim>>  shape;
     std::shared_ptr<const ObstacleMotion<dim>> motion; ///< null: at rest
     ObstaclePlace<dim>                         before, after;
-    std::vector<MovedObstacle>                 parts; ///< its sides
+    std::vector<ObstaclePlace<dim>>            between; ///< see ObstacleMotion
+    std::vector<MovedObstacle>                 parts;   ///< its sides
 
     static ObstacleProjection<dim> turned(ObstacleProjection<dim>   way,
                                           const ObstaclePlace<dim> &place)

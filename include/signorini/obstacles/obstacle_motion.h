@@ -62,6 +62,12 @@ namespace signorini
     /** @throws RunError if an expression is not a finite number */
     ObstaclePlace<dim> place(double time) const;
 
+    /**
+     * At equal times between two instants, if it does not go straight on there; none where a rate
+     * is given, which would have to be integrated.
+     */
+    std::vector<ObstaclePlace<dim>> places_between(double start, double end) const;
+
     /** Whether it rotates. */
     bool turns() const { return rotates; }
 
@@ -73,6 +79,9 @@ namespace signorini
     const dealii::Tensor<1, dim>    axis;
     const bool                      moves_by_rate, rotates;
     const std::unique_ptr<Function> translation, angular_velocity;
+
+    /** Between two instants. */
+    static constexpr unsigned int n_parts = 8;
 
     /** Of the instants asked for last: a step asks for few, again and again. */
     static constexpr unsigned int                             n_recent = 4;
