@@ -35,11 +35,8 @@ namespace signorini
     /** A mismatch that has no measure, in units of what is accepted. */
     constexpr double as_large_as_bodies = 1e12;
     constexpr double unlimited          = std::numeric_limits<double>::infinity();
-  } // namespace
 
 
-  namespace
-  {
     /**
      * Whether an obstacle comes to a node and leaves it again within a step, whose ends do not see
      * it.

@@ -25,7 +25,7 @@ namespace signorini
 
     std::string remedy_for_coarse_surfaces(const AdaptivityParameters &adaptivity)
     {
-      if (adaptivity.has_target())
+      if (adaptivity.any() && adaptivity.has_target())
         return "Allow finer cells there: `Adaptivity/Maximum level`, `Maximum cells`.";
       return "Refine the body there (`Refinements`), or let `Adaptivity/Target error` do it.";
     }
