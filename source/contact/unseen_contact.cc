@@ -3,6 +3,7 @@
 
 #include <signorini/contact/unseen_contact.h>
 #include <signorini/discretization/common_boxes.h>
+#include <signorini/discretization/common_points.h>
 #include <signorini/obstacles/closest_point.h>
 
 #include <deal.II/base/mpi.h>
@@ -90,18 +91,6 @@ namespace signorini
         return boxes;
       }
     };
-
-
-    /** The same points on all processes. Collective. */
-    template <int dim>
-    std::vector<Point<dim>> of_all_processes(const std::vector<Point<dim>> &own,
-                                             const MPI_Comm                 communicator)
-    {
-      std::vector<Point<dim>> result;
-      for (const auto &points : Utilities::MPI::all_gather(communicator, own))
-        result.insert(result.end(), points.begin(), points.end());
-      return result;
-    }
   } // namespace
 
 
@@ -201,7 +190,7 @@ namespace signorini
       if (boost::geometry::intersects(face.wide_box(displacement), box))
         for (const auto &facet : face.facets(displacement))
           own_corners.insert(own_corners.end(), facet.begin(), facet.end());
-    const auto corners = of_all_processes(own_corners, discretization.communicator());
+    const auto corners = common_points(own_corners, discretization.communicator());
     std::vector<std::array<Point<dim>, dim>> facets(corners.size() / dim);
     for (std::size_t k = 0; k < corners.size(); ++k)
       facets[k / dim][k % dim] = corners[k];
@@ -228,8 +217,8 @@ namespace signorini
     if (Utilities::MPI::sum(n_candidates, communicator) == 0)
       return;
 
-    const auto bearing = pack_rtree(of_all_processes(
-      bearing_vertices(side, opposite, displacement, contact_force), communicator));
+    const auto bearing = pack_rtree(
+      common_points(bearing_vertices(side, opposite, displacement, contact_force), communicator));
     for (FineFace<dim> *face : candidates)
       {
         const Point<dim> middle  = face->middle(displacement);

@@ -3,6 +3,7 @@
 
 #include <signorini/diagnostics/missing_pairs.h>
 #include <signorini/discretization/common_boxes.h>
+#include <signorini/discretization/common_points.h>
 
 #include <deal.II/base/bounding_box.h>
 #include <deal.II/base/mpi.h>
@@ -148,16 +149,15 @@ namespace signorini
           }
       const auto tree  = pack_rtree_of_indices(cell_boxes);
       bool       found = false;
-      for (const auto &points : Utilities::MPI::all_gather(discretization.communicator(), own))
-        for (const Point<dim> &point : points)
-          {
-            const auto contains_point = [&](const std::size_t k) {
-              return is_well_inside(cells[k], point);
-            };
-            found = found
-                    || tree.qbegin(index::intersects(point) && index::satisfies(contains_point))
-                         != tree.qend();
-          }
+      for (const Point<dim> &point : common_points(own, discretization.communicator()))
+        {
+          const auto contains_point = [&](const std::size_t k) {
+            return is_well_inside(cells[k], point);
+          };
+          found = found
+                  || tree.qbegin(index::intersects(point) && index::satisfies(contains_point))
+                       != tree.qend();
+        }
       return Utilities::MPI::max(static_cast<unsigned int>(found), discretization.communicator())
              > 0;
     }

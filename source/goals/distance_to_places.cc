@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/discretization/common_points.h>
 #include <signorini/goals/distance_to_places.h>
 
-#include <deal.II/base/mpi.h>
 
 #include <boost/geometry/index/rtree.hpp>
 
@@ -18,14 +18,8 @@ namespace signorini
     for (const auto &cell : mesh.active_cells())
       if (cell->is_locally_owned() && marked[cell->active_cell_index()])
         own[cell->material_id()].push_back(cell->center());
-    const auto of_processes = dealii::Utilities::MPI::all_gather(mesh.communicator(), own);
-    for (unsigned int body = 0; body < own.size(); ++body)
-      {
-        std::vector<dealii::Point<dim>> all;
-        for (const auto &of_process : of_processes)
-          all.insert(all.end(), of_process[body].begin(), of_process[body].end());
-        centres.push_back(dealii::pack_rtree(all));
-      }
+    for (const auto &of_body : own)
+      centres.push_back(dealii::pack_rtree(common_points(of_body, mesh.communicator())));
   }
 
 
