@@ -103,6 +103,18 @@ namespace signorini
                         "with `Tolerance`. Remove this key.");
     }
 
+    /** Whoever says that meshes shall stay, may keep the other keys; whoever forgets it, may not.
+     */
+    void check_that_staying_is_meant(const SectionReader &in)
+    {
+      if (!in.given("Indicator"))
+        refuse_if_given(in,
+                        {"Goal", "Maximum level", "Maximum cells", "Tolerance", "Distance"},
+                        "has no effect, as no `Indicator` is given: the mesh stays as it is. Set "
+                        "`Indicator = residual` (or another one) for a mesh that changes, or "
+                        "`Indicator = none`.");
+    }
+
     void check_target(const SectionReader &in, const AdaptivityParameters &adaptivity)
     {
       if (!adaptivity.has_target())
@@ -312,6 +324,8 @@ namespace signorini
     adaptivity.marking   = in.choice<MarkingKind>("Marking");
     if (adaptivity.any())
       check_that_keys_fit(in, adaptivity);
+    else
+      check_that_staying_is_meant(in);
     check_mass(in, adaptivity, time);
     adaptivity.refine_fraction =
       fraction(in, "Refine fraction", 1., "it is a part of the whole. Give for example 0.5.");

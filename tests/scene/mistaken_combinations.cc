@@ -250,6 +250,16 @@ TEST(Combinations, OfMeshesAndTheirGoal)
   expect_words(refusal_with("Goal", "energy"), {"Target error", "Goal = contact force"});
   EXPECT_EQ(refusal_with("Goal", "contact pressure"), "");
   EXPECT_EQ(refusal_with("Goal", "probe"), "");
+  // Who forgets the indicator is told so; who says that the mesh stays may keep the other keys.
+  EXPECT_EQ(refusal_with("Indicator", "none"), "");
+  const TemporaryFile forgotten(correct_scene() + assignment("Adaptivity/Goal", "contact force")
+                                + assignment("Adaptivity/Target error", "0.01"));
+  expect_words(refusal(forgotten.name),
+               {forgotten.name + ", line ", "Goal = contact force", "Indicator = residual"});
+  EXPECT_EQ(refusal(TemporaryFile(correct_scene() + assignment("Adaptivity/Target error", "0.01")
+                                  + assignment("Adaptivity/Maximum level", "0"))
+                      .name),
+            "");
   const std::string  scene = correct_scene();
   const ChangedScene no_probes(scene.substr(0, scene.find("subsection Probes")) + adaptive,
                                assignment("Adaptivity/Goal", "probe"));
