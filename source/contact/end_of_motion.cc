@@ -81,7 +81,7 @@ namespace signorini
               || enters(site, facing, d))
             continue;
           // A chord of what slides along the surface is deep only if it turns far.
-          const double depth = faced.depth_on_way(site.start, site.start + d);
+          const double depth = faced.depth_on_way(site.start, site.start + d, least);
           const auto   last  = faced.try_project(site.start + d);
           const bool   flies = std::max(facing.gap, last ? last->gap : unlimited) > depth;
           any                = depth > least && (flies || depth > deep_on_way * length);

@@ -133,6 +133,7 @@ namespace signorini
     const unsigned int n_pairs = surface.pairs().size();
     Finding      result{std::vector<bool>(discretization.mesh().triangulation().n_active_cells()),
                    std::vector<double>(n_pairs, 0.),
+                   std::vector<double>(n_pairs, 0.),
                    std::vector<double>(n_pairs, 0.)};
     const Vector moved  = discretization.interpolate_hanging_nodes(displacement),
                  forces = discretization.interpolate_hanging_nodes(contact_force);
@@ -148,6 +149,8 @@ namespace signorini
     const MPI_Comm communicator = discretization.communicator();
     Utilities::MPI::max(result.depths, communicator, result.depths);
     Utilities::MPI::max(result.relative_depths, communicator, result.relative_depths);
+    Utilities::MPI::max(
+      result.relative_depths_of_nodes, communicator, result.relative_depths_of_nodes);
     return result;
   }
 
@@ -201,6 +204,17 @@ namespace signorini
 
 
   template <int dim>
+  double UnseenContact<dim>::depth_of_vertices(const std::vector<Point<dim>> &vertices,
+                                               const Opposite                &opposite)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Point<dim> &vertex : vertices)
+      least = std::min(least, -opposite.gap(vertex).value_or(std::numeric_limits<double>::max()));
+    return least;
+  }
+
+
+  template <int dim>
   void UnseenContact<dim>::judge(Side           &side,
                                  const Opposite &opposite,
                                  const Vector   &displacement,
@@ -209,8 +223,7 @@ namespace signorini
   {
     std::vector<FineFace<dim> *> candidates;
     for (FineFace<dim> &face : side.faces)
-      if (opposite.may_be_in(face.wide_box(displacement))
-          && opposite.may_be_in(face.box(displacement)))
+      if (opposite.may_be_in(face.wide_box(displacement)))
         candidates.push_back(&face);
     const MPI_Comm     communicator = discretization.communicator();
     const unsigned int n_candidates = candidates.size();
@@ -226,9 +239,17 @@ namespace signorini
         if (nearest != bearing.qend()
             && middle.distance(*nearest) < seen_around_a_node * face->diameter())
           continue;
-        bool is_known = false; // by its vertices
-        for (const Point<dim> &vertex : face->vertices(displacement))
-          is_known = is_known || opposite.gap(vertex).value_or(0.) < 0.;
+        const std::vector<Point<dim>> vertices = face->vertices(displacement);
+        const double of_nodes = depth_of_vertices(vertices, opposite) / face->diameter();
+        if (of_nodes <= 1. && surface.pairs()[side.pair].of_two_bodies())
+          finding.relative_depths_of_nodes[side.pair] =
+            std::max(finding.relative_depths_of_nodes[side.pair], of_nodes);
+        if (!opposite.may_be_in(face->box(displacement)))
+          continue;
+        const bool is_known = // by its vertices
+          std::any_of(vertices.begin(), vertices.end(), [&](const Point<dim> &vertex) {
+            return opposite.gap(vertex).value_or(0.) < 0.;
+          });
         const double depth = is_known ? 0. : -face->least(opposite.gap, displacement);
         // What is deeper than a face is wide is behind the other side.
         if (!(depth > noticed * face->diameter()) || depth > face->diameter())

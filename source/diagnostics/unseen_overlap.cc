@@ -15,6 +15,8 @@ namespace signorini
     constexpr unsigned int looks_after_calls = 10;
     /** Over the diameter of a face. On a circle it is a bulge with 78 faces around. */
     constexpr double told_depth = 0.01;
+    /** Facets of curved surfaces and released nodes may be inside by some per cent. */
+    constexpr double told_depth_of_nodes = 0.1;
   } // namespace
 
 
@@ -46,6 +48,21 @@ namespace signorini
       unseen.emplace(*discretization, *surface);
     const auto found = unseen->find(state.displacement, state.contact_force, state.time);
     std::vector<std::string> news;
+    for (unsigned int pair = 0; pair < is_told.size(); ++pair)
+      if (!is_told[pair] && found.relative_depths_of_nodes[pair] > told_depth_of_nodes)
+        {
+          is_told[pair] = 1;
+          std::ostringstream text;
+          text
+            << "at time " << state.time << " the bodies of the pair '"
+            << surface->pairs()[pair].name
+            << "' go through each other: they are inside with whole faces, and no node there "
+               "bears anything. Nodes of the slave take no part in contact if their displacement "
+               "is prescribed along its normal: exchange slave and master, or prescribe it on "
+               "another side. And where contact is linearised, nodes take no part that were not "
+               "opposite to the master at the start.";
+          news.push_back(text.str());
+        }
     for (unsigned int pair = 0; pair < is_told.size(); ++pair)
       if (!is_told[pair] && found.relative_depths[pair] > told_depth)
         {

@@ -5,6 +5,8 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <limits>
+
 namespace signorini
 {
   using namespace dealii;
@@ -101,17 +103,37 @@ namespace signorini
 
 
   template <int dim>
-  double MovedObstacle<dim>::depth_on_way(const Point<dim> &start, const Point<dim> &end) const
+  double MovedObstacle<dim>::depth_on_way(const Point<dim> &start,
+                                          const Point<dim> &end,
+                                          const double      noticed) const
   {
-    const Point<dim>     first  = motion ? before.back(start) : start;
-    const Tensor<1, dim> way    = (motion ? after.back(end) : end) - first;
-    const double         length = way.norm(), least = length / 16.;
+    const Point<dim>     first   = motion ? before.back(start) : start;
+    const Tensor<1, dim> way     = (motion ? after.back(end) : end) - first;
+    const double         length  = way.norm();
+    constexpr double     nowhere = std::numeric_limits<double>::infinity();
     double               deepest = 0.;
-    for (double gone = least; gone < length;)
+    const auto           gap_at  = [&](const double part, const bool is_between) {
+      const auto projection = shape->try_project(first + part * way);
+      if (projection && is_between)
+        deepest = std::max(deepest, projection->depth());
+      return projection ? projection->gap : -nowhere;
+    };
+    struct Stretch
+    {
+      double start, end, gap_at_start, gap_at_end;
+    };
+    // Gaps change by no more than the way, so most stretches need not be halved.
+    for (std::vector<Stretch> left{{0., 1., gap_at(0., false), gap_at(1., false)}}; !left.empty();)
       {
-        const auto projection = shape->try_project(first + gone / length * way);
-        deepest               = std::max(deepest, projection ? projection->depth() : 0.);
-        gone += projection ? std::max(std::abs(projection->gap), least) : least;
+        const Stretch s = left.back();
+        left.pop_back();
+        const double way_of_stretch = (s.end - s.start) * length;
+        const double at_most        = 0.5 * (way_of_stretch - s.gap_at_start - s.gap_at_end);
+        if (at_most <= std::max(deepest, noticed) || 0.5 * way_of_stretch <= noticed)
+          continue;
+        const double middle = 0.5 * (s.start + s.end), gap = gap_at(middle, true);
+        left.push_back({middle, s.end, gap, s.gap_at_end});
+        left.push_back({s.start, middle, s.gap_at_start, gap});
       }
     return deepest;
   }

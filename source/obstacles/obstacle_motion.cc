@@ -5,8 +5,6 @@
 #include <signorini/base/user_error.h>
 #include <signorini/obstacles/obstacle_motion.h>
 
-#include <boost/math/quadrature/gauss_kronrod.hpp>
-
 #include <cmath>
 #include <sstream>
 
@@ -25,6 +23,13 @@ namespace signorini
         make_function<dim, dim>(moves_by_rate ? description.velocity : description.displacement))
     , angular_velocity(make_function<dim, 1>({{description.angular_velocity}}))
   {
+    for (unsigned int c = 0; c < dim; ++c)
+      integrals.emplace_back([this, c](const double t) { return value(*translation, t, c); },
+                             has_time<1>({{description.velocity[c]}}),
+                             description.panel);
+    integrals.emplace_back([this](const double t) { return value(*angular_velocity, t, 0); },
+                           has_time<1>({{description.angular_velocity}}),
+                           description.panel);
   }
 
 
@@ -45,21 +50,46 @@ namespace signorini
   std::vector<ObstaclePlace<dim>> ObstacleMotion<dim>::places_between(const double start,
                                                                       const double end) const
   {
-    if (moves_by_rate || rotates || start == end)
+    if (rotates || start == end)
       return {};
     const Tensor<1, dim> first = place(start).displacement, last = place(end).displacement;
     const double         round_off = 1e-12 * (first.norm() + last.norm());
-    std::vector<ObstaclePlace<dim>> result;
-    bool                            is_straight = true;
+    std::vector<ObstaclePlace<dim>> result(n_parts - 1, place(start));
+    for (unsigned int c = 0; c < dim; ++c)
+      {
+        const std::vector<double> way = displacements_between(start, end, c);
+        for (unsigned int k = 1; k < n_parts; ++k)
+          result[k - 1].displacement[c] = way[k];
+      }
+    bool is_straight = true;
     for (unsigned int k = 1; k < n_parts; ++k)
       {
-        const double part = double(k) / n_parts;
-        result.push_back(find_place(start + part * (end - start)));
+        const double         part     = double(k) / n_parts;
         const Tensor<1, dim> straight = (1. - part) * first + part * last;
-        is_straight = is_straight && (result.back().displacement - straight).norm() <= round_off;
+        is_straight = is_straight && (result[k - 1].displacement - straight).norm() <= round_off;
       }
     if (is_straight)
       result.clear();
+    return result;
+  }
+
+
+  template <int dim>
+  std::vector<double> ObstacleMotion<dim>::displacements_between(const double       start,
+                                                                 const double       end,
+                                                                 const unsigned int component) const
+  {
+    std::vector<double> result;
+    if (!moves_by_rate)
+      {
+        for (unsigned int k = 0; k <= n_parts; ++k)
+          result.push_back(
+            value(*translation, start + double(k) / n_parts * (end - start), component));
+        return result;
+      }
+    result.assign(1, place(start).displacement[component]);
+    for (const double part : integrals[component].over_parts(start, end, n_parts))
+      result.push_back(result.back() + part);
     return result;
   }
 
@@ -69,11 +99,10 @@ namespace signorini
   {
     ObstaclePlace<dim> result{centre, {}, rotation(0.), 0.};
     for (unsigned int c = 0; c < dim; ++c)
-      result.displacement[c] =
-        moves_by_rate ? integral(*translation, time, c) : value(*translation, time, c);
+      result.displacement[c] = moves_by_rate ? integrals[c](time) : value(*translation, time, c);
     if (rotates)
       {
-        result.angle    = integral(*angular_velocity, time, 0);
+        result.angle    = integrals[dim](time);
         result.rotation = rotation(result.angle);
       }
     return result;
@@ -96,19 +125,6 @@ namespace signorini
         throw RunError(message.str());
       }
     return result;
-  }
-
-
-  template <int dim>
-  double ObstacleMotion<dim>::integral(Function          &function,
-                                       const double       time,
-                                       const unsigned int component) const
-  {
-    if (time == 0.)
-      return 0.;
-    // Adaptive; a constant and all polynomials that one may think of are exact at once.
-    return boost::math::quadrature::gauss_kronrod<double, 15>::integrate(
-      [&](const double t) { return value(function, t, component); }, 0., time, 12, 1e-13);
   }
 
 

@@ -8,6 +8,7 @@
 #include <signorini/prm/check_expressions.h>
 #include <signorini/prm/kinds_of_section.h>
 #include <signorini/scene/sections.h>
+#include <signorini/scene/time_parameters.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -73,9 +74,17 @@ namespace signorini
     }
 
 
+    /** A step notices what is not much shorter than it; load steps may be the whole time. */
+    double panel_of_rates(const TimeParameters &time)
+    {
+      return std::min(time.step_size, time.end_time / 100.);
+    }
+
+
     template <int dim>
-    std::shared_ptr<const ObstacleMotion<dim>> parse_obstacle_motion(const SectionReader &in,
-                                                                     const std::string   &name)
+    std::shared_ptr<const ObstacleMotion<dim>> parse_obstacle_motion(const SectionReader  &in,
+                                                                     const std::string    &name,
+                                                                     const TimeParameters &time)
     {
       typename ObstacleMotion<dim>::Description motion;
       motion.displacement = read_motion<dim>(in, "Motion");
@@ -103,6 +112,7 @@ namespace signorini
         }
       if (!is_given(motion.displacement) && !is_given(motion.velocity) && !turns)
         return nullptr;
+      motion.panel = panel_of_rates(time);
       return std::make_shared<ObstacleMotion<dim>>(name, motion);
     }
   } // namespace
@@ -126,7 +136,8 @@ namespace signorini
 
 
   template <int dim>
-  NamedObstacle<dim> parse_obstacle(const SectionReader &in, const std::string &name)
+  NamedObstacle<dim>
+  parse_obstacle(const SectionReader &in, const std::string &name, const TimeParameters &time)
   {
     if (!in.given())
       in.fail("",
@@ -138,13 +149,14 @@ namespace signorini
       kind_of(in, "Shape", obstacle_shapes<dim>(), declared, [](const auto &owners) {
         return "the shape " + names_of_kinds(owners);
       });
-    return {name, shape.parse(in, name), parse_obstacle_motion<dim>(in, name)};
+    return {name, shape.parse(in, name), parse_obstacle_motion<dim>(in, name, time)};
   }
 
 
 #define INSTANTIATE(dim)                                                                           \
   template void               declare_obstacle<dim>(dealii::ParameterHandler &);                   \
-  template NamedObstacle<dim> parse_obstacle<dim>(const SectionReader &, const std::string &);
+  template NamedObstacle<dim> parse_obstacle<dim>(                                                 \
+    const SectionReader &, const std::string &, const TimeParameters &);
   INSTANTIATE(2)
   INSTANTIATE(3)
 #undef INSTANTIATE

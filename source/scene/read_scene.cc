@@ -231,7 +231,8 @@ namespace signorini
     check_start(in.section("Bodies"), scene);
     check_initial_velocities(in.section("Bodies"), scene);
     for (const std::string &name : names.obstacles)
-      scene.obstacles.push_back(parse_obstacle<dim>(in.section("Obstacles").section(name), name));
+      scene.obstacles.push_back(
+        parse_obstacle<dim>(in.section("Obstacles").section(name), name, scene.time));
     scene.pairs = parse_pairs(in.section("Contact"), names.pairs, scene);
     check_damping(in.section("Bodies"), scene);
     check_dirichlet(in.section("Bodies"), scene);

@@ -4,24 +4,45 @@
 #include <signorini/base/user_error.h>
 #include <signorini/simulation/initial_equilibrium.h>
 
+#include <optional>
+
 namespace signorini
 {
   namespace
   {
     /** Times that the equilibrium is found, each with the normals of the last. */
     constexpr unsigned int most_solutions = 40;
+    /** Of the first step, in which obstacles show their velocity. */
+    constexpr double part_of_step = 1e-2;
+
+
+    /** Of what contact nodes face; nothing if no obstacle moves. */
+    std::optional<Vector>
+    velocity_of_obstacles(DynamicalSystem &system, const State &undeformed, const double step_size)
+    {
+      const double span = part_of_step * step_size;
+      system.capabilities().moving_contact->begin_step(undeformed, span, StepNormals::at_end);
+      const Vector *const motion = obstacle_motion(system);
+      if (motion == nullptr)
+        return {};
+      Vector result = *motion;
+      result /= span;
+      return result;
+    }
   } // namespace
 
 
   template <int dim>
   StartReport initial_equilibrium(const Scene<dim> &scene, MeshedScene<dim> &meshed, State &state)
   {
-    const auto solve = [&] {
+    std::optional<Vector> of_obstacles;
+    const auto            solve = [&] {
       return start_in_equilibrium(meshed.discretization,
                                   meshed.surface,
                                   meshed.coordinates,
                                   scene.solver,
                                   meshed.load(0.),
+                                  of_obstacles ? &*of_obstacles : nullptr,
                                   state);
     };
     MovingContact *const contact = meshed.system.capabilities().moving_contact;
@@ -31,6 +52,7 @@ namespace signorini
     State undeformed;
     undeformed.displacement = undeformed.velocity = undeformed.contact_force =
       meshed.discretization.make_vector();
+    of_obstacles = velocity_of_obstacles(meshed.system, undeformed, scene.time.step_size);
     contact->begin_step(undeformed, 0., StepNormals::at_end);
     StartReport all;
     for (unsigned int n_solutions = 0; n_solutions < most_solutions; ++n_solutions)

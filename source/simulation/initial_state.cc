@@ -14,6 +14,33 @@
 
 namespace signorini
 {
+  namespace
+  {
+    std::string up_to(const double value)
+    {
+      std::ostringstream text;
+      text << " by up to " << std::setprecision(3) << value << ".";
+      return text.str();
+    }
+
+
+    /** The largest difference between prescribed entries and what they shall be. Collective. */
+    template <int dim>
+    double differ_by(const ContactCoordinates<dim> &coordinates,
+                     Vector                         entries,
+                     const std::vector<double>     &prescribed)
+    {
+      coordinates.rotate_to_frames(entries); // prescribed entries are not relative
+      double largest = 0.;
+      for (std::size_t j = 0; j < prescribed.size(); ++j)
+        largest = std::max(
+          largest,
+          std::abs(entries.local_element(coordinates.dirichlet_entries()[j]) - prescribed[j]));
+      return dealii::Utilities::MPI::max(largest, entries.get_mpi_communicator());
+    }
+  } // namespace
+
+
   double perturbation_of_velocities()
   {
     const char *const text = std::getenv("SIGNORINI_PERTURB");
@@ -43,7 +70,7 @@ namespace signorini
   Remarks start_with_conditions(const Discretization<dim>     &discretization,
                                 const ContactCoordinates<dim> &coordinates,
                                 const double                   step_size,
-                                State                         &state)
+                                Vector                        &velocity)
   {
     // One-sided difference of third order: exact for the motions that people write, and before time
     // 0 a condition need not exist.
@@ -58,34 +85,29 @@ namespace signorini
         for (std::size_t j = 0; j < rate.size(); ++j)
           rate[j] += factor[k] * (value[j] - position[j]) / h;
       }
-
-    Vector displacement = state.displacement;
-    coordinates.displacement_to_contact(displacement);
-    coordinates.displacement_to_contact(state.velocity);
-    double jump = 0., change = 0.;
+    const double change = differ_by(coordinates, velocity, rate);
+    coordinates.rotate_to_frames(velocity);
     for (std::size_t j = 0; j < entries.size(); ++j)
-      {
-        double &velocity = state.velocity.local_element(entries[j]);
-        jump     = std::max(jump, std::abs(displacement.local_element(entries[j]) - position[j]));
-        change   = std::max(change, std::abs(velocity - rate[j]));
-        velocity = rate[j];
-      }
-    coordinates.displacement_to_cartesian(state.velocity);
+      velocity.local_element(entries[j]) = rate[j];
+    coordinates.rotate_from_frames(velocity);
 
-    const MPI_Comm communicator = discretization.communicator();
-    jump                        = dealii::Utilities::MPI::max(jump, communicator);
-    change                      = dealii::Utilities::MPI::max(change, communicator);
-    Remarks    remarks;
-    const auto up_to = [](const double value) {
-      std::ostringstream text;
-      text << " by up to " << std::setprecision(3) << value << ".";
-      return text.str();
-    };
+    Remarks remarks;
     // The difference has a round-off of 1e-14 of the positions.
     if (change * step_size > 1e-11 * discretization.mesh().body_size())
       remarks.notes.push_back("prescribed nodes start with the velocity of their condition, which "
                               "differs from the initial velocity of their body"
                               + up_to(change));
+    return remarks;
+  }
+
+
+  template <int dim>
+  Remarks jump_to_conditions(const Discretization<dim>     &discretization,
+                             const ContactCoordinates<dim> &coordinates,
+                             const Vector                  &displacement)
+  {
+    const double jump = differ_by(coordinates, displacement, coordinates.dirichlet_values(0.));
+    Remarks      remarks;
     if (jump > 1e-9 * discretization.mesh().body_size())
       remarks.warnings.push_back("The first step moves prescribed nodes suddenly to where their "
                                  "conditions want them. With `Start = equilibrium` they begin "
@@ -95,10 +117,13 @@ namespace signorini
   }
 
 
-  template State initial_state(const Discretization<2> &);
-  template State initial_state(const Discretization<3> &);
-  template Remarks
-  start_with_conditions(const Discretization<2> &, const ContactCoordinates<2> &, double, State &);
-  template Remarks
-  start_with_conditions(const Discretization<3> &, const ContactCoordinates<3> &, double, State &);
+#define INSTANTIATE(dim)                                                                           \
+  template State   initial_state(const Discretization<dim> &);                                     \
+  template Remarks start_with_conditions(                                                          \
+    const Discretization<dim> &, const ContactCoordinates<dim> &, double, Vector &);               \
+  template Remarks jump_to_conditions(                                                             \
+    const Discretization<dim> &, const ContactCoordinates<dim> &, const Vector &);
+  INSTANTIATE(2)
+  INSTANTIATE(3)
+#undef INSTANTIATE
 } // namespace signorini

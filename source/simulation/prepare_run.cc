@@ -107,16 +107,21 @@ namespace signorini
     state = State(); // not by assignment of vectors, which would keep the ghosts of an earlier mesh
     state = initial_state(meshed->discretization);
     meshed->surface.check_initial_gap(state.displacement); // of the scene as it is given
+    const bool has_inertia = scheme_info(scene.time.scheme).inertia;
+    start_remarks          = Remarks();
+    if (has_inertia)
+      start_remarks = start_with_conditions(
+        meshed->discretization, meshed->coordinates, scene.time.step_size, state.velocity);
     if (scene.time.start == StartKind::equilibrium)
       {
         dealii::TimerOutput::Scope scope(timer, "start: equilibrium");
         equilibrium = naming_file<RunError>(
           scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
       }
-    start_remarks = Remarks();
-    if (scheme_info(scene.time.scheme).inertia)
-      start_remarks = start_with_conditions(
-        meshed->discretization, meshed->coordinates, scene.time.step_size, state);
+    if (has_inertia)
+      start_remarks.warnings =
+        jump_to_conditions(meshed->discretization, meshed->coordinates, state.displacement)
+          .warnings;
     for (const std::string &note : meshed->dirichlet.check_shared_nodes(scene.time.end_time))
       start_remarks.notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);

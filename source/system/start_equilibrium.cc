@@ -9,12 +9,13 @@ namespace signorini
 {
   namespace
   {
-    /** The law of each contact node; its past slip points along the initial velocity. */
+    /** The law of each contact node; its past slip points along the velocity of sliding. */
     template <int dim>
     Friction friction_of_nodes(const StepFriction<dim>       &friction,
                                const ContactCoordinates<dim> &coordinates,
                                const NormalGap               &gap,
                                const Vector                  &velocity,
+                               const double                   speed,
                                const double                   body_size)
     {
       if (!friction.any())
@@ -22,7 +23,6 @@ namespace signorini
       Friction laws     = friction.of_step(1., gap, touching_distance(body_size), nullptr);
       Vector   relative = velocity;
       coordinates.displacement_to_contact(relative);
-      const double speed = relative.linfty_norm();
       for (FrictionNode &node : laws)
         {
           for (unsigned int j = 0; j < node.entries.size(); ++j)
@@ -68,6 +68,7 @@ namespace signorini
                                    const ContactCoordinates<dim> &coordinates,
                                    const SolverParameters        &parameters,
                                    const Vector                  *load,
+                                   const Vector                  *of_obstacles,
                                    State                         &state)
   {
     const ProductCount      before = discretization.matrices().products();
@@ -76,8 +77,15 @@ namespace signorini
     const Vector              nothing    = discretization.make_vector();
     const NormalGap           gap        = surface.normal_gap(nothing);
     const std::vector<double> prescribed = coordinates.dirichlet_values(0.);
-    const Friction            laws       = friction_of_nodes(
-      friction, coordinates, gap, state.velocity, discretization.mesh().body_size());
+    Vector                    velocity   = state.velocity;
+    double                    speed      = velocity.linfty_norm();
+    if (of_obstacles != nullptr)
+      {
+        velocity -= *of_obstacles;
+        speed = std::max(speed, of_obstacles->linfty_norm());
+      }
+    const Friction laws = friction_of_nodes(
+      friction, coordinates, gap, velocity, speed, discretization.mesh().body_size());
 
     StaticProblem problem{load != nullptr ? *load : nothing, gap, prescribed, laws};
     problem.near_contact_only = true;
@@ -106,6 +114,7 @@ namespace signorini
                                             const ContactSurface<dim> &,                           \
                                             const ContactCoordinates<dim> &,                       \
                                             const SolverParameters &,                              \
+                                            const Vector *,                                        \
                                             const Vector *,                                        \
                                             State &);
   INSTANTIATE(2)

@@ -127,7 +127,7 @@ TEST(Effectivity, StaticContact)
     state.velocity     = discretization.make_vector();
     const Vector &load = on_mesh.loads.at(0.);
     start_in_equilibrium(
-      discretization, on_mesh.surface, on_mesh.coordinates, scene.solver, &load, state);
+      discretization, on_mesh.surface, on_mesh.coordinates, scene.solver, &load, nullptr, state);
     const Vector &u = state.displacement;
     return Found{
       ResidualEstimate(discretization, on_mesh.surface, on_mesh.dirichlet)

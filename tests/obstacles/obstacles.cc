@@ -326,6 +326,48 @@ TEST(Obstacles, MovedObstacleIsWhereItsMotionTakesIt)
   EXPECT_NEAR(box.project_before(point).gap, before.gap, 1e-15);
 }
 
+// A short pulse of the velocity lifts an obstacle once, to where it stays, whatever instants are
+// asked for and in which order: integrals that are adaptive from 0 on find the pulse for some ends.
+TEST(Obstacles, PulsesOfARateAreNeitherMissedNorForgotten)
+{
+  ObstacleMotion<2>::Description description;
+  description.velocity         = {{"0", "if(t<0.3,0,if(t<0.32,sin(pi*(t-0.3)/0.02),0))"}};
+  description.angular_velocity = "if(t<0.3,0,if(t<0.32,1,0))";
+  description.panel            = 2e-3;
+  const ObstacleMotion<2> motion("table", description);
+  const double            lift = 0.04 / dealii::numbers::PI;
+  for (const unsigned int k : {999, 160, 151, 1, 77, 500, 499})
+    {
+      const double time  = 2e-3 * k;
+      const double phase = dealii::numbers::PI * (std::clamp(time, 0.3, 0.32) - 0.3) / 0.02;
+      EXPECT_NEAR(motion.place(time).displacement[1], lift / 2. * (1. - std::cos(phase)), 1e-12);
+      EXPECT_NEAR(motion.place(time).angle, std::clamp(time, 0.3, 0.32) - 0.3, 1e-12);
+    }
+}
+
+// What is thinner than a hundredth of the way is found, wherever on the way it is; ends do not
+// count, nor does what a point slides along, and a chord is as deep as it is.
+TEST(Obstacles, ThinObstaclesOnTheWayAreFound)
+{
+  const auto depth = [](const std::shared_ptr<const RigidObstacle<2>> &shape,
+                        const Point<2>                                &start,
+                        const Point<2>                                &end) {
+    return MovedObstacle<2>({"it", shape}).depth_on_way(start, end, 0.005);
+  };
+  const auto plate  = std::make_shared<BoxObstacle<2>>(Point<2>(0., -1.), Point<2>(0.05, 1.)),
+             needle = std::make_shared<BoxObstacle<2>>(Point<2>(0., -1.), Point<2>(1., 1e-3));
+  const auto ball   = std::make_shared<RoundObstacle<2>>(Point<2>(), Tensor<1, 2>(), 0.06, false);
+  for (const double start : {-0.01, -0.7, -4.9})
+    {
+      EXPECT_GT(depth(plate, {start, 0.3}, {start + 5., 0.1}), 0.02);
+      EXPECT_GT(depth(ball, {10. * start, 0.03}, {10. * start + 50., 0.03}), 0.025);
+      EXPECT_EQ(depth(plate, {start, 2.1}, {start + 5., 2.1}), 0.);
+    }
+  EXPECT_EQ(depth(plate, {-1., 0.}, {0., 0.}), 0.);
+  EXPECT_EQ(depth(needle, {0.1, 1e-3}, {0.9, 1e-3}), 0.);
+  EXPECT_NEAR(depth(ball, {-0.06, 0.}, {0., 0.06}), 0.06 * (1. - std::sqrt(0.5)), 1e-3);
+}
+
 // The condition of a point beside an obstacle that moves and turns says what the gap is at the end,
 // its bound without the motion of the obstacle is the gap of the start, and a point that goes with
 // the obstacle keeps its gap.

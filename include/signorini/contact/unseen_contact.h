@@ -14,7 +14,8 @@ namespace signorini
    * the other side between them goes in freely, until a node comes there, too: the pole of a ball
    * between two nodes, or a small obstacle under the middle of a face. Looked for where no node
    * around bears anything, on the surfaces that finer meshes would have (FineFace): obstacles as
-   * they are, the other body as a finer mesh would have it.
+   * they are, the other body as a finer mesh would have it. Bodies that are inside each other with
+   * their nodes, and bear nothing there, are found, too.
    */
   template <int dim>
   class UnseenContact
@@ -29,6 +30,8 @@ namespace signorini
       std::vector<bool>   cells;           ///< of this process, by active_cell_index
       std::vector<double> depths;          ///< of each pair, on all processes; length
       std::vector<double> relative_depths; ///< the same over the diameters of the faces
+      /** Of pairs of bodies, by which faces are inside with all of their nodes, likewise. */
+      std::vector<double> relative_depths_of_nodes;
     };
 
     /** Collective. @param time where obstacles are */
@@ -62,6 +65,10 @@ namespace signorini
     Opposite obstacle(unsigned int pair, double time) const;
     /** The facets of a side that may be near another one. Collective. */
     Opposite other_body(Side &other, const Side &own, const Vector &displacement) const;
+
+    /** By which all vertices of a face are inside; negative: one of them is outside. */
+    static double depth_of_vertices(const std::vector<dealii::Point<dim>> &vertices,
+                                    const Opposite                        &opposite);
 
     /** Whether faces of a side reach into what is opposite, where no node bears. Collective. */
     void judge(Side           &side,

@@ -83,11 +83,13 @@ namespace signorini
                                           const dealii::Point<dim> &end) const;
 
     /**
-     * How deep a point gets on its way through the step, by conservative advancement: it goes as
-     * far as it is away from the surface, but at least a sixteenth of the way. Length, 0: never
-     * inside.
+     * How deep a point gets on its way through the step, without its ends. Stretches of the way are
+     * halved until none can be deeper by more than what is noticed. Length, 0: never inside.
+     * @param noticed length > 0
      */
-    double depth_on_way(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const;
+    double depth_on_way(const dealii::Point<dim> &start,
+                        const dealii::Point<dim> &end,
+                        double                    noticed) const;
 
     /**
      * How deep a point that goes straight through the step is in the obstacle in between, where

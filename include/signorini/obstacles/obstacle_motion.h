@@ -4,6 +4,8 @@
 #ifndef signorini_obstacles_obstacle_motion_h
 #define signorini_obstacles_obstacle_motion_h
 
+#include <signorini/obstacles/integral_of_rate.h>
+
 #include <deal.II/base/function_parser.h>
 #include <deal.II/base/point.h>
 
@@ -12,6 +14,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace signorini
 {
@@ -54,6 +57,7 @@ namespace signorini
       std::string                  angular_velocity; ///< radians per time, counterclockwise
       dealii::Point<dim>           centre;           ///< of the rotation, at time 0
       dealii::Tensor<1, dim>       axis;             ///< unit vector; of no meaning in 2d
+      double                       panel = 0.01;     ///< see IntegralOfRate
     };
 
     /** @param name of the obstacle, for messages */
@@ -62,10 +66,7 @@ namespace signorini
     /** @throws RunError if an expression is not a finite number */
     ObstaclePlace<dim> place(double time) const;
 
-    /**
-     * At equal times between two instants, if it does not go straight on there; none where a rate
-     * is given, which would have to be integrated.
-     */
+    /** At equal times between two instants, if it does not go straight on there, nor turns. */
     std::vector<ObstaclePlace<dim>> places_between(double start, double end) const;
 
     /** Whether it rotates. */
@@ -74,11 +75,12 @@ namespace signorini
   private:
     using Function = dealii::FunctionParser<dim>;
 
-    const std::string               name;
-    const dealii::Point<dim>        centre;
-    const dealii::Tensor<1, dim>    axis;
-    const bool                      moves_by_rate, rotates;
-    const std::unique_ptr<Function> translation, angular_velocity;
+    const std::string                   name;
+    const dealii::Point<dim>            centre;
+    const dealii::Tensor<1, dim>        axis;
+    const bool                          moves_by_rate, rotates;
+    const std::unique_ptr<Function>     translation, angular_velocity;
+    mutable std::vector<IntegralOfRate> integrals; ///< of the components, and of the rotation
 
     /** Between two instants. */
     static constexpr unsigned int n_parts = 8;
@@ -89,10 +91,12 @@ namespace signorini
 
     ObstaclePlace<dim> find_place(double time) const;
 
+    /** At equal times from one instant to another, both included: about, where a rate is given. */
+    std::vector<double>
+    displacements_between(double start, double end, unsigned int component) const;
+
     /** A component of a function of t. */
-    double value(Function &function, double time, unsigned int component) const;
-    /** Its integral since time 0. */
-    double                 integral(Function &function, double time, unsigned int component) const;
+    double                 value(Function &function, double time, unsigned int component) const;
     dealii::Tensor<2, dim> rotation(double angle) const;
   };
 } // namespace signorini

@@ -57,7 +57,8 @@ namespace signorini
   template <int dim>
   void declare_obstacle(dealii::ParameterHandler &prm);
   template <int dim>
-  NamedObstacle<dim> parse_obstacle(const SectionReader &in, const std::string &name);
+  NamedObstacle<dim>
+  parse_obstacle(const SectionReader &in, const std::string &name, const TimeParameters &time);
 
   // The part of a pair's section; expressions are tried at points of the slave.
   void declare_friction(dealii::ParameterHandler &prm);

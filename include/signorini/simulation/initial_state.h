@@ -36,13 +36,19 @@ namespace signorini
    * velocity is: schemes that take the velocity from displacements, v_new = 2 d/tau - v, would
    * otherwise alternate about it for ever. Collective.
    * @param step_size the first one; the derivative at time 0 is taken in a small part of it
-   * @return what has been changed, and that displacements jump
+   * @return what has been changed
    */
   template <int dim>
   Remarks start_with_conditions(const Discretization<dim>     &discretization,
                                 const ContactCoordinates<dim> &coordinates,
                                 double                         step_size,
-                                State                         &state);
+                                Vector                        &velocity);
+
+  /** Whether prescribed nodes are not where their conditions want them at time 0. Collective. */
+  template <int dim>
+  Remarks jump_to_conditions(const Discretization<dim>     &discretization,
+                             const ContactCoordinates<dim> &coordinates,
+                             const Vector                  &displacement);
 } // namespace signorini
 
 #endif

@@ -20,11 +20,12 @@ namespace signorini
    * The equilibrium of a scene under its loads and contact at time 0 (StaticEquilibrium). Motions
    * that nothing holds are free: a block that slides on a plane starts with the shear that
    * decelerates it, a body in free fall without deformation. The slip of friction is the relative
-   * tangential displacement from the undeformed bodies or, where the initial velocity has one,
-   * along its tangential part. Collective.
-   * @param load  or null
-   * @param state displacement, contact force and friction become those of the equilibrium; the
-   *              velocity is only read
+   * tangential displacement from the undeformed bodies or, where the initial velocity relative to
+   * the other body or obstacle has one, along its tangential part. Collective.
+   * @param load         or null
+   * @param of_obstacles velocities of what contact nodes face, zero elsewhere; or null
+   * @param state        displacement, contact force and friction become those of the equilibrium;
+   *                     the velocity is only read
    * @throws RunError if no equilibrium is found
    */
   template <int dim>
@@ -33,6 +34,7 @@ namespace signorini
                                    const ContactCoordinates<dim> &coordinates,
                                    const SolverParameters        &parameters,
                                    const Vector                  *load,
+                                   const Vector                  *of_obstacles,
                                    State                         &state);
 } // namespace signorini
 
