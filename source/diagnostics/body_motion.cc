@@ -111,6 +111,35 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<double> BodyMotion<dim>::moments(const Vector &forces,
+                                               const Vector *displacement) const
+  {
+    const auto at_node = [](const Vector &vector, const unsigned int node) {
+      Tensor<1, dim> result;
+      for (unsigned int c = 0; c < dim; ++c)
+        result[c] = vector.local_element(dim * node + c);
+      return result;
+    };
+    std::vector<Tensor<1, dim>> means(masses.size());
+    if (displacement != nullptr)
+      for (const MassPoint &point : points)
+        means[point.body] += point.mass / masses[point.body] * at_node(*displacement, point.node);
+    sum_over_processes(means, communicator);
+    std::vector<Moment> sums(masses.size());
+    for (const MassPoint &point : points)
+      sums[point.body] +=
+        moment(displacement != nullptr ? at_node(*displacement, point.node) - means[point.body]
+                                       : point.arm,
+               at_node(forces, point.node));
+    sum_over_processes(sums, communicator);
+    std::vector<double> result;
+    for (const Moment &sum : sums)
+      result.push_back(sum.norm());
+    return result;
+  }
+
+
+  template <int dim>
   double BodyMotion<dim>::elastic_energy(const State &state) const
   {
     // Per body: u'Au; resultant and moment of Au, which are round-off (the moment only where

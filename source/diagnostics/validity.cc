@@ -13,6 +13,18 @@ namespace signorini
   {
     constexpr double degree = 3.14159265358979324 / 180.;
 
+    constexpr const char *too_fast_for_steps =
+      "Steps are too long for these vibrations: velocities and stresses near the contact are "
+      "wrong, "
+      "forces and energies are not. Choose a scheme that damps what steps do not resolve "
+      "(`Time/Spectral radius` of about 0.6, doc/schemes.md), or much smaller steps.";
+
+    constexpr const char *after_a_jump =
+      "The prescribed velocity jumps, and schemes without damping never forget a jump, however "
+      "short their steps are: velocities there and forces of supports alternate; their means over "
+      "two steps are right. Let the motion begin and end smoothly, over ten steps or more, or take "
+      "an alpha method with `Time/Spectral radius = 0.6` (doc/schemes.md).";
+
     std::string number(const double value)
     {
       std::ostringstream text;
@@ -69,9 +81,14 @@ namespace signorini
        3.,
        1.,
        " times as fast to and fro from step to step, at a contact node, as it moves on",
-       "Steps are too long for these vibrations: velocities and stresses near the contact are "
-       "wrong, forces and energies are not. Choose a scheme that damps what steps do not resolve "
-       "(`Time/Spectral radius` of about 0.6, doc/schemes.md), or much smaller steps."},
+       too_fast_for_steps},
+      {&ValidityReading::prescribed,
+       false,
+       0.1,
+       1.,
+       " times as fast to and fro from step to step, where its displacement is prescribed, as it "
+       "moves on",
+       after_a_jump},
       {&ValidityReading::turning,
        false,
        rotation_limit(),

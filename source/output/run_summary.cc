@@ -20,6 +20,15 @@ namespace signorini
       return std::abs(value) < 1e-9 ? 0. : value;
     }
 
+    /** Where there were forces, but none that counts: see unnoticed_force. */
+    std::string about_unnoticed_forces(const double largest)
+    {
+      std::ostringstream text;
+      text << std::setprecision(3) << " that counts: the largest force, " << largest
+           << ", is below 1e-7 of the energy of the motion over the size of the bodies";
+      return text.str();
+    }
+
     /** Of the iterations of a run: what is worth a line. */
     constexpr double hardly_saved = 0.01;
 
@@ -295,7 +304,10 @@ namespace signorini
            << "  penetration       " << largest_penetration << " at most\n"
            << about_steps();
     else
-      text << "  contact           none\n";
+      text << "  contact           none"
+           << (force_variation.largest() > 0. ? about_unnoticed_forces(force_variation.largest())
+                                              : "")
+           << "\n";
     if (relative(largest_missed_gap) > hardly_missed)
       text << "  missed gaps       forces of contact between bodies times what is missed of their "
               "gaps: "

@@ -23,6 +23,9 @@ namespace signorini
       return names;
     }
 
+    /** Of the speed of the motion: what is slower is at rest. */
+    constexpr double round_off_of_speed = 1e-6;
+
     std::string remedy_for_coarse_surfaces(const AdaptivityParameters &adaptivity)
     {
       if (adaptivity.any() && adaptivity.has_target())
@@ -125,6 +128,7 @@ namespace signorini
     body_motion = BodyMotion<dim>(meshed->discretization);
     unseen_overlap.use_mesh(meshed->discretization, meshed->surface);
     alternation.forget();
+    of_prescribed.forget();
     probes = make_probes(scene, *meshed);
     tables.use_mesh(*meshed, body_motion, state);
     law_watch.start(*meshed, body_motion, state);
@@ -151,6 +155,7 @@ namespace signorini
     missing_pairs.archive(archive);
     unseen_overlap.archive(archive);
     alternation.archive(archive);
+    of_prescribed.archive(archive);
     law_watch.archive(archive);
     turning_normals.archive(archive, meshed->discretization.communicator());
     double time = earlier_time + clock.wall_time();
@@ -203,12 +208,18 @@ namespace signorini
         energy_of_strains = elastic;
       }
     reading.strain = strains;
-    reading.alternation =
-      alternation.add(meshed->surface,
-                      state.velocity,
-                      std::sqrt(2. * run_summary.largest_energy_of_motion() / body_motion.mass()),
-                      scene.bodies.size(),
-                      discretization.communicator());
+    const double typical_speed =
+      std::sqrt(2. * run_summary.largest_energy_of_motion() / body_motion.mass());
+    reading.alternation = alternation.add(normal_velocities(meshed->surface, state.velocity),
+                                          typical_speed,
+                                          scene.bodies.size(),
+                                          discretization.communicator());
+    if (meshed->dirichlet.any())
+      reading.prescribed =
+        of_prescribed.add(prescribed_velocities(meshed->dirichlet, state.velocity),
+                          round_off_of_speed * typical_speed,
+                          scene.bodies.size(),
+                          discretization.communicator());
     const SchemeInfo &scheme = scheme_info(scene.time.scheme);
     if (meshed->surface.follows() && scheme.predictor && !scheme.projects_velocity)
       reading.turning = turning_normals.add(

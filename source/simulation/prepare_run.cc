@@ -3,6 +3,7 @@
 
 #include <signorini/base/user_error.h>
 #include <signorini/contact/overlap.h>
+#include <signorini/diagnostics/held_by_turning.h>
 #include <signorini/diagnostics/probe.h>
 #include <signorini/output/point_probe.h>
 #include <signorini/schemes/scheme_table.h>
@@ -117,11 +118,14 @@ namespace signorini
         dealii::TimerOutput::Scope scope(timer, "start: equilibrium");
         equilibrium = naming_file<RunError>(
           scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
+        for (const std::string &sentence : held_by_turning(meshed->discretization, state))
+          start_remarks.warnings.push_back(sentence);
       }
     if (has_inertia)
-      start_remarks.warnings =
-        jump_to_conditions(meshed->discretization, meshed->coordinates, state.displacement)
-          .warnings;
+      for (const std::string &sentence :
+           jump_to_conditions(meshed->discretization, meshed->coordinates, state.displacement)
+             .warnings)
+        start_remarks.warnings.push_back(sentence);
     for (const std::string &note : meshed->dirichlet.check_shared_nodes(scene.time.end_time))
       start_remarks.notes.push_back(note);
     meshed->system.apply_mass(state.momentum, state.velocity);

@@ -72,6 +72,24 @@ class Equilibria(check_history.unittest.TestCase):
                     self.assertLess(abs(history["contact_force_x"][row]), 1e-8)
                 self.assertLess(max(history["geometric_penetration"]), 1e-12)
 
+    def test_a_round_body_that_would_spin_up_is_told(self):
+        """A disc that slides finds an equilibrium that friction could not let it have; the same
+        disc at rest, and a block that slides, have one."""
+        disc = LYING.format(motion="").replace("0, -1.495", "0, -1.5")
+        flat = [
+            "Time/End time=0.02",
+            "Obstacles/bowl/Shape=plane",
+            "Obstacles/bowl/Point=0, -2",
+            "Obstacles/bowl/Normal=0, 1",
+            "Contact/disc : bowl/Friction coefficient=0.01",
+        ]
+        block = ["Bodies/disc/Shape=box", "Bodies/disc/Lower corner=-0.2, -2"]
+        block += ["Bodies/disc/Upper corner=0.2, -1.6"]
+        sliding = "Bodies/disc/Initial velocity=0.1; 0"
+        for overrides, is_told in (([sliding], True), ([], False), ([*block, sliding], False)):
+            run = check_history.Run(disc, "turned", [*flat, *overrides])
+            self.assertEqual("holds the body 'disc' because" in run.log, is_told, overrides)
+
     def test_load_steps_come_to_the_same_state_however_many_they_are(self):
         """A round punch is pressed into a block and drawn aside. Without friction the state depends
         on its place alone, and with friction as well once all nodes slip."""

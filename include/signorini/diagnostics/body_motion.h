@@ -44,6 +44,13 @@ namespace signorini
     std::vector<double> rotation(const Vector &displacement) const;
 
     /**
+     * Of forces about the centre of mass of each body: at the places of their nodes in the
+     * reference configuration or, with a displacement, what it adds to that by taking the places
+     * with it. Collective.
+     */
+    std::vector<double> moments(const Vector &forces, const Vector *displacement = nullptr) const;
+
+    /**
      * u'Au/2 of all bodies, u without what carries and turns each of them as a whole: however far
      * they have gone, the round-off of forces there works nothing. Cells with curved edges are
      * strained by the nodal values of a rotation: there only translations are taken out.

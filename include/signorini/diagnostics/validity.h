@@ -22,6 +22,8 @@ namespace signorini
     std::vector<double> sliding;  ///< of bodies in pairs on each other, in sizes of a face
     /** Of contact nodes of bodies: alternating velocities over those of the motion. */
     std::vector<double> alternation = {};
+    /** The same of nodes whose displacement is prescribed. */
+    std::vector<double> prescribed = {};
     /** Of bodies, radians: normals at nodes that stay in contact, see TurningNormals. */
     std::vector<double> turning = {};
   };

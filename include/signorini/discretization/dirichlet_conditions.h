@@ -34,6 +34,9 @@ namespace signorini
     /** Whether there are any conditions, on any process. */
     bool any() const { return !places.empty(); }
 
+    /** Whose boundary a condition prescribes. */
+    unsigned int body(const unsigned int condition) const { return places[condition].first; }
+
     /** Body, key and boundary of a condition, for the user. */
     std::string name(unsigned int condition) const;
 

@@ -94,7 +94,8 @@ namespace signorini
     std::vector<double>      strains; ///< of the bodies, when they were last evaluated
     double                   energy_of_strains = 0.; ///< elastic, at that time
     std::vector<Zigzag>      velocity_zigzags;
-    Alternation<dim>         alternation;
+    Alternation              alternation;         ///< of contact nodes
+    Alternation              of_prescribed{true}; ///< of prescribed ones
     TurningNormals<dim>      turning_normals;
     dealii::Timer            clock;
     double                   earlier_time = 0.; ///< on the clock, before the run was resumed
