@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/contact_status.h>
 #include <signorini/base/spelling.h>
 #include <signorini/contact/own_forces.h>
 #include <signorini/goals/force_error.h>
@@ -20,21 +21,40 @@ namespace signorini
 
     /** Of relative errors. */
     constexpr double most_credible = 0.3;
+    /** Elastic energy before contact that is worth a line, as part of the largest one. */
+    constexpr double noticed_before_contact = 1e-3;
+
+    double elastic_energy(const State &state)
+    {
+      return 0.5 * (state.displacement * state.internal_force);
+    }
+
+    /** As round-off does at a body that rests without load: that is no contact yet. */
+    bool hardly_presses(const double force, const State &state, const double size)
+    {
+      const double energy = 0.5 * (state.velocity * state.momentum) + elastic_energy(state);
+      return force <= unnoticed_force * energy / size;
+    }
   } // namespace
 
 
   template <int dim>
   ForceReading force_reading(const Discretization<dim>    &discretization,
                              const ContactSurface<dim>    &surface,
-                             const State                  &state,
+                             const StepRecord             &step,
                              const dealii::Vector<double> &indicator,
                              const unsigned int            maximum_level)
   {
+    const double size  = discretization.mesh().body_size();
     const auto  &cells = discretization.mesh().triangulation();
     ForceReading reading;
-    reading.time           = state.time;
-    reading.elastic_energy = 0.5 * (state.displacement * state.internal_force);
-    const Vector own       = own_forces(surface, state.contact_force);
+    reading.time           = step.end.time;
+    reading.step_size      = step.step_size;
+    reading.elastic_energy = elastic_energy(step.end);
+    if (step.start.velocity.linfty_norm() > 0.
+        && hardly_presses(step.start.contact_force.l1_norm(), step.start, size))
+      reading.energy_before_contact = elastic_energy(step.start);
+    const Vector own = own_forces(surface, step.end.contact_force);
     for (const ContactNode<dim> &node : surface.nodes())
       reading.force += node.transmission * std::abs(node.normal_force(own));
     for (const auto &cell : discretization.cells())
@@ -49,6 +69,8 @@ namespace signorini
     for (double *sum :
          {&reading.force, &reading.squared_error, &reading.at_limit, &reading.of_uniform_mesh})
       *sum = dealii::Utilities::MPI::sum(*sum, discretization.communicator());
+    if (hardly_presses(reading.force, step.end, size))
+      reading.force = 0.;
     reading.n_cells    = cells.n_global_active_cells();
     reading.n_coarsest = cells.n_cells(0);
     return reading;
@@ -72,7 +94,15 @@ namespace signorini
   void ForceError::see(const ForceReading &reading)
   {
     if (history.begin(reading.time, reading.time))
-      previous_force = latest.force;
+      {
+        previous_force    = latest.force;
+        n_contacts_before = n_contacts;
+      }
+    n_contacts = n_contacts_before + (reading.force > 0. && previous_force <= 0. ? 1 : 0);
+    if (n_contacts_before == 0)
+      energy_before_contact = std::max(energy_before_contact, reading.energy_before_contact);
+    if (n_contacts > 0)
+      largest_energy = std::max(largest_energy, reading.elastic_energy);
     if (latest.force <= 0.)
       tolerances.clear();
     latest        = reading;
@@ -166,6 +196,13 @@ namespace signorini
          << " times the cells\n                    cells in contact: " << percent(history.sums.near)
          << " % near it, " << percent(history.sums.cells - history.sums.near - history.sums.free)
          << " % for waves, " << percent(history.sums.free) << " % in bodies that touch nothing\n";
+    if (energy_before_contact > noticed_before_contact * largest_energy)
+      text
+        << "                    without what the mesh did to vibrations before contact, which had "
+        << 100. * energy_before_contact / largest_energy << " % of the elastic energy\n";
+    if (n_contacts > 1)
+      text << "                    of each of " << n_contacts
+           << " contacts alone: what was wrong with earlier ones makes later ones wrong, too\n";
     if (relative_error() > most_credible)
       text << "                    that is no more than a sign of a mesh that is much too coarse\n";
     return text.str();
@@ -174,12 +211,12 @@ namespace signorini
 
   template ForceReading force_reading(const Discretization<2> &,
                                       const ContactSurface<2> &,
-                                      const State &,
+                                      const StepRecord &,
                                       const dealii::Vector<double> &,
                                       unsigned int);
   template ForceReading force_reading(const Discretization<3> &,
                                       const ContactSurface<3> &,
-                                      const State &,
+                                      const StepRecord &,
                                       const dealii::Vector<double> &,
                                       unsigned int);
 } // namespace signorini

@@ -82,8 +82,7 @@ namespace signorini
     if (step.step_size > 0. || starts_at_rest)
       {
         ForceReading reading =
-          force_reading(discretization, surface, step.end, indicator, parameters.maximum_level);
-        reading.step_size = step.step_size;
+          force_reading(discretization, surface, step, indicator, parameters.maximum_level);
         if (reading.force > 0.)
           reading.of_approach =
             energy_of_slow_approach(discretization, surface, step.end, masses, reading.force);

@@ -61,6 +61,31 @@ TEST(ForceGoal, ToleranceIsTheTarget)
   EXPECT_NEAR(std::pow(only.tolerance(), 2), 2. * tolerated, 1e-12 * tolerated);
 }
 
+// What the estimate cannot know is said: vibrations that are older than the contact, and contacts
+// that come after others. Steps that are repeated count once.
+TEST(ForceGoal, SaysWhatItDoesNotKnow)
+{
+  const std::string older = "vibrations before contact", alone = "contacts alone";
+  const auto        says = [](const ForceError &error, const std::string &text) {
+    return error.summary().find(text) != std::string::npos;
+  };
+  ForceError   error(0.01, 2), vibrating(0.01, 2);
+  ForceReading touch          = reading_at(0.1, 2., 1.);
+  touch.energy_before_contact = 0.1 * touch.elastic_energy;
+  vibrating.see(touch);
+  EXPECT_TRUE(says(vibrating, older));
+  error.see(reading_at(0.1, 2., 1.));
+  error.see(reading_at(0.1, 2., 1.));
+  EXPECT_FALSE(says(error, older));
+  error.see(reading_at(0.2, 0., 1.));
+  EXPECT_FALSE(says(error, alone));
+  touch.time = 0.3;
+  error.see(touch); // in a flight between contacts bodies vibrate
+  error.see(touch);
+  EXPECT_FALSE(says(error, older));
+  EXPECT_TRUE(says(error, "each of 2 contacts alone"));
+}
+
 TEST(ForceGoal, ErrorIsThatOfTheWholeTime)
 {
   ForceError error(0.01, 3);

@@ -4,6 +4,7 @@
 #ifndef signorini_goals_force_error_h
 #define signorini_goals_force_error_h
 
+#include <signorini/adaptivity/error_indicator.h>
 #include <signorini/contact/contact_surface.h>
 #include <signorini/goals/sums_over_time.h>
 #include <signorini/time/state.h>
@@ -16,10 +17,11 @@ namespace signorini
   /** What the error of the contact force in one step is estimated from. */
   struct ForceReading
   {
-    double time            = 0.;
-    double step_size       = 0.; ///< that ended there; 0: none
-    double force           = 0.; ///< sum of normal contact forces, positive
-    double elastic_energy  = 0.; ///< of all bodies
+    double time                  = 0.;
+    double step_size             = 0.; ///< that ended there; 0: none
+    double force                 = 0.; ///< sum of normal contact forces, positive
+    double elastic_energy        = 0.; ///< of all bodies
+    double energy_before_contact = 0.; ///< the same where the step began, if without contact
     double squared_error   = 0.; ///< sum of squared indicators: of the error in the energy norm
     double at_limit        = 0.; ///< the part of the cells that may not become finer
     double of_uniform_mesh = 0.; ///< the same if all cells had level 0
@@ -37,13 +39,13 @@ namespace signorini
   };
 
   /**
-   * Of the state at the end of a step and the indicators of the step, by active_cell_index.
+   * Of a step, the state at its end and its indicators, by active_cell_index.
    * Collective; the same on all processes. @param maximum_level of cells
    */
   template <int dim>
   ForceReading force_reading(const Discretization<dim>    &discretization,
                              const ContactSurface<dim>    &surface,
-                             const State                  &state,
+                             const StepRecord             &step,
                              const dealii::Vector<double> &indicator,
                              unsigned int                  maximum_level);
 
@@ -111,6 +113,7 @@ namespace signorini
     void archive(Archive &archive)
     {
       archive(latest, previous_force, largest_force, largest_tolerance, tolerances);
+      archive(n_contacts, n_contacts_before, largest_energy, energy_before_contact);
       history.archive(archive);
     }
 
@@ -121,6 +124,8 @@ namespace signorini
     double       previous_force    = 0.; ///< in the judgement before
     double       largest_force     = 0.;
     double       largest_tolerance = 0.;
+    unsigned int n_contacts = 0, n_contacts_before = 0; ///< the latter: at the judgement before
+    double       largest_energy = 0., energy_before_contact = 0.; ///< elastic ones
 
     struct Tolerance
     {
