@@ -204,13 +204,18 @@ namespace signorini
 
 
   template <int dim>
-  double UnseenContact<dim>::depth_of_vertices(const std::vector<Point<dim>> &vertices,
-                                               const Opposite                &opposite)
+  std::pair<double, double>
+  UnseenContact<dim>::range_of_gaps(const std::vector<Point<dim>> &vertices,
+                                    const Opposite                &opposite)
   {
-    double least = std::numeric_limits<double>::infinity();
+    double least = std::numeric_limits<double>::max(), largest = -least;
     for (const Point<dim> &vertex : vertices)
-      least = std::min(least, -opposite.gap(vertex).value_or(std::numeric_limits<double>::max()));
-    return least;
+      {
+        const double gap = opposite.gap(vertex).value_or(std::numeric_limits<double>::max());
+        least            = std::min(least, gap);
+        largest          = std::max(largest, gap);
+      }
+    return {least, largest};
   }
 
 
@@ -239,18 +244,15 @@ namespace signorini
         if (nearest != bearing.qend()
             && middle.distance(*nearest) < seen_around_a_node * face->diameter())
           continue;
-        const std::vector<Point<dim>> vertices = face->vertices(displacement);
-        const double of_nodes = depth_of_vertices(vertices, opposite) / face->diameter();
+        const auto [least, largest] = range_of_gaps(face->vertices(displacement), opposite);
+        const double of_nodes       = -largest / face->diameter();
         if (of_nodes <= 1. && surface.pairs()[side.pair].of_two_bodies())
           finding.relative_depths_of_nodes[side.pair] =
             std::max(finding.relative_depths_of_nodes[side.pair], of_nodes);
         if (!opposite.may_be_in(face->box(displacement)))
           continue;
-        const bool is_known = // by its vertices
-          std::any_of(vertices.begin(), vertices.end(), [&](const Point<dim> &vertex) {
-            return opposite.gap(vertex).value_or(0.) < 0.;
-          });
-        const double depth = is_known ? 0. : -face->least(opposite.gap, displacement);
+        const bool   is_known = least < 0.; // by its vertices
+        const double depth    = is_known ? 0. : -face->least(opposite.gap, displacement);
         // What is deeper than a face is wide is behind the other side.
         if (!(depth > noticed * face->diameter()) || depth > face->diameter())
           continue;

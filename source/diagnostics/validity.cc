@@ -15,8 +15,7 @@ namespace signorini
 
     constexpr const char *too_fast_for_steps =
       "Steps are too long for these vibrations: velocities and stresses near the contact are "
-      "wrong, "
-      "forces and energies are not. Choose a scheme that damps what steps do not resolve "
+      "wrong, forces and energies are not. Choose a scheme that damps what steps do not resolve "
       "(`Time/Spectral radius` of about 0.6, doc/schemes.md), or much smaller steps.";
 
     constexpr const char *after_a_jump =

@@ -66,9 +66,9 @@ namespace signorini
     /** The facets of a side that may be near another one. Collective. */
     Opposite other_body(Side &other, const Side &own, const Vector &displacement) const;
 
-    /** By which all vertices of a face are inside; negative: one of them is outside. */
-    static double depth_of_vertices(const std::vector<dealii::Point<dim>> &vertices,
-                                    const Opposite                        &opposite);
+    /** The least and the largest gap of the vertices of a face; what sees nothing is far away. */
+    static std::pair<double, double> range_of_gaps(const std::vector<dealii::Point<dim>> &vertices,
+                                                   const Opposite                        &opposite);
 
     /** Whether faces of a side reach into what is opposite, where no node bears. Collective. */
     void judge(Side           &side,
