@@ -72,6 +72,21 @@ namespace signorini
       return text.str();
     }
 
+    /** Part of the energy: what takes more of it is worth a warning. */
+    constexpr double much_lost = 0.1;
+
+    /** @param part of the energy */
+    std::string about_lost_waves(const double part)
+    {
+      std::ostringstream text;
+      text
+        << std::setprecision(3) << "changes of the mesh took " << 100. * part
+        << " % of the energy: waves that coarsened cells cannot carry. If this vibration counts, "
+           "also for contacts to come, give a smaller `Adaptivity/Coarsen ratio`, or a finer body "
+           "to begin with (`Refinements`).";
+      return text.str();
+    }
+
     double energy_of_motion(const HistoryRow &row)
     {
       return row.energy.kinetic + row.energy.elastic;
@@ -171,6 +186,18 @@ namespace signorini
   }
 
 
+  std::vector<std::string> RunSummary::about_meshes() const
+  {
+    std::vector<std::string> result;
+    const double             taken = relative(brought_by_meshes - transferred);
+    if (const double all = relative(brought_by_meshes); all > much_brought)
+      result.push_back(about_transfer(all, relative(largest_transfer), time_of_transfer));
+    if (subject.has_inertia && taken > much_lost)
+      result.push_back(about_lost_waves(taken));
+    return result;
+  }
+
+
   std::vector<std::string> RunSummary::warnings() const
   {
     std::vector<std::string> result;
@@ -207,13 +234,13 @@ namespace signorini
           100. * largest_gain / largest_energy,
           " % of the energy in one step, which this scheme never does where a body keeps to its "
           "obstacle: it passed an edge or a corner, or began inside. Do not trust what follows.");
-    if (const double all = relative(brought_by_meshes); all > much_brought)
-      result.push_back(about_transfer(all, relative(largest_transfer), time_of_transfer));
+    for (const std::string &warning : about_meshes())
+      result.push_back(warning);
     if (relative(largest_missed_gap) > much_missed)
       result.push_back(about_missed_gaps(relative(largest_missed_gap)));
     if (!subject.has_inertia)
       return result;
-    if (relative(-work_scheme) > 0.1)
+    if (relative(-work_scheme) > much_lost)
       say("the damping of the scheme took ",
           100. * relative(-work_scheme),
           " % of the energy. It is meant for what is faster than a step: give smaller steps, or "
@@ -223,7 +250,7 @@ namespace signorini
           longest_phase,
           longest_phase == 1 ? " step" : " steps",
           ". Force and impulse need some twenty: reduce `Time/Step size`.");
-    if (relative(-work_contact) > 0.1)
+    if (relative(-work_contact) > much_lost)
       say("contact took ",
           100. * relative(-work_contact),
           " % of the energy, in ",

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace signorini;
 
 namespace
@@ -169,12 +171,12 @@ TEST(RunSummary, WarnsOfWhatIsDoubtful)
             std::string::npos);
 }
 
-TEST(RunSummary, WarnsOfEnergyThatChangesOfTheMeshBring)
+TEST(RunSummary, WarnsOfEnergyThatChangesOfTheMeshBringOrTake)
 {
   State state;
   state.time     = 0.25;
   HistoryRow row = pressed(state);
-  for (const double transfer : {-1., 0.009})
+  for (const double transfer : {-0.19, 0.009})
     {
       row.booking.transfer = transfer;
       EXPECT_EQ(warnings_of(row).find("of the mesh"), std::string::npos) << transfer;
@@ -184,6 +186,22 @@ TEST(RunSummary, WarnsOfEnergyThatChangesOfTheMeshBring)
               "changes of the mesh brought 2 % of the energy, that before time 0.25 2 %"),
             std::string::npos)
     << warnings_of(row);
+  // What others bring is no excuse for what some take.
+  RunSummary summary({});
+  summary.start(row);
+  for (const double transfer : {-0.15, 0.009, -0.15})
+    {
+      row.booking.transfer = transfer;
+      summary.add(row);
+    }
+  const auto warnings = summary.warnings();
+  EXPECT_EQ(std::count_if(warnings.begin(),
+                          warnings.end(),
+                          [](const std::string &warning) {
+                            return warning.find("changes of the mesh took 15 % of the energy")
+                                   != std::string::npos;
+                          }),
+            1);
 }
 
 // A contact of a few steps is judged when it has ended, not when the run ends in the middle of it.

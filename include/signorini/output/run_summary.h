@@ -106,6 +106,8 @@ namespace signorini
 
     double relative(double energy) const;
     void   add_contact(const HistoryRow &row);
+    /** Warnings of what changes of the mesh did to the energy. */
+    std::vector<std::string> about_meshes() const;
     /** A line on the error of the contact force by the steps. */
     std::string about_steps() const;
   };
