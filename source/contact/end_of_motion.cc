@@ -100,6 +100,10 @@ namespace signorini
     if (facing.of_body)
       {
         const PairCondition<dim> *opposite = facing.opposite;
+        // What an equilibrium holds has to be there.
+        if (is_held && normals_of_step == StepNormals::at_end
+            && (opposite == nullptr || std::isnan(opposite->gap_at_end)))
+          return as_large_as_bodies;
         if (opposite == nullptr || n_followed > most_motions
             || !(is_held || opposite->gap_at_end < 0.))
           return 0.;

@@ -26,6 +26,7 @@ namespace signorini
                                     const DirichletConditions<dim>     &dirichlet,
                                     const std::vector<PairDescription> &pairs)
     : discretization(discretization)
+    , dirichlet(dirichlet)
     , descriptions(pairs)
   {
     for (unsigned int pair = 0; pair < pairs.size(); ++pair)
@@ -89,20 +90,19 @@ namespace signorini
     looked_at = Vector();
     is_kept   = false;
     missed_gaps.clear();
+    missed_by_shared.clear();
     follow(expected);
     // What clipped bounds are expected to miss, so that a motion as expected needs no repetition.
-    for (const auto &[pair, of_pair] : conditions)
-      {
-        auto &missed = missed_gaps[pair];
-        for (const auto &[node, condition] : of_pair)
-          missed.emplace_hint(missed.end(), node, condition.missed());
-      }
+    look_what_is_missed();
   }
 
 
   template <int dim>
-  void FollowedPairs<dim>::bound(PairCondition<dim> &condition, const double gap) const
+  void FollowedPairs<dim>::bound(PairCondition<dim> &condition) const
   {
+    const double moved = condition.geometry.normal() * condition.motion;
+    const double gap =
+      std::isnan(condition.gap_at_end) ? condition.gap_at_start : condition.gap_at_end + moved;
     // The mean gap of a curved surface may be negative though nothing touches.
     condition.is_clipped = gap < 0. && !at_end;
     condition.bound      = condition.is_clipped ? 0. : gap;
@@ -127,11 +127,29 @@ namespace signorini
     take_end_over();
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
+        bound(condition);
+    if (geometries.size() > 1)
+      find_shared_nodes();
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::find_shared_nodes()
+  {
+    using Parts = std::vector<typename SharedCondition<dim>::Part>;
+    std::map<unsigned int, Parts> facing;
+    for (const auto &[pair, of_pair] : conditions)
+      for (const auto &[node, condition] : of_pair)
+        facing[node].push_back({pair, &condition});
+    shared.clear();
+    for (auto &[node, parts] : facing)
+      if (parts.size() > 1)
         {
-          const double moved = condition.geometry.normal() * condition.motion;
-          const double gap   = std::isnan(condition.gap_at_end) ? condition.gap_at_start
-                                                                : condition.gap_at_end + moved;
-          bound(condition, gap);
+          SharedCondition<dim> condition(std::move(parts), dirichlet.nodes().count(node) == 0);
+          if (!condition.is_shared())
+            continue;
+          bound(condition.condition);
+          shared.emplace(node, std::move(condition));
         }
   }
 
@@ -141,6 +159,21 @@ namespace signorini
   {
     search_end(increment);
     take_end_over();
+    for (auto &[node, condition] : shared)
+      condition.take_end_over();
+    look_what_is_missed();
+  }
+
+
+  template <int dim>
+  void FollowedPairs<dim>::look_what_is_missed()
+  {
+    for (auto &[node, of_node] : shared)
+      {
+        const double now                = of_node.condition.missed();
+        const auto   known              = missed_by_shared.emplace(node, 0.).first;
+        of_node.condition.missed_before = std::exchange(known->second, now);
+      }
     const auto before = std::exchange(missed_gaps, {});
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
@@ -261,6 +294,8 @@ namespace signorini
   const PairCondition<dim> *FollowedPairs<dim>::find(const unsigned int pair,
                                                      const unsigned int node) const
   {
+    if (const auto known = shared.find(node); known != shared.end() && known->second.has(pair))
+      return known->second.is_of(pair) ? &known->second.condition : nullptr;
     const auto of_pair = conditions.find(pair);
     if (of_pair == conditions.end())
       return nullptr;

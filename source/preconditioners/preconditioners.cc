@@ -54,7 +54,10 @@ namespace signorini
       ContactIncompleteCholesky(const ElasticMatrices<dim>    &matrices,
                                 const ContactCoordinates<dim> &coordinates,
                                 const MatrixSum               &sum)
-        : inner(matrices, coordinates, sum, block_size == dim)
+        : inner(matrices,
+                coordinates,
+                sum,
+                block_size == dim ? RelativePart::entries : RelativePart::nothing)
         , factor(inner.matrices(), inner.sum(), inner.contact_nodes())
         , turned(matrices.pattern.partitioner)
       {
@@ -87,7 +90,10 @@ namespace signorini
                          const ContactCoordinates<dim> &coordinates,
                          const MatrixSum               &sum,
                          std::optional<SweepOrder>      order = {})
-        : inner(matrices, coordinates, sum, block_size == dim)
+        : inner(matrices,
+                coordinates,
+                sum,
+                block_size == dim ? RelativePart::entries : RelativePart::everything)
         , sweeps(inner.matrices(),
                  inner.sum(),
                  order ? std::move(*order) : SweepOrder::of<dim>(inner.matrices().pattern))
@@ -198,7 +204,10 @@ namespace signorini
                            const ContactCoordinates<dim> &coordinates)
   {
     const MatrixSum mass{1., 0.};
-    if (coordinates.coupling().any()) // sweeps of the separate bodies do not solve by themselves
+    // Sweeps of the separate bodies do not solve by themselves.
+    if (coordinates.coupling().any()
+        && !everything_may_be_relative(coordinates,
+                                       matrices.pattern.partitioner->get_mpi_communicator()))
       return std::make_unique<ContactIncompleteCholesky<dim, 1>>(matrices, coordinates, mass);
     return std::make_unique<ContactGaussSeidel<dim, 1>>(matrices, coordinates, mass);
   }

@@ -7,37 +7,12 @@
 #include <signorini/base/step_normals.h>
 #include <signorini/contact/facing_pair.h>
 #include <signorini/contact/node_coupling.h>
+#include <signorini/contact/shared_condition.h>
 
 #include <memory>
 
 namespace signorini
 {
-  /** What a node of a slave surface faces in a step, and the condition that it sets. */
-  template <int dim>
-  struct PairCondition
-  {
-    ContactNode<dim>       geometry;     ///< in the middle of the motion
-    dealii::Tensor<1, dim> displacement; ///< [u] at the start of the step
-    /**
-     * b of nu.[d] <= b: such that a motion like the one whose normals these are keeps the condition
-     * exactly if the true gap at its end is not negative. Not negative: a bound that pushes would
-     * bring energy.
-     */
-    double bound        = 0.;
-    double gap_at_start = 0.;    ///< by the geometry in the middle
-    bool   is_clipped   = false; ///< the bound is zero instead of negative
-    /** Of the motion that was looked at last. */
-    dealii::Tensor<1, dim> motion;     ///< [d]
-    double                 gap_at_end; ///< true gap; NaN if nothing is opposite then
-
-    double missed_before = 0.; ///< missed() of the motion that was looked at before that one
-
-    /** What the condition takes for the gap at the end of that motion. */
-    double linear_gap() const { return bound - geometry.normal() * motion; }
-    /** By how much the true gap is larger; 0 if nothing is opposite. */
-    double missed() const { return std::isnan(gap_at_end) ? 0. : gap_at_end - linear_gap(); }
-  };
-
   /**
    * Pairs of two bodies in the configurations of a step. Where bodies face each other is found at
    * the middle of the motion, and the bound follows from the true gap at its end: with normals nu
@@ -49,6 +24,8 @@ namespace signorini
    *
    * A motion that repeats itself then ends with g >= 0, and its forces act where g = 0. For any
    * normals, weights and bounds that are not negative the laws of a scheme hold.
+   *
+   * A node that faces several bodies side by side has one condition of them all (SharedCondition).
    */
   template <int dim>
   class FollowedPairs
@@ -95,7 +72,10 @@ namespace signorini
     /** See where a motion ends; the conditions stay. Collective. */
     void look_at_end(const Vector &increment);
 
-    /** The condition of a node in a pair; null if nothing is opposite. */
+    /**
+     * The condition of a node in a pair; null if nothing is opposite, or if another pair stands for
+     * this one, too.
+     */
     const PairCondition<dim> *find(unsigned int pair, unsigned int node) const;
 
     /**
@@ -120,11 +100,13 @@ namespace signorini
     using Conditions = std::map<unsigned int, PairCondition<dim>>; ///< by node
 
     const Discretization<dim>                                 &discretization;
+    const DirichletConditions<dim>                            &dirichlet;
     const std::vector<PairDescription>                        &descriptions;
     std::map<unsigned int, std::unique_ptr<FacingPair<dim>>>   geometries;
     std::vector<unsigned int>                                  order; ///< of pairs
     bool                                                       is_cyclic = false;
     std::map<unsigned int, Conditions>                         conditions; ///< by pair
+    std::map<unsigned int, SharedCondition<dim>>               shared;     ///< by node
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
     Vector                                                     start;    ///< displacement
     Vector                                                     expected; ///< motion
@@ -132,19 +114,24 @@ namespace signorini
     Vector                                                 looked_at; ///< the latest motion, if any
     std::map<unsigned int, std::map<unsigned int, double>> end_gaps;  ///< of it, by pair and node
     std::map<unsigned int, std::map<unsigned int, double>> missed_gaps; ///< of it, likewise
+    std::map<unsigned int, double> missed_by_shared;                    ///< gaps of it, by node
     std::map<unsigned int, double> end_depths; ///< of it, by pair, of this process
     std::map<unsigned int, double> clear;      ///< by pair
 
     /** Masters before slaves, as far as there is no ring of bodies. */
     void find_order();
-    /** Set the bound of a condition whose raw value is this. */
-    void bound(PairCondition<dim> &condition, double gap) const;
+    /** Set the bound of a condition that knows its motion and gaps. */
+    void bound(PairCondition<dim> &condition) const;
     /** Geometry in the middle of a motion, with [u] and [d]; bounds are of no end yet. */
     void search_middle(const Vector &increment);
     /** True gaps at the end of a motion. */
     void search_end(const Vector &increment);
     /** Give the conditions the motion that was looked at, and its gaps. */
     void take_end_over();
+    /** Of conditions that have their bounds. */
+    void find_shared_nodes();
+    /** What the conditions miss; the same of the motion before goes to missed_before. */
+    void look_what_is_missed();
     /** [v] of the nodes of a pair, in their order. Collective. */
     std::vector<dealii::Tensor<1, dim>> relative(unsigned int pair, const Vector &v) const;
     double                              reach(unsigned int pair, const Vector &increment) const;
