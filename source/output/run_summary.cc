@@ -87,6 +87,18 @@ namespace signorini
       return text.str();
     }
 
+    /** @param part of the energy @param by_choice there is a key for what the scheme damps */
+    std::string about_damping(const double part, const bool by_choice)
+    {
+      std::ostringstream text;
+      text
+        << std::setprecision(3) << "the damping of the scheme took " << 100. * part
+        << " % of the energy. It is meant for what is faster than a step: give smaller steps, or "
+        << (by_choice ? "`Time/Spectral radius = 1`" : "take another `Time/Scheme`")
+        << " if the vibration counts.";
+      return text.str();
+    }
+
     double energy_of_motion(const HistoryRow &row)
     {
       return row.energy.kinetic + row.energy.elastic;
@@ -241,10 +253,7 @@ namespace signorini
     if (!subject.has_inertia)
       return result;
     if (relative(-work_scheme) > much_lost)
-      say("the damping of the scheme took ",
-          100. * relative(-work_scheme),
-          " % of the energy. It is meant for what is faster than a step: give smaller steps, or "
-          "`Time/Spectral radius = 1` if the vibration counts.");
+      result.push_back(about_damping(relative(-work_scheme), subject.damps_by_choice));
     if (first_contact >= 0. && phase == 0 && longest_phase < few_steps)
       say("the longest contact lasted ",
           longest_phase,

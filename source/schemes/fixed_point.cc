@@ -7,7 +7,6 @@
 #include <deal.II/sundials/kinsol.h>
 
 #include <cmath>
-#include <utility>
 
 namespace signorini
 {
@@ -36,9 +35,7 @@ namespace signorini
         smallest_difference = difference;
         best_image          = image;
       }
-    const bool contracts = difference < 0.5 * std::exchange(latest_difference, difference);
-    return difference > limits.aim
-           && (difference < 100. * smallest_difference || (may_leave && contracts));
+    return difference > limits.aim && difference < 100. * smallest_difference;
   }
 
 
@@ -54,15 +51,6 @@ namespace signorini
         run_until_astray(anderson_depth, end);
       }
     while (!converged() && smallest_difference < 0.5 * before && iterations < end);
-  }
-
-
-  void FixedPoint::run_to_another_branch()
-  {
-    may_leave         = true;
-    latest_difference = std::numeric_limits<double>::max();
-    run_until_astray(0, iterations + limits.maximum_iterations);
-    may_leave = false;
   }
 
 

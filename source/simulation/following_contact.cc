@@ -91,8 +91,6 @@ namespace signorini
         for (const unsigned int depth : {few_differences, 0U})
           if (!fixed_point.converged())
             fixed_point.run(depth);
-        if (!fixed_point.converged())
-          fixed_point.run_to_another_branch();
         return fixed_point.converged();
       }
 

@@ -4,6 +4,10 @@
 #include <signorini/base/user_error.h>
 #include <signorini/simulation/initial_equilibrium.h>
 
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace signorini
@@ -28,6 +32,49 @@ namespace signorini
       Vector result = *motion;
       result /= span;
       return result;
+    }
+
+
+    /**
+     * Contact is linear about the undeformed bodies: what it holds only after a body has slid or
+     * turned by half of its size is no equilibrium. Collective.
+     */
+    template <int dim>
+    void refuse_far_contact(const MeshedScene<dim> &meshed, const State &state)
+    {
+      constexpr double too_far = 0.5;
+      const auto      &surface = meshed.surface;
+      const auto      &mesh    = meshed.discretization.mesh();
+      const auto       of_other_sides =
+        meshed.coordinates.coupling().partner_displacement(state.displacement);
+      std::vector<double> parts(surface.pairs().size(), 0.); // by pair, of the smaller size
+      for (std::size_t k = 0; k < surface.nodes().size(); ++k)
+        {
+          const ContactNode<dim> &node = surface.nodes()[k];
+          const auto             &pair = surface.pairs()[node.pair];
+          double                  size = mesh.body_size(pair.slave);
+          if (pair.of_two_bodies())
+            size = std::min(size, mesh.body_size(pair.master));
+          dealii::Tensor<1, dim> way   = -of_other_sides[k];
+          double                 force = 0.;
+          for (unsigned int c = 0; c < dim; ++c)
+            {
+              way[c] += state.displacement.local_element(dim * node.node + c);
+              force =
+                std::max(force, std::abs(state.contact_force.local_element(dim * node.node + c)));
+            }
+          if (force > 0.)
+            parts[node.pair] = std::max(parts[node.pair], way.norm() / size);
+        }
+      dealii::Utilities::MPI::max(parts, mesh.communicator(), parts);
+      const auto worst = std::max_element(parts.begin(), parts.end());
+      if (worst != parts.end() && *worst > too_far)
+        throw RunError(
+          "Time/Start = equilibrium: contact of the pair '"
+          + surface.pairs()[worst - parts.begin()].name
+          + "' holds nothing near the undeformed bodies, but only after they have moved "
+            "along each other by more than half of the smaller one's size. Hold the body "
+            "(`Friction coefficient`, `Dirichlet`), or set `Start = given`.");
     }
   } // namespace
 
@@ -62,7 +109,10 @@ namespace signorini
         all.unheld = report.unheld;
         meshed.system.expect_contact_as_in(state);
         if (contact->mismatch(state.displacement) <= 1.)
-          return all;
+          {
+            refuse_far_contact(meshed, state);
+            return all;
+          }
         contact->follow(state.displacement);
       }
     throw RunError("Time/Start = equilibrium: no equilibrium was found whose normals of contact "

@@ -55,7 +55,8 @@ namespace signorini
                    scheme_info(scene.time.scheme).energy == EnergyLaw::none,
                    force_before_end(scheme_info(scene.time.scheme), scene.time.parameters),
                    scene.adaptivity.target_error,
-                   scene.step_sizes.control == StepSizeControl::goal})
+                   scene.step_sizes.control == StepSizeControl::goal,
+                   scheme_info(scene.time.scheme).has_parameter("Spectral radius")})
     , law_watch(scene)
     , body_motion(meshed.discretization)
     , tables(scene, meshed.discretization.communicator())

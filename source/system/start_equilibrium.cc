@@ -49,8 +49,14 @@ namespace signorini
       if (!friction.any())
         return;
       IncrementSolution solution;
-      friction.extract(
-        laws, status, equilibrium.increment, equilibrium.residual, matrix, false, solution);
+      friction.extract(laws,
+                       status,
+                       equilibrium.increment,
+                       equilibrium.residual,
+                       matrix,
+                       false,
+                       solution,
+                       StepFriction<dim>::SlipForces::of_residual);
       coordinates.force_to_cartesian(solution.friction_reaction);
       state.contact_force += solution.friction_reaction;
       state.friction.force = solution.friction_reaction;

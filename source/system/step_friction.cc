@@ -74,7 +74,8 @@ namespace signorini
                                   const Vector         &residual,
                                   const LinearOperator &matrix,
                                   const bool            pressed_from_elsewhere,
-                                  IncrementSolution    &solution) const
+                                  IncrementSolution    &solution,
+                                  const SlipForces      slip_forces) const
   {
     AssertDimension(friction.size(), status.size());
     AssertDimension(status.size(), coordinates.normal_entries().size());
@@ -97,8 +98,9 @@ namespace signorini
           reported_status(status[k], pressed_from_elsewhere && node.law.constant > 0.);
         if (node.entries.empty() || (!sticks && node.law.bound(forces.normal) == 0.))
           continue;
-        const TangentVector force =
-          sticks ? forces.tangential : slip_force(node.law, forces, stiffness[k]);
+        const TangentVector force = sticks || slip_forces == SlipForces::of_residual
+                                      ? forces.tangential
+                                      : slip_force(node.law, forces, stiffness[k]);
         for (unsigned int j = 0; j < node.entries.size(); ++j)
           {
             solution.friction_reaction.local_element(node.entries[j]) = -force[j];

@@ -73,6 +73,27 @@ def disc(rotation):
     ]
 
 
+def beyond_a_rim():
+    """A long block above a turned one whose upper side alone is a part of the pair: beyond the end
+    of this side the long block is below its plane, and touches nothing."""
+    below = [
+        "Shape = box",
+        "Lower corner = 0, -1",
+        "Upper corner = 1, 0",
+        "Repetitions = 2, 2",
+        "Rotation = 2",
+        *material(5000, 1),
+    ]
+    above = [
+        "Shape = box",
+        "Lower corner = 0.2, 0.02",
+        "Upper corner = 3.2, 0.5",
+        "Repetitions = 3, 1",
+        *material(5000, 1),
+    ]
+    return scene(2, STEP_SIZE, 0.01, {"above": above, "below": below}, {}, "above : below[3]")
+
+
 def disc_on_floor(rotation):
     """The floor is an obstacle."""
     return scene(2, STEP_SIZE, 0.35, {"disc": disc(rotation)}, {"floor": ["Normal = 0, 1"]},
@@ -150,6 +171,7 @@ class UnseenContact(check_history.SceneTest):
         self.assertIn(TOLD, check_history.Run(box_on_knob(0), "missed").log)
         self.assertIn(TOLD, check_history.Run(disc_on_floor(BETWEEN_NODES), "late").log)
         self.assertNotIn(TOLD, check_history.Run(disc_on_floor(0), "in_time").log)
+        self.assertNotIn("warning", check_history.Run(beyond_a_rim(), "rim").log)
 
     def test_hertz(self):
         """A ball of steel falls on a rigid plane: the force by the energy of the impact."""

@@ -10,6 +10,7 @@ the same state however many they are.
 import math
 
 import check_history
+from following_scenes import box, friction, obstacles, scene
 import test_moving_obstacles as punches
 
 LYING = """
@@ -89,6 +90,35 @@ class Equilibria(check_history.unittest.TestCase):
         for overrides, is_told in (([sliding], True), ([], False), ([*block, sliding], False)):
             run = check_history.Run(disc, "turned", [*flat, *overrides])
             self.assertEqual("holds the body 'disc' because" in run.log, is_told, overrides)
+
+    def test_what_is_held_only_far_away_is_refused(self):
+        """A block without friction on a soft one, under a load along it: contact of its deformed
+        surfaces holds it, by their linear conditions, after a way of many times its size. From no
+        deformation the run starts as ever."""
+        above = box("s", "-0.2, 1", "0.2, 1.3", "4, 3", "set Body force = 0.3; -1")
+        below = box("l", "-1, 0", "1, 1", "8, 4", "set Dirichlet = 2: 0; 0")
+        text = scene([above, below], ["s : l"], 0.02)
+        with self.assertRaisesRegex(AssertionError, "moved along each other by more than half"):
+            check_history.Run(text, "far", ["Time/Start=equilibrium"])
+        check_history.Run(text, "near")
+
+    def test_friction_of_what_begins_to_slide(self):
+        """A block at rest that friction does not hold: from the start friction is mu times the
+        weight, against the load that is about to move it, on a body and on a plane."""
+        above = box("s", "-0.2, 1", "0.2, 1.3", "4, 3", "set Body force = 3; -10")
+        below = box("l", "-1, 0", "1, 1", "8, 4", "set Dirichlet = 2: 0; 0")
+        plane = obstacles({"l": ["set Point = 0, 1", "set Normal = 0, 1"]})
+        stiff = ["Time/Start=equilibrium", "Bodies/s/Young's modulus=1e6"]
+        weight = 1.2
+        for bodies, more, overrides in (
+            ([above, below], {}, ["Bodies/l/Young's modulus=1e6"]),
+            ([above], {"obstacles": plane}, []),
+        ):
+            text = scene(bodies, ["s : l"], 0.004, step=1e-3, laws=friction("s : l", 0.2), **more)
+            run = check_history.Run(text, "begins", [*stiff, *overrides])
+            for row in range(3):
+                force = run.table("pairs")["pair_0_force_x"][row]
+                self.assertAlmostEqual(force / (-0.2 * weight), 1, delta=1e-3)
 
     def test_load_steps_come_to_the_same_state_however_many_they_are(self):
         """A round punch is pressed into a block and drawn aside. Without friction the state depends

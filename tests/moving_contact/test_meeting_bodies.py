@@ -78,6 +78,51 @@ class MeetingBodies(check_history.SceneTest):
                 self.assertGreater(max(after), 1)
                 self.assertGreater(min(bodies["body_block_centroid_y"]), 0.15)
 
+    def test_a_block_over_the_seam_of_two_others(self):
+        """A mirror image: the two below get the same impulses, and the block does not turn. Nodes
+        that face both have one condition, wherever the seam is between them. The block as the
+        master has no such nodes, and gives the same within what the meshes differ by."""
+        below = [
+            box("p", "-1.025, 0", "-0.025, 1", "4, 4"),
+            box("q", "0.025, 0", "1.025, 1", "4, 4"),
+        ]
+        above = box("t", "-0.6, 1.0005", "0.6, 1.5005", "5, 3", "set Initial velocity = 0; -0.05")
+        impulse = {}
+        for pairs in (["t : p", "t : q"], ["p : t", "q : t"]):
+            run = check_history.Run(scene(below + [above], pairs, 0.15, step=1e-3), "seam")
+            self.expect_laws(run)
+            bodies = run.table("bodies")
+            p, q = (bodies[f"body_{name}_momentum_y"][-1] for name in "pq")
+            self.assertAlmostEqual(p, q, delta=1e-7 * abs(p))
+            self.assertLess(abs(bodies["body_t_angular_momentum_z"][-1]), 1e-7 * abs(p))
+            impulse[pairs[0]] = p
+        self.assertAlmostEqual(impulse["t : p"] / impulse["p : t"], 1, delta=0.01)
+
+    def test_a_bridge(self):
+        """A block on two others with friction and its weight, from no deformation: it vibrates, and
+        the two carry equal parts in each step."""
+        below = [
+            box("p", "-1.025, 0", "-0.025, 1", "4, 4", "set Dirichlet = 2: 0; 0"),
+            box("q", "0.025, 0", "1.025, 1", "4, 4", "set Dirichlet = 2: 0; 0"),
+        ]
+        above = box("t", "-0.6, 1", "0.6, 1.5", "5, 3", WEIGHT)
+        pairs = ["t : p", "t : q"]
+        run = check_history.Run(
+            scene(
+                below + [above],
+                pairs,
+                0.06,
+                step=1e-3,
+                laws="".join(friction(pair, 0.3) for pair in pairs),
+            ),
+            "bridge",
+        )
+        self.expect_laws(run, momentum=False)
+        table = run.table("pairs")
+        for p, q in zip(table["pair_0_normal_force"], table["pair_1_normal_force"]):
+            self.assertAlmostEqual(p, q, delta=1e-8 * max(run["contact_force"]))
+        self.assertGreater(min(table["pair_0_normal_force"][20:]), 0)
+
     def test_cradle(self):
         """Five discs in a row: the first one's momentum comes out at the other end, but for what
         vibrates: the middle ones stay where they are, nearly."""

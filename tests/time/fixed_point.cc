@@ -3,8 +3,7 @@
 
 // Fixed points of contractions, accelerated: the function is only ever asked for numbers, however
 // dependent the differences are that acceleration combines, and the solution is exact to the limit.
-// Where nothing can be found, the best image is kept and the iteration ends. Where a function jumps
-// from a branch that has no fixed point to one that has, the way there is far from the best image.
+// Where nothing can be found, the best image is kept and the iteration ends.
 
 #include <signorini/schemes/fixed_point.h>
 
@@ -69,27 +68,6 @@ TEST(FixedPoint, ConstantFunction)
   EXPECT_EQ(fixed_point.best().linfty_norm(), 3.);
 }
 
-TEST(FixedPoint, OnAnotherBranch)
-{
-  // Below 2 towards 3, which is no fixed point, as y jumps at 2 to where 1000 is one.
-  FixedPoint fixed_point(
-    [&](const Vector &current, Vector &image) {
-      const double x         = current.local_element(0);
-      image.local_element(0) = x < 2. ? 1.5 + 0.5 * x : 900. + 0.1 * x;
-      return std::abs(image.local_element(0) - x);
-    },
-    FixedPoint::make_unknowns(1, MPI_COMM_SELF),
-    limits);
-  for (const unsigned int depth : {3, 0})
-    {
-      fixed_point.run(depth);
-      EXPECT_FALSE(fixed_point.converged());
-    }
-  fixed_point.run_to_another_branch();
-  EXPECT_TRUE(fixed_point.converged());
-  EXPECT_NEAR(fixed_point.best().local_element(0), 1000., 1e-7);
-}
-
 TEST(FixedPoint, NoFixedPoint)
 {
   FixedPoint fixed_point(
@@ -104,8 +82,4 @@ TEST(FixedPoint, NoFixedPoint)
   fixed_point.run(FixedPoint::usual_depth);
   EXPECT_FALSE(fixed_point.converged());
   EXPECT_LE(fixed_point.n_iterations(), limits.maximum_iterations);
-  const unsigned int before = fixed_point.n_iterations();
-  fixed_point.run_to_another_branch(); // there is none, and nothing contracts
-  EXPECT_FALSE(fixed_point.converged());
-  EXPECT_LE(fixed_point.n_iterations(), before + 2);
 }

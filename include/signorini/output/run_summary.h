@@ -27,6 +27,7 @@ namespace signorini
     double       before_end  = 0.;   ///< see force_before_end()
     double       target      = 0.;   ///< error of the contact force that is aimed at, if any
     bool         steps_for_target = false; ///< steps follow it already
+    bool         damps_by_choice  = true;  ///< there is a key for what the scheme damps
   };
 
   /**

@@ -56,12 +56,6 @@ namespace signorini
      */
     void run(unsigned int anderson_depth);
 
-    /**
-     * The plain iteration from the best image wherever it leads, as long as it contracts there: the
-     * function may have branches, and that of the best image no fixed point.
-     */
-    void run_to_another_branch();
-
     bool          converged() const { return smallest_difference <= limits.good_enough; }
     const Vector &best() const { return best_image; }
     unsigned int  n_iterations() const { return iterations; }
@@ -71,8 +65,6 @@ namespace signorini
     const Limits       limits;
     Vector             best_image;
     double             smallest_difference = std::numeric_limits<double>::max();
-    double             latest_difference   = std::numeric_limits<double>::max();
-    bool               may_leave           = false; ///< the branch of the best image
     unsigned int       iterations          = 0;
     std::exception_ptr exception;
 

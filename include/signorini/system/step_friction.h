@@ -37,6 +37,13 @@ namespace signorini
                      double           touching,
                      const Vector    *further_reaction) const;
 
+    /** What tells the forces of nodes that slip. */
+    enum class SlipForces
+    {
+      of_law,     ///< along the slip, as large as the law says
+      of_residual ///< where the solution has lost the motion in which they slip
+    };
+
     /**
      * The friction in a solution.
      * @param status    of the solver
@@ -53,7 +60,8 @@ namespace signorini
                  const Vector         &residual,
                  const LinearOperator &matrix,
                  bool                  pressed_from_elsewhere,
-                 IncrementSolution    &solution) const;
+                 IncrementSolution    &solution,
+                 SlipForces            slip_forces = SlipForces::of_law) const;
 
   private:
     const ContactCoordinates<dim> &coordinates;
