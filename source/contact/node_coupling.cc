@@ -188,18 +188,6 @@ namespace signorini
 
 
   template <int dim>
-  void NodeCoupling<dim>::add_node_forces_to_partners(const std::vector<Tensor<1, dim>> &forces,
-                                                      Vector                            &f) const
-  {
-    AssertDimension(forces.size() + 1, row_start.size());
-    scatter(f, [&](const std::size_t k, const double weight, double *sum) {
-      for (unsigned int c = 0; c < dim; ++c)
-        sum[c] += weight * forces[k][c];
-    });
-  }
-
-
-  template <int dim>
   void NodeCoupling<dim>::add_blocks_to_partners(
     const std::vector<std::array<double, dim * dim>> &blocks,
     Vector                                           &d) const

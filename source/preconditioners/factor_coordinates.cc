@@ -2,6 +2,7 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/preconditioners/factor_coordinates.h>
+#include <signorini/preconditioners/relative_matrix.h>
 #include <signorini/surfaces/contact_frame.h>
 
 #include <deal.II/base/mpi.h>
@@ -12,15 +13,14 @@ namespace signorini
   FactorCoordinates<dim>::FactorCoordinates(const ElasticMatrices<dim>    &matrices,
                                             const ContactCoordinates<dim> &coordinates,
                                             const MatrixSum               &sum,
-                                            const RelativePart             wanted)
+                                            const bool                     follows_partners)
     : of_bodies(matrices)
     , coordinates(coordinates)
     , of_step(sum)
-    , part(coordinates.coupling().any() && !coordinates.coupling().changes()
-             ? wanted
-             : RelativePart::nothing)
-    , relative(part == RelativePart::nothing ? ElasticMatrices<dim>()
-                                             : relative_matrix(matrices, coordinates, sum, part))
+    , relative(follows_partners && coordinates.coupling().any() && !coordinates.coupling().changes()
+                 ? relative_matrix(matrices, coordinates, sum)
+                 : ElasticMatrices<dim>())
+    , is_relative(relative.pattern.partitioner != nullptr)
     , n_turns(coordinates.n_turns())
     , frames(frames_now())
   {
@@ -38,7 +38,7 @@ namespace signorini
   template <int dim>
   bool FactorCoordinates<dim>::is_exact() const
   {
-    return part != RelativePart::nothing || !coordinates.coupling().any();
+    return is_relative || !coordinates.coupling().any();
   }
 
 
@@ -56,7 +56,7 @@ namespace signorini
       if (mask[i])
         held_entries.push_back(i);
     Mask within = mask;
-    if (part == RelativePart::nothing)
+    if (!is_relative)
       for (const unsigned int i : coordinates.relative_entries())
         within[i] = 0;
     return frames.held_nodes(within);
@@ -103,34 +103,17 @@ namespace signorini
   void FactorCoordinates<dim>::to_factor(Vector &force) const
   {
     hold(force);
-    if (part == RelativePart::entries)
-      {
-        coordinates.force_from_frames(force);
-        return;
-      }
-    coordinates.force_to_cartesian(force);
-    if (part == RelativePart::nothing)
-      return;
-    std::vector<dealii::Tensor<1, dim>> of_nodes;
-    for (const ContactNode<dim> &contact_node : coordinates.surface_nodes())
-      of_nodes.emplace_back(dealii::make_array_view(force.begin() + dim * contact_node.node,
-                                                    force.begin() + dim * contact_node.node + dim));
-    coordinates.coupling().add_node_forces_to_partners(of_nodes, force);
+    if (is_relative)
+      coordinates.force_from_frames(force);
+    else
+      coordinates.force_to_cartesian(force);
   }
 
 
   template <int dim>
   void FactorCoordinates<dim>::from_factor(Vector &displacement) const
   {
-    if (part == RelativePart::everything)
-      {
-        const auto  of_partners = coordinates.coupling().partner_displacement(displacement);
-        const auto &nodes       = coordinates.surface_nodes();
-        for (std::size_t k = 0; k < nodes.size(); ++k)
-          for (unsigned int c = 0; c < dim; ++c)
-            displacement.local_element(dim * nodes[k].node + c) += of_partners[k][c];
-      }
-    if (part == RelativePart::entries)
+    if (is_relative)
       coordinates.rotate_to_frames(displacement);
     else
       coordinates.displacement_to_contact(displacement);

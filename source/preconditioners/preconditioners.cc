@@ -54,10 +54,7 @@ namespace signorini
       ContactIncompleteCholesky(const ElasticMatrices<dim>    &matrices,
                                 const ContactCoordinates<dim> &coordinates,
                                 const MatrixSum               &sum)
-        : inner(matrices,
-                coordinates,
-                sum,
-                block_size == dim ? RelativePart::entries : RelativePart::nothing)
+        : inner(matrices, coordinates, sum, block_size == dim)
         , factor(inner.matrices(), inner.sum(), inner.contact_nodes())
         , turned(matrices.pattern.partitioner)
       {
@@ -90,10 +87,7 @@ namespace signorini
                          const ContactCoordinates<dim> &coordinates,
                          const MatrixSum               &sum,
                          std::optional<SweepOrder>      order = {})
-        : inner(matrices,
-                coordinates,
-                sum,
-                block_size == dim ? RelativePart::entries : RelativePart::everything)
+        : inner(matrices, coordinates, sum, block_size == dim)
         , sweeps(inner.matrices(),
                  inner.sum(),
                  order ? std::move(*order) : SweepOrder::of<dim>(inner.matrices().pattern))
@@ -204,10 +198,7 @@ namespace signorini
                            const ContactCoordinates<dim> &coordinates)
   {
     const MatrixSum mass{1., 0.};
-    // Sweeps of the separate bodies do not solve by themselves.
-    if (coordinates.coupling().any()
-        && !everything_may_be_relative(coordinates,
-                                       matrices.pattern.partitioner->get_mpi_communicator()))
+    if (coordinates.coupling().any()) // sweeps of the separate bodies do not solve by themselves
       return std::make_unique<ContactIncompleteCholesky<dim, 1>>(matrices, coordinates, mass);
     return std::make_unique<ContactGaussSeidel<dim, 1>>(matrices, coordinates, mass);
   }

@@ -226,28 +226,14 @@ namespace signorini
       result.stiffness.emplace_back(); // a spare block, see Lanes
       return result;
     }
-
-
-    /** Of blocks that are multiples of the identity. */
-    template <int dim>
-    void keep_only_mass(ElasticMatrices<dim> &matrices)
-    {
-      for (std::size_t k = 0; k < matrices.mass.size(); ++k)
-        matrices.mass[k] = matrices.stiffness[k][0];
-      decltype(matrices.stiffness)().swap(matrices.stiffness);
-    }
   } // namespace
 
 
   template <int dim>
   ElasticMatrices<dim> relative_matrix(const ElasticMatrices<dim>    &matrices,
                                        const ContactCoordinates<dim> &coordinates,
-                                       const MatrixSum               &sum,
-                                       const RelativePart             part)
+                                       const MatrixSum               &sum)
   {
-    Assert(part == RelativePart::entries
-             || (part == RelativePart::everything && sum.stiffness == 0. && sum.damping == 0.),
-           ExcMessage("Only of the mass everything may be relative."));
     const NodePattern &old         = matrices.pattern;
     const auto         rows        = gather_contact_rows<dim>(old, coordinates);
     const auto         partitioner = extended_partitioner<dim>(*old.partitioner, rows);
@@ -267,12 +253,8 @@ namespace signorini
     for (const ContactRow<dim> &row : rows)
       {
         LocalRow<dim> &local = contact_rows[local_node(row.node)];
-        if (part == RelativePart::entries)
-          for (const auto &direction : row.directions)
-            local.directions.push_back(Eigen::Map<const SmallVector<dim>>(direction.data()));
-        else
-          for (unsigned int c = 0; c < dim; ++c)
-            local.directions.push_back(SmallVector<dim>::Unit(c));
+        for (const auto &direction : row.directions)
+          local.directions.push_back(Eigen::Map<const SmallVector<dim>>(direction.data()));
         for (const auto &[partner, weight] : row.partners)
           local.partners.emplace_back(local_node(partner), weight);
       }
@@ -288,42 +270,12 @@ namespace signorini
     pattern.partitioner = partitioner;
     pattern.n_owned     = old.n_owned;
     pattern.n_local = (partitioner->locally_owned_size() + partitioner->n_ghost_indices()) / dim;
-    auto result     = merged_matrix<dim>(matrices, sum, new_node, std::move(additions), pattern);
-    if (part == RelativePart::everything)
-      keep_only_mass(result);
-    return result;
+    return merged_matrix<dim>(matrices, sum, new_node, std::move(additions), pattern);
   }
 
 
-  template <int dim>
-  bool everything_may_be_relative(const ContactCoordinates<dim> &coordinates,
-                                  const MPI_Comm                 communicator)
-  {
-    const NodeCoupling<dim> &coupling = coordinates.coupling();
-    if (!coupling.any() || coupling.changes() || coupling.n_levels() > 1)
-      return false;
-    const std::set<unsigned int> prescribed(coordinates.dirichlet_entries().begin(),
-                                            coordinates.dirichlet_entries().end());
-    std::set<unsigned int>       nodes;
-    bool                         may = true;
-    for (const ContactNode<dim> &node : coordinates.surface_nodes())
-      if (!node.partners.empty())
-        {
-          may = may && nodes.insert(node.node).second && !node.is_shared();
-          for (unsigned int row = 0; row < dim; ++row)
-            may = may && (node.relative[row] || prescribed.count(dim * node.node + row) == 0);
-        }
-    return Utilities::MPI::min(static_cast<unsigned int>(may), communicator) > 0;
-  }
-
-
-#define INSTANTIATE(dim)                                                                           \
-  template bool everything_may_be_relative(const ContactCoordinates<dim> &, MPI_Comm);             \
-  template ElasticMatrices<dim> relative_matrix(const ElasticMatrices<dim> &,                      \
-                                                const ContactCoordinates<dim> &,                   \
-                                                const MatrixSum &,                                 \
-                                                RelativePart);
-  INSTANTIATE(2)
-  INSTANTIATE(3)
-#undef INSTANTIATE
+  template ElasticMatrices<2>
+  relative_matrix(const ElasticMatrices<2> &, const ContactCoordinates<2> &, const MatrixSum &);
+  template ElasticMatrices<3>
+  relative_matrix(const ElasticMatrices<3> &, const ContactCoordinates<3> &, const MatrixSum &);
 } // namespace signorini

@@ -3,14 +3,10 @@
 
 // Two ways to the matrix T'(a M + b A)T of two bodies in contact: products, and entries for
 // preconditioners. They agree, whichever directions are relative: with friction, without, with
-// friction on a part of the surface, and where a tangent is prescribed. Of the mass there is a
-// third one, in which whole nodes are relative and blocks stay numbers: sweeps with it solve by
-// themselves.
+// friction on a part of the surface, and where a tangent is prescribed.
 
 #include "two_bodies.h"
 
-#include <signorini/linear_algebra/conjugate_gradients.h>
-#include <signorini/preconditioners/preconditioners.h>
 #include <signorini/preconditioners/relative_matrix.h>
 #include <signorini/preconditioners/step_operator.h>
 
@@ -129,8 +125,7 @@ namespace
     const TwoBodies<dim>       bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
     const auto                &matrices = bodies.discretization.matrices();
     const StepOperator<dim>    product_form(matrices, bodies.coordinates, {2., 0.3});
-    const ElasticMatrices<dim> entries =
-      relative_matrix(matrices, bodies.coordinates, {2., 0.3}, RelativePart::entries);
+    const ElasticMatrices<dim> entries = relative_matrix(matrices, bodies.coordinates, {2., 0.3});
 
     const Vector w        = irregular_field(bodies.discretization, 5.);
     Vector       expected = bodies.discretization.make_vector();
@@ -144,54 +139,6 @@ namespace
     for (unsigned int i = 0; i < expected.locally_owned_size(); ++i)
       EXPECT_NEAR(found.local_element(i), expected.local_element(i), 1e-13 * scale)
         << "entry " << i;
-  }
-
-  /** Some entries of contact held, as if they touched and stuck. */
-  template <int dim>
-  Mask some_held(const ContactCoordinates<dim> &coordinates, const unsigned int n_entries)
-  {
-    Mask mask(n_entries, 0);
-    for (const unsigned int i : coordinates.dirichlet_entries())
-      mask[i] = 1;
-    for (std::size_t k = 0; k < coordinates.normal_entries().size(); ++k)
-      if (coordinates.surface_nodes()[k].position[0] > 0.3)
-        {
-          mask[coordinates.normal_entries()[k]] = 1;
-          for (const unsigned int i : coordinates.tangential_entries()[k])
-            mask[i] = 1;
-        }
-    return mask;
-  }
-
-  /** T'MT w = b on the free entries, by sweeps that know the relative mass. */
-  template <int dim>
-  void expect_mass_solved(const Scene<dim> &scene, const double angle)
-  {
-    const TwoBodies<dim>    bodies(scene, angle == 0. ? Map<dim>() : turn<dim>(angle));
-    const auto             &matrices = bodies.discretization.matrices();
-    const StepOperator<dim> mass(matrices, bodies.coordinates, {1., 0.});
-    const auto              preconditioner = make_mass_preconditioner(matrices, bodies.coordinates);
-    const Vector            b              = irregular_field(bodies.discretization, 5.);
-    const Mask              held           = some_held(bodies.coordinates, b.locally_owned_size());
-    preconditioner->set_mask(held);
-    ASSERT_NE(preconditioner->rough_solver(), nullptr);
-
-    Vector             solution = bodies.discretization.make_vector(), residual = b, product = b;
-    ConjugateGradients conjugate_gradients;
-    const auto         report =
-      conjugate_gradients.solve(mass, *preconditioner, solution, residual, 1e-12, 0., 100, false);
-    EXPECT_TRUE(report.converged);
-    EXPECT_LE(report.iterations, 20u);
-    mass.vmult(product, solution);
-    for (unsigned int i = 0; i < held.size(); ++i)
-      if (held[i])
-        {
-          EXPECT_EQ(solution.local_element(i), 0.);
-        }
-      else
-        {
-          EXPECT_NEAR(product.local_element(i), b.local_element(i), 1e-11);
-        }
   }
 
   // None, everywhere, on a part of the surface.
@@ -229,30 +176,4 @@ TEST(RelativeMatrix, EntriesGiveTheProducts)
   Scene<3> prescribed            = irregular<3>("0.3");
   prescribed.bodies[0].dirichlet = {{1, {{"-", "0", "-"}}}};
   expect_same_products(prescribed, 0.);
-}
-
-TEST(RelativeMatrix, MassIsSolvedForBySweeps)
-{
-  for (const std::string &coefficient : coefficients)
-    {
-      SCOPED_TRACE(coefficient);
-      for (const double angle : {0., 0.7})
-        {
-          expect_mass_solved(irregular<2>(coefficient), angle);
-          expect_mass_solved(irregular<3>(coefficient), angle);
-        }
-    }
-  expect_mass_solved(side_by_side<2>(16), 0.7);
-  expect_mass_solved(side_by_side<3>(5), 0.7);
-}
-
-TEST(RelativeMatrix, AbsoluteEntriesOfContactNodesAreHeldAround)
-{
-  // A prescribed tangent of a node that is relative as a whole could not be held in the sweeps.
-  Scene<3> prescribed            = irregular<3>("0");
-  prescribed.bodies[0].dirichlet = {{1, {{"-", "0", "-"}}}};
-  const TwoBodies<3> bodies(prescribed, Map<3>());
-  const auto        &matrices = bodies.discretization.matrices();
-  EXPECT_EQ(make_mass_preconditioner(matrices, bodies.coordinates)->rough_solver(), nullptr);
-  EXPECT_FALSE(everything_may_be_relative(bodies.coordinates, MPI_COMM_WORLD));
 }

@@ -76,10 +76,6 @@ namespace signorini
     /** The transpose: f_l += sum_k P_kl sum_r e_r forces_r. Collective if any(). */
     void add_to_partners(const std::vector<double> &forces, Vector &f) const;
 
-    /** f_l += sum_k P_kl forces_k, of contact nodes k. Collective if any(). */
-    void add_node_forces_to_partners(const std::vector<dealii::Tensor<1, dim>> &forces,
-                                     Vector                                    &f) const;
-
     /**
      * For diagonals of matrices: d_lc += sum_k P_kl^2 (Pi_k B_k Pi_k)_cc with Pi_k = sum_r e_r
      * e_r'. Collective if any().

@@ -7,7 +7,6 @@
 #include <signorini/contact/contact_coordinates.h>
 #include <signorini/contact/node_frames.h>
 #include <signorini/linear_algebra/slip_rows.h>
-#include <signorini/preconditioners/relative_matrix.h>
 
 #include <optional>
 
@@ -26,10 +25,9 @@ namespace signorini
 
   /**
    * The matrix of a step as a factor of its blocks sees it, and the way between its coordinates and
-   * contact coordinates. With two bodies in contact it is seen in relative coordinates, without the
-   * rotations: there relative entries can be held within sweeps. The mass stays block-scalar if
-   * whole nodes are relative. It is so well conditioned that the separate bodies do where that does
-   * not go; relative entries are then held around them only.
+   * contact coordinates. With two bodies in contact M + s A is seen in relative coordinates,
+   * without the rotations: there relative entries can be held within sweeps. The mass is so well
+   * conditioned that the separate bodies do; relative entries are then held around them only.
    */
   template <int dim>
   class FactorCoordinates
@@ -38,22 +36,15 @@ namespace signorini
     FactorCoordinates(const ElasticMatrices<dim>    &matrices,
                       const ContactCoordinates<dim> &coordinates,
                       const MatrixSum               &sum,
-                      RelativePart                   part);
+                      bool                           follows_partners);
 
     /** The matrix is sum() of these. */
-    const ElasticMatrices<dim> &matrices() const
-    {
-      return part == RelativePart::nothing ? of_bodies : relative;
-    }
-    MatrixSum sum() const { return part == RelativePart::entries ? MatrixSum{0., 1.} : of_step; }
+    const ElasticMatrices<dim> &matrices() const { return is_relative ? relative : of_bodies; }
+    MatrixSum                   sum() const { return is_relative ? MatrixSum{0., 1.} : of_step; }
     /** Whether it is T'K T of the step, all of it, and not only close to it. */
     bool is_exact() const;
     /** The blocks are not needed any more, only the pattern. */
-    void forget_blocks()
-    {
-      decltype(relative.stiffness)().swap(relative.stiffness);
-      decltype(relative.mass)().swap(relative.mass);
-    }
+    void forget_blocks() { decltype(relative.stiffness)().swap(relative.stiffness); }
 
     const std::vector<unsigned int> &contact_nodes() const { return frames.contact_nodes(); }
 
@@ -78,8 +69,8 @@ namespace signorini
     const ElasticMatrices<dim>    &of_bodies;
     const ContactCoordinates<dim> &coordinates;
     const MatrixSum                of_step;
-    const RelativePart             part; ///< nothing where no bodies meet, or partners come and go
     ElasticMatrices<dim>           relative;
+    const bool                     is_relative;
     unsigned int                   n_turns;
     NodeFrames<dim>                frames;
     std::vector<unsigned int>      held_entries;

@@ -8,23 +8,6 @@
 
 namespace signorini
 {
-  /** What of the displacement of a contact node is measured relative to its partners. */
-  enum class RelativePart
-  {
-    nothing,
-    entries,   ///< ContactNode::relative: as in contact coordinates
-    everything ///< also what contact does not act on: so the mass stays a number per pair of nodes
-  };
-
-  /**
-   * Whether what is held can be held in coordinates in which everything is relative: not where a
-   * node has a prescribed entry that is absolute, partners of its own kind, or several rows of P.
-   * Collective.
-   */
-  template <int dim>
-  bool everything_may_be_relative(const ContactCoordinates<dim> &coordinates,
-                                  MPI_Comm                       communicator);
-
   /**
    * The entries of the matrix of two bodies in contact in relative coordinates, for
    * preconditioners: S'(a M + b A)S with
@@ -32,23 +15,19 @@ namespace signorini
    *   u = S v,    u_p = v_p + Pi_p sum_l P_pl v_l at contact nodes,    u_p = v_p elsewhere
    *
    * with the projector Pi_p onto the relative directions of the node (the transformation T without
-   * its rotations, so that blocks of nodes stay blocks), or the identity if everything is relative.
-   * It couples the partners of contact nodes with the contact nodes, their neighbours and each
-   * other; elsewhere it is a M + b A.
+   * its rotations, so that blocks of nodes stay blocks). It couples the partners of contact nodes
+   * with the contact nodes, their neighbours and each other; elsewhere it is a M + b A.
    *
    * The ghosts are those of the given matrices and, beyond, the nodes that this process is coupled
    * with across the contact surface, so that a domain decomposition overlaps there, too, even if
    * each body lives on a process of its own. Collective.
-   * @param part not nothing; of the mass alone everything, too
-   * @return matrices whose `stiffness` is the sum and whose `mass` is zero, the other way round if
-   * everything is relative; entries for a factor, not for products, which take it that no
-   * translation has a stress
+   * @return matrices whose `stiffness` is the sum and whose `mass` is zero; entries for a factor,
+   * not for products, which take it that no translation has a stress
    */
   template <int dim>
   ElasticMatrices<dim> relative_matrix(const ElasticMatrices<dim>    &matrices,
                                        const ContactCoordinates<dim> &coordinates,
-                                       const MatrixSum               &sum,
-                                       RelativePart                   part);
+                                       const MatrixSum               &sum);
 } // namespace signorini
 
 #endif
