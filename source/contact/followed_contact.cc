@@ -154,6 +154,9 @@ namespace signorini
         largest_coordinate = std::max(largest_coordinate, std::abs(site.start[c]));
       face_sides(site, motion(site, expected));
       look_around(site);
+      for (const Facing<dim> &facing : site.facings)
+        if (!facing.of_body && facing.is_there() && is_in_reach(facing, motion(site, expected)))
+          largest_coordinate = std::max(largest_coordinate, obstacle(facing).lever(site.start));
     });
     largest_coordinate     = Utilities::MPI::max(largest_coordinate, discretization.communicator());
     const double size      = discretization.mesh().body_size();

@@ -237,7 +237,8 @@ namespace signorini
     check_damping(in.section("Bodies"), scene);
     check_dirichlet(in.section("Bodies"), scene);
     scene.adaptivity = parse_adaptivity(in.section("Adaptivity"), scene.time, scene.bodies);
-    set_goal_of_steps(in.section("Time"), scene.adaptivity.target_error, scene.step_sizes);
+    set_goal_of_steps(
+      in.section("Time"), !scene.pairs.empty(), scene.adaptivity.target_error, scene.step_sizes);
     parse_contact_motion(in.section("Contact"), scene);
     scene.mapping = cell_geometry(in.choice<MappingChoice>("Mapping"), scene);
     parse_probes(in.section("Probes"), names.probes, scene);

@@ -105,9 +105,15 @@ namespace signorini
   }
 
 
-  void
-  set_goal_of_steps(const SectionReader &in, const double target_error, StepSizeParameters &sizes)
+  void set_goal_of_steps(const SectionReader &in,
+                         const bool           any_pairs,
+                         const double         target_error,
+                         StepSizeParameters  &sizes)
   {
+    if (sizes.control == StepSizeControl::force && !any_pairs)
+      in.fail("Step size control",
+              "follows the contact force, and `Contact/Pairs` names nothing that touches: all of "
+              "the motion would be taken in the longest steps. Take `doubling` or `embedded`.");
     if (sizes.control != StepSizeControl::goal)
       return;
     if (target_error == 0.)

@@ -12,6 +12,7 @@ import math
 import re
 
 import check_history
+import following_scenes as following
 
 #: Radius of the bowl and half the width of the block in it. Its strains are linear: what a turn by
 #: an angle makes of it is an error of second order in the angle and first order in its size.
@@ -319,6 +320,42 @@ class MovingContact(check_history.SceneTest):
         way = sum(0.01 * (a + b) / 2 for a, b in zip(velocity, velocity[1:]))
         lever = pairs["pair_1_moment_z"][-1] / pairs["pair_1_force_y"][-1]
         self.assertAlmostEqual(lever, -1 + way, delta=1e-3)
+
+    def test_obstacles_of_large_radius(self):
+        """Gaps to a circle have the round-off of its radius, and those to what turns that of the
+        distance from the centre: a block is laid on circles that are up to a thousand times as
+        large, hit by them, and dragged by them."""
+        for radius in (100, 500, 1000):
+            circle = [
+                "set Shape = sphere",
+                f"set Centre = 0.5, {-radius}",
+                f"set Radius = {radius}",
+            ]
+            turning = [
+                f"set Rotation centre = 0.5, {-radius}",
+                f"set Angular velocity = {0.1 / radius}*sin(10*t)",
+            ]
+            for what, keys, more in (
+                ("laid", ["set Body force = 0; -1"], []),
+                ("hit", ["set Initial velocity = 0; -0.1"], []),
+                ("dragged", ["set Body force = 0; -1"], turning),
+            ):
+                with self.subTest(radius=radius, what=what):
+                    block = following.box("block", "0, 0", "1, 1", "4, 4", *keys)
+                    run = check_history.Run(
+                        following.scene(
+                            [block],
+                            ["block : floor"],
+                            0.5,
+                            obstacles=following.obstacles({"floor": circle + more}),
+                            laws=following.friction("block : floor", 0.2),
+                        ),
+                        "large",
+                        ["Bodies/block/Young's modulus=100"],
+                    )
+                    self.expect_ledger_closes(run, driven=True)
+                    self.expect_no_penetration(run, 1)
+                    self.assertGreater(max(run["contact_force"]), 0.01)
 
     def test_flat_obstacles_cost_nothing(self):
         """Where nothing turns the first solution of a step is the only one."""

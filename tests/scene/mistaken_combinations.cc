@@ -169,6 +169,16 @@ TEST(Combinations, OfInertiaAndSchemesWithoutIt)
   EXPECT_EQ(refusal(file.name, {without, at_rest}), "");
 }
 
+TEST(Combinations, OfStepsByForceAndNoContact)
+{
+  const std::string   all = correct_scene();
+  const TemporaryFile file(all.substr(0, all.find("subsection Contact")));
+  const std::string   message = refusal(file.name, {{"Time/Step size control", "force"}});
+  for (const std::string word : {"Step size control = force", "nothing that touches", "doubling"})
+    EXPECT_NE(message.find(word), std::string::npos) << message;
+  EXPECT_EQ(refusal(file.name, {{"Time/Step size control", "doubling"}}), "");
+}
+
 TEST(Combinations, OfExtents)
 {
   for (const std::string value : {"1", "1, 2, 3", "1, -2", "1, x", "0, 1"})

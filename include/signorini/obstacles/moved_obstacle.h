@@ -7,6 +7,8 @@
 #include <signorini/obstacles/obstacle_motion.h>
 #include <signorini/obstacles/rigid_obstacle.h>
 
+#include <algorithm>
+
 namespace signorini
 {
   /**
@@ -37,6 +39,12 @@ namespace signorini
 
     bool has_end() const override { return shape->has_end(); }
     bool is_flat() const override { return shape->is_flat() && !(motion && motion->turns()); }
+
+    double lever(const dealii::Point<dim> &p) const override
+    {
+      const double of_shape = shape->lever(after.back(p));
+      return motion ? std::max(of_shape, p.distance(after.centre)) : of_shape;
+    }
 
     /** The number of conditions that may hold one point: more than one in inner corners. */
     unsigned int most_conditions() const { return parts.empty() ? 1 : dim; }

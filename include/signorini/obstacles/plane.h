@@ -38,6 +38,8 @@ namespace signorini
 
     bool has_end() const override { return !ends.empty(); }
 
+    double lever(const dealii::Point<dim> &p) const override { return p.distance(point); }
+
     bool is_flat() const override { return true; }
 
     MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,

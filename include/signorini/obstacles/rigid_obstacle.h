@@ -121,6 +121,12 @@ namespace signorini
     /** The path of the file that it comes from; empty if there is none. */
     virtual std::string file() const { return {}; }
 
+    /**
+     * The largest length with which the gap of a point is computed, beside its coordinates: it has
+     * the round-off of that.
+     */
+    virtual double lever(const dealii::Point<dim> & /*point*/) const { return 0.; }
+
     /** Whether all normals are the same, at all times. */
     virtual bool is_flat() const { return false; }
 

@@ -25,6 +25,8 @@ namespace signorini
 
     ObstacleProjection<dim> project(const dealii::Point<dim> &p) const override;
 
+    double lever(const dealii::Point<dim> &p) const override { return arm(p).norm(); }
+
     /** Exact, without a singularity where the motion is small. */
     MotionCondition<dim> condition_of_motion(const dealii::Point<dim> &start,
                                              const dealii::Point<dim> &end) const override;

@@ -29,8 +29,11 @@ namespace signorini
   void               parse_scheme_parameters(const SectionReader &in, TimeParameters &time);
   void               declare_step_sizes(dealii::ParameterHandler &prm);
   StepSizeParameters parse_step_sizes(const SectionReader &in, const TimeParameters &time);
-  /** `Step size control = goal`: its tolerance is the target. */
-  void set_goal_of_steps(const SectionReader &in, double target_error, StepSizeParameters &sizes);
+  /** `Step size control = force` needs pairs, and the tolerance of `goal` is the target. */
+  void set_goal_of_steps(const SectionReader &in,
+                         bool                 any_pairs,
+                         double               target_error,
+                         StepSizeParameters  &sizes);
 
   template <int dim>
   void declare_body(dealii::ParameterHandler &prm);
