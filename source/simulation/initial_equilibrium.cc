@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <sstream>
 
 namespace signorini
 {
@@ -35,19 +37,22 @@ namespace signorini
     }
 
 
-    /**
-     * Contact is linear about the undeformed bodies: what it holds only after a body has slid or
-     * turned by half of its size is no equilibrium. Collective.
-     */
-    template <int dim>
-    void refuse_far_contact(const MeshedScene<dim> &meshed, const State &state)
+    /** How what bears has moved relative to its other side: parts of the smaller body's size. */
+    struct WayToContact
     {
-      constexpr double too_far = 0.5;
-      const auto      &surface = meshed.surface;
-      const auto      &mesh    = meshed.discretization.mesh();
-      const auto       of_other_sides =
+      double longest      = 0.;
+      double least_closed = std::numeric_limits<double>::infinity(); ///< of the gap
+    };
+
+    /** Of each pair. Collective. */
+    template <int dim>
+    std::vector<WayToContact> ways_to_contact(const MeshedScene<dim> &meshed, const State &state)
+    {
+      const auto &surface = meshed.surface;
+      const auto &mesh    = meshed.discretization.mesh();
+      const auto  of_other_sides =
         meshed.coordinates.coupling().partner_displacement(state.displacement);
-      std::vector<double> parts(surface.pairs().size(), 0.); // by pair, of the smaller size
+      std::vector<WayToContact> ways(surface.pairs().size());
       for (std::size_t k = 0; k < surface.nodes().size(); ++k)
         {
           const ContactNode<dim> &node = surface.nodes()[k];
@@ -63,18 +68,52 @@ namespace signorini
               force =
                 std::max(force, std::abs(state.contact_force.local_element(dim * node.node + c)));
             }
-          if (force > 0.)
-            parts[node.pair] = std::max(parts[node.pair], way.norm() / size);
+          if (force == 0.)
+            continue;
+          WayToContact &of_pair = ways[node.pair];
+          of_pair.longest       = std::max(of_pair.longest, way.norm() / size);
+          of_pair.least_closed  = std::min(of_pair.least_closed, way * node.normal() / size);
         }
-      dealii::Utilities::MPI::max(parts, mesh.communicator(), parts);
-      const auto worst = std::max_element(parts.begin(), parts.end());
-      if (worst != parts.end() && *worst > too_far)
-        throw RunError(
-          "Time/Start = equilibrium: contact of the pair '"
-          + surface.pairs()[worst - parts.begin()].name
-          + "' holds nothing near the undeformed bodies, but only after they have moved "
-            "along each other by more than half of the smaller one's size. Hold the body "
-            "(`Friction coefficient`, `Dirichlet`), or set `Start = given`.");
+      for (WayToContact &way : ways)
+        {
+          way.longest      = dealii::Utilities::MPI::max(way.longest, mesh.communicator());
+          way.least_closed = dealii::Utilities::MPI::min(way.least_closed, mesh.communicator());
+        }
+      return ways;
+    }
+
+
+    /**
+     * Contact is linear about the undeformed bodies: what it holds only after a body has slid or
+     * turned by half of its size is no equilibrium. What was apart, and is not a matter of the
+     * mesh, is told.
+     */
+    template <int dim>
+    StartReport judged(StartReport report, const MeshedScene<dim> &meshed, const State &state)
+    {
+      constexpr double too_far = 0.5, told = 0.01;
+      const auto       ways = ways_to_contact(meshed, state);
+      for (std::size_t pair = 0; pair < ways.size(); ++pair)
+        {
+          const std::string &name = meshed.surface.pairs()[pair].name;
+          if (ways[pair].longest > too_far)
+            throw RunError(
+              "Time/Start = equilibrium: contact of the pair '" + name
+              + "' holds nothing near the undeformed bodies, but only after they have moved along "
+                "each other by more than half of the smaller one's size. Hold the body (`Friction "
+                "coefficient`, `Dirichlet`), or set `Start = given`.");
+          if (std::isfinite(ways[pair].least_closed) && ways[pair].least_closed > told)
+            {
+              std::ostringstream text;
+              text.precision(2);
+              text << "Time/Start = equilibrium begins with contact of the pair '" << name
+                   << "', which was apart by " << 100. * ways[pair].least_closed
+                   << " % of the size of its smaller body: loads press it there. Set `Start = "
+                      "given` if it is to fall.";
+              report.remarks.push_back(text.str());
+            }
+        }
+      return report;
     }
   } // namespace
 
@@ -94,7 +133,7 @@ namespace signorini
     };
     MovingContact *const contact = meshed.system.capabilities().moving_contact;
     if (contact == nullptr)
-      return solve();
+      return judged(solve(), meshed, state);
 
     State undeformed;
     undeformed.displacement = undeformed.velocity = undeformed.contact_force =
@@ -109,10 +148,7 @@ namespace signorini
         all.unheld = report.unheld;
         meshed.system.expect_contact_as_in(state);
         if (contact->mismatch(state.displacement) <= 1.)
-          {
-            refuse_far_contact(meshed, state);
-            return all;
-          }
+          return judged(all, meshed, state);
         contact->follow(state.displacement);
       }
     throw RunError("Time/Start = equilibrium: no equilibrium was found whose normals of contact "

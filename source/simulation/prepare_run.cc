@@ -118,6 +118,8 @@ namespace signorini
         dealii::TimerOutput::Scope scope(timer, "start: equilibrium");
         equilibrium = naming_file<RunError>(
           scene.file_name, [&] { return initial_equilibrium(scene, *meshed, state); });
+        for (const std::string &sentence : equilibrium.remarks)
+          start_remarks.warnings.push_back(sentence);
         for (const std::string &sentence : held_by_turning(meshed->discretization, state))
           start_remarks.warnings.push_back(sentence);
       }

@@ -102,6 +102,18 @@ class Equilibria(check_history.unittest.TestCase):
             check_history.Run(text, "far", ["Time/Start=equilibrium"])
         check_history.Run(text, "near")
 
+    def test_what_is_laid_onto_its_floor_is_told(self):
+        """A soft block that loads would press onto the floor below it begins there; the run says
+        so, unless the gap is one of the mesh. On the floor there is nothing to say."""
+        floor = obstacles({"floor": ["set Normal = 0, 1"]})
+        for gap, is_told in ((0, False), (1e-4, False), (0.04, True)):
+            block = box("s", f"0, {gap}", f"1, {gap + 1}", "4, 4", "set Body force = 0; -1")
+            text = scene([block], ["s : floor"], 0.02, obstacles=floor)
+            soft = ["Time/Start=equilibrium", "Bodies/s/Young's modulus=500"]
+            run = check_history.Run(text, "laid", soft)
+            self.assertAlmostEqual(run["contact_force"][0], 1, delta=1e-6)
+            self.assertEqual("which was apart by 4 %" in run.log, is_told, gap)
+
     def test_friction_of_what_begins_to_slide(self):
         """A block at rest that friction does not hold: from the start friction is mu times the
         weight, against the load that is about to move it, on a body and on a plane."""

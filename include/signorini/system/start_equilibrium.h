@@ -12,8 +12,9 @@ namespace signorini
   /** How a run started in equilibrium. */
   struct StartReport
   {
-    unsigned int n_products = 0; ///< with A
-    std::string  unheld;         ///< what is not held and begins to move, in words; or empty
+    unsigned int             n_products = 0; ///< with A
+    std::string              unheld; ///< what is not held and begins to move, in words; or empty
+    std::vector<std::string> remarks = {}; ///< what may not be as it was meant
   };
 
   /**
