@@ -37,6 +37,9 @@ namespace signorini
     for (const auto &[pair, geometry] : geometries)
       clear[pair] = geometry->distance_of_boxes(nothing);
     find_order();
+    std::set<unsigned int> slaves;
+    for (const auto &[pair, geometry] : geometries)
+      may_share = !slaves.insert(pairs[pair].slave).second || may_share;
   }
 
 
@@ -128,7 +131,7 @@ namespace signorini
     for (auto &[pair, of_pair] : conditions)
       for (auto &[node, condition] : of_pair)
         bound(condition);
-    if (geometries.size() > 1)
+    if (may_share)
       find_shared_nodes();
   }
 

@@ -19,7 +19,7 @@ namespace signorini
   {
     constexpr double patch = 2.5; ///< radius around the place, in distances of nodes
     constexpr double round =
-      1e-2; ///< rise of a patch, in distances of nodes, from which it is round
+      1e-3; ///< rise of a patch, in distances of nodes, from which it is round
     constexpr double misfit = 0.1; ///< of a paraboloid, part of what rises
 
     /** Around the node of a pair that touches first. */

@@ -109,6 +109,10 @@ class Preflight(check_history.SceneTest):
         self.expect_close(impact["time"], moment, 1e-3, "time of the first touch")
         self.expect_close(impact["speed"], 2 * moment, 2e-3, "speed")
         self.assertEqual(impact["theory"], "Hertz")
+        # Faces of a fine mesh are nearly flat, and the body is as round as before.
+        (fine,) = self.forecast(scene, "Bodies/disc/Local refinements=5")["impacts"]
+        self.assertEqual(fine["theory"], "Hertz")
+        self.expect_close(fine["force"], impact["force"], 0.05, "force foretold on a fine mesh")
         run = check_history.Run(FALLING_DISC, "fallen")
         in_contact = [t for t, force in zip(run["time"], run["contact_force"]) if force > 0]
         self.assertLess(abs(in_contact[0] - moment), 2 * said["step_size"])

@@ -99,14 +99,15 @@ namespace signorini
   private:
     using Conditions = std::map<unsigned int, PairCondition<dim>>; ///< by node
 
-    const Discretization<dim>                                 &discretization;
-    const DirichletConditions<dim>                            &dirichlet;
-    const std::vector<PairDescription>                        &descriptions;
-    std::map<unsigned int, std::unique_ptr<FacingPair<dim>>>   geometries;
-    std::vector<unsigned int>                                  order; ///< of pairs
-    bool                                                       is_cyclic = false;
-    std::map<unsigned int, Conditions>                         conditions; ///< by pair
-    std::map<unsigned int, SharedCondition<dim>>               shared;     ///< by node
+    const Discretization<dim>                               &discretization;
+    const DirichletConditions<dim>                          &dirichlet;
+    const std::vector<PairDescription>                      &descriptions;
+    std::map<unsigned int, std::unique_ptr<FacingPair<dim>>> geometries;
+    std::vector<unsigned int>                                order; ///< of pairs
+    bool                                                     is_cyclic = false;
+    bool                               may_share = false; ///< a body is the slave of several pairs
+    std::map<unsigned int, Conditions> conditions;        ///< by pair
+    std::map<unsigned int, SharedCondition<dim>>               shared; ///< by node
     std::map<unsigned int, std::unique_ptr<NodeCoupling<dim>>> couplings;
     Vector                                                     start;    ///< displacement
     Vector                                                     expected; ///< motion
