@@ -3,6 +3,7 @@
 
 #include <signorini/base/contact_status.h>
 #include <signorini/base/spelling.h>
+#include <signorini/base/sum_of_magnitudes.h>
 #include <signorini/contact/own_forces.h>
 #include <signorini/goals/force_error.h>
 
@@ -52,7 +53,7 @@ namespace signorini
     reading.step_size      = step.step_size;
     reading.elastic_energy = elastic_energy(step.end);
     if (step.start.velocity.linfty_norm() > 0.
-        && hardly_presses(step.start.contact_force.l1_norm(), step.start, size))
+        && hardly_presses(sum_of_magnitudes(step.start.contact_force, dim), step.start, size))
       reading.energy_before_contact = elastic_energy(step.start);
     const Vector own = own_forces(surface, step.end.contact_force);
     for (const ContactNode<dim> &node : surface.nodes())

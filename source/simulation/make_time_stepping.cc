@@ -46,7 +46,7 @@ namespace signorini
     if (sizes.control == StepSizeControl::doubling)
       estimate = std::make_unique<StepDoubling>(scheme);
     else if (sizes.control == StepSizeControl::force)
-      estimate = std::make_unique<ForceEstimate>(scheme, time.step_size);
+      estimate = std::make_unique<ForceEstimate>(scheme, time.step_size, dim);
     else if (sizes.control == StepSizeControl::goal)
       estimate = std::make_unique<GoalEstimate>(
         scheme, time.step_size, force_in_step, contact_may_come_back(scene));

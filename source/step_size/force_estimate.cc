@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/sum_of_magnitudes.h>
 #include <signorini/step_size/contact_events.h>
 #include <signorini/step_size/force_estimate.h>
 
@@ -25,11 +26,10 @@ namespace signorini
     change -= start.contact_force;
     const double between =
       start.last_step.any() ? (start.last_step.size + span) / 2. : span; // from mean to mean
-    const double forces = change.l1_norm() * span / between;
+    const double forces = size_of(change) * span / between;
     if (forces > 0.)
       {
-        // Of the components at all nodes: both bodies, all pairs, and friction.
-        const double larger = std::max(start.contact_force.l1_norm(), end.contact_force.l1_norm());
+        const double larger = std::max(size_of(start.contact_force), size_of(end.contact_force));
         const double part   = span / unit;
         trial.error =
           std::max(trial.error, forces / largest.expected(start, end, larger) * part * part);
@@ -38,10 +38,16 @@ namespace signorini
   }
 
 
+  double ForceEstimate::size_of(const Vector &force) const
+  {
+    return sum_of_magnitudes(force, dimension);
+  }
+
+
   void ForceEstimate::accept(const State &start, const State &end)
   {
     motion.accept(start, end);
-    largest.accept(start, end, end.contact_force.l1_norm());
+    largest.accept(start, end, size_of(end.contact_force));
   }
 
 

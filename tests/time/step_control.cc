@@ -40,7 +40,7 @@ namespace
   std::unique_ptr<StepEstimate> make_estimate(TimeScheme &scheme)
   {
     if constexpr (std::is_same_v<Estimate, ForceEstimate>)
-      return std::make_unique<ForceEstimate>(scheme, first_size);
+      return std::make_unique<ForceEstimate>(scheme, first_size, 1);
     else if constexpr (std::is_same_v<Estimate, GoalEstimate>)
       return make_goal(scheme, false);
     else

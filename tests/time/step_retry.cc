@@ -201,7 +201,7 @@ TEST(AdaptiveStepsTest, AStepThatCannotBeSolvedIsRejectedAlsoBelowTheSmallestSiz
   scheme.begin = 0.4;
   scheme.end   = 0.5;
   BouncingMass  system;
-  AdaptiveSteps steps(std::make_unique<ForceEstimate>(scheme, 0.01), {0.1, 0.01, 0.01, 0.1, 1.});
+  AdaptiveSteps steps(std::make_unique<ForceEstimate>(scheme, 0.01, 1), {0.1, 0.01, 0.01, 0.1, 1.});
   State         state    = make_state(system, 0., 1.);
   unsigned int  rejected = 0;
   double        smallest = 1.;
@@ -222,7 +222,8 @@ TEST(AdaptiveStepsTest, AStepThatCannotBeSolvedIsRejectedAlsoBelowTheSmallestSiz
 
   scheme.limit = 1e-9;
   scheme.begin = 0.;
-  AdaptiveSteps hopeless(std::make_unique<ForceEstimate>(scheme, 0.01), {0.1, 0.01, 0.01, 0.1, 1.});
+  AdaptiveSteps hopeless(std::make_unique<ForceEstimate>(scheme, 0.01, 1),
+                         {0.1, 0.01, 0.01, 0.1, 1.});
   state = make_state(system, 0., 1.);
   while (state.time < 0.3)
     {
@@ -247,7 +248,7 @@ TEST(AdaptiveStepsTest, AStepThatIsTakenBackLeavesNoTrace)
       velocity     = speed;
       return make_state(bar, displacement, velocity);
     };
-    AdaptiveSteps steps(std::make_unique<ForceEstimate>(*scheme, 0.02),
+    AdaptiveSteps steps(std::make_unique<ForceEstimate>(*scheme, 0.02, 1),
                         {0.02, 0.02, 1e-3, 0.1, 2.});
     State         state = flying(1., 0.);
     steps.advance(bar, state);

@@ -18,6 +18,8 @@ to run and is interpolated.
 Steps for a goal keep the error of the force below twice the target, whatever the first size is, and
 what a run says of its error by steps is right but for a factor of three.
 
+Steps by the force do not know axes: a scene that is turned takes the same ones.
+
 Round-off decides nothing: the bar touches after a whole number of steps, and with velocities that
 differ by 1e-12 it takes the same steps to the same forces.
 """
@@ -65,6 +67,58 @@ subsection Output
   set VTU = false
 end
 """
+
+#: A box that falls askew onto a floor with friction; box and floor are turned by an angle.
+TURNED_BOX = """
+set Dimension = 2
+subsection Time
+  set End time          = 0.6
+  set Step size         = 4e-3
+  set Step size control = force
+  set Step tolerance    = 0.3
+end
+subsection Bodies
+  set Names = box
+  subsection box
+    set Shape            = box
+    set Upper corner     = 1, 0.5
+    set Repetitions      = 8, 4
+    set Rotation         = %(turn)r
+    set Rotation centre  = 0, 0
+    set Young's modulus  = 500
+    set Poisson's ratio  = 0.3
+    set Density          = 1
+    set Initial velocity = %(velocity)s
+  end
+end
+subsection Obstacles
+  set Names = floor
+  subsection floor
+    set Shape  = plane
+    set Normal = %(normal)s
+  end
+end
+subsection Contact
+  set Pairs = box : floor
+  subsection box : floor
+    set Friction coefficient = 0.3
+  end
+end
+subsection Output
+  set VTU = false
+end
+"""
+
+
+def turned(degrees, slope=20.0):
+    """TURNED_BOX, with the box a little further than the floor, so that it hits with a corner."""
+    angle = math.radians(degrees)
+    c, s = math.cos(angle), math.sin(angle)
+    return TURNED_BOX % {
+        "turn": degrees + slope,
+        "velocity": f"{0.6 * c + s!r}; {0.6 * s - c!r}",
+        "normal": f"{-s!r}, {c!r}",
+    }
 
 
 def controlled(control, step_size, tolerance):
@@ -277,6 +331,21 @@ class StepSize(check_history.SceneTest):
             self.assertLess(len(run), 1500)
             largest = max(run["kinetic_energy"]) + max(run["elastic_energy"])
             self.assertLess(max(map(abs, run["energy_residual"])), 1e-9 * largest)
+
+    def test_frame(self):
+        """Steps by the force are the same in any frame."""
+        straight, *others = (
+            check_history.Run(turned(degrees), f"frame-{degrees}", []) for degrees in (0, 30, 45)
+        )
+        self.assertGreater(max(straight["contact_force"]), 0.0)
+        sizes = [end - start for start, end in zip(straight["time"], straight["time"][1:])]
+        self.assertGreater(max(sizes), 2.0 * min(sizes))
+        for other in others:
+            self.assertEqual(len(straight), len(other))
+            for column in ("time", "contact_force", "total_energy"):
+                scale = max(map(abs, straight[column]))
+                for row, (a, b) in enumerate(zip(straight[column], other[column])):
+                    self.assertLessEqual(abs(a - b), 1e-6 * scale, f"{column} in row {row}")
 
     def test_two_bodies_with_friction(self):
         """The steps of one and two processes are the same; touch and release are met by shorter

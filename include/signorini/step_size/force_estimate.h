@@ -29,10 +29,14 @@ namespace signorini
   class ForceEstimate : public StepEstimate
   {
   public:
-    /** @param unit tau_0 > 0, in which sizes are measured */
-    ForceEstimate(TimeScheme &scheme, const double unit)
+    /**
+     * @param unit      tau_0 > 0, in which sizes are measured
+     * @param dimension components of the force on a node
+     */
+    ForceEstimate(TimeScheme &scheme, const double unit, const unsigned int dimension)
       : motion(scheme)
       , unit(unit)
+      , dimension(dimension)
     {
     }
 
@@ -50,7 +54,11 @@ namespace signorini
   private:
     EmbeddedEstimate motion;
     const double     unit;
+    unsigned int     dimension;
     LargestForce     largest;
+
+    /** |r|_1: the magnitudes at all nodes, of both bodies, all pairs, and friction. */
+    double size_of(const Vector &force) const;
   };
 } // namespace signorini
 
