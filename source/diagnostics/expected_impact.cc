@@ -22,33 +22,67 @@ namespace signorini
     constexpr double hertz_duration = 2.9432;
 
 
-    template <int dim>
-    ExpectedImpact
-    impact_of_round_bodies(const FirstTouch &touch, const double mass, const double modulus)
+    /** With the half-width of contact that belongs to the largest force, and its largest strain. */
+    ExpectedImpact with_contact_of(const FirstTouch &touch,
+                                   const double      force,
+                                   const double      duration,
+                                   const double      half_width,
+                                   const bool        in_space)
     {
-      const double   v = touch.speed, radius = 1. / touch.curvature;
       ExpectedImpact impact;
-      double         flattening;
-      if (dim == 3)
-        {
-          const double K  = 4. / 3. * modulus * std::sqrt(radius);
-          flattening      = std::pow(5. * mass * v * v / (4. * K), 0.4);
-          impact.force    = K * std::pow(flattening, 1.5);
-          impact.duration = hertz_duration * flattening / v;
-        }
-      else
-        {
-          const double K  = pi / 4. * modulus;
-          flattening      = v * std::sqrt(mass / K);
-          impact.force    = K * flattening;
-          impact.duration = pi * flattening / v;
-        }
-      const double contact_radius = std::sqrt(radius * flattening);
-      const double in_radius      = contact_radius / touch.node_spacing;
-      impact.n_nodes              = dim == 3 ? pi * in_radius * in_radius : 2. * in_radius;
+      impact.force           = force;
+      impact.duration        = duration;
+      const double in_radius = half_width / touch.node_spacing;
+      impact.n_nodes         = in_space ? pi * in_radius * in_radius : 2. * in_radius;
       // Johnson (4.22), (4.44): the pressure in the centre over E* is 2 a/(pi R), in 2d a/(2 R).
-      impact.strain = (dim == 3 ? 2. / pi : 0.5) * contact_radius / radius;
+      impact.strain = (in_space ? 2. / pi : 0.5) * half_width * touch.curvature;
       return impact;
+    }
+
+
+    ExpectedImpact impact_of_balls(const FirstTouch &touch, const double mass, const double modulus)
+    {
+      const double v = touch.speed, radius = 1. / touch.curvature;
+      const double K          = 4. / 3. * modulus * std::sqrt(radius);
+      const double flattening = std::pow(5. * mass * v * v / (4. * K), 0.4);
+      return with_contact_of(touch,
+                             K * std::pow(flattening, 1.5),
+                             hertz_duration * flattening / v,
+                             std::sqrt(radius * flattening),
+                             true);
+    }
+
+
+    /**
+     * 2 ln(2 d/a) - 1 of both sides, weighted with what each of them gives way: pi E* times the
+     * flattening over the force.
+     */
+    double logarithm_of(const Collider &body, const Collider &other, const double half_width)
+    {
+      const double modulus = in_series(body.modulus, other.modulus);
+      double       sum     = 0.;
+      for (const Collider *side : {&body, &other})
+        if (std::isfinite(side->modulus))
+          sum += modulus / side->modulus * (2. * std::log(2. * side->depth / half_width) - 1.);
+      return sum;
+    }
+
+
+    /** The force F for which the work F^2 (L - 1/2) / (2 pi E*) is the energy of the approach. */
+    ExpectedImpact
+    impact_of_cylinders(const FirstTouch &touch, const Collider &body, const Collider &other)
+    {
+      const double mass       = in_series(body.mass, other.mass);
+      const double stiffness  = pi * in_series(body.modulus, other.modulus);
+      double       resistance = 4., force = 0., half_width = 0.; // L - 1/2 where a = R/4
+      for (unsigned int iteration = 0; iteration < 20; ++iteration)
+        {
+          force      = touch.speed * std::sqrt(mass * stiffness / resistance);
+          half_width = std::sqrt(4. * force / (touch.curvature * stiffness));
+          // Where contact is as wide as the bodies no law is left; they are no stiffer than that.
+          resistance = std::max(1., logarithm_of(body, other, half_width) - 0.5);
+        }
+      return with_contact_of(touch, force, pi * mass * touch.speed / force, half_width, false);
     }
 
 
@@ -93,7 +127,9 @@ namespace signorini
     Assert(touch.is_smooth && std::isfinite(touch.time), dealii::ExcMessage("There is no theory."));
     if (touch.curvature == 0.)
       return impact_of_flat_faces(touch, body, other);
-    return impact_of_round_bodies<dim>(
+    if (dim == 2)
+      return impact_of_cylinders(touch, body, other);
+    return impact_of_balls(
       touch, in_series(body.mass, other.mass), in_series(body.modulus, other.modulus));
   }
 

@@ -169,6 +169,22 @@ namespace signorini
 
 
   template <int dim>
+  double Mesh<dim>::extent(const unsigned int body, const Tensor<1, dim> &direction) const
+  {
+    double first = std::numeric_limits<double>::max(), last = -first;
+    for (const auto &cell : ordered_cells)
+      if (cell->is_locally_owned() && cell->material_id() == body)
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const double place = direction * cell->vertex(v);
+            first              = std::min(first, place);
+            last               = std::max(last, place);
+          }
+    return Utilities::MPI::max(last, communicator()) - Utilities::MPI::min(first, communicator());
+  }
+
+
+  template <int dim>
   std::vector<double> Mesh<dim>::volumes_of_bodies() const
   {
     std::vector<double> volumes(bodies().size(), 0.);

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 #include <signorini/base/build_information.h>
-#include <signorini/base/sha256.h>
 #include <signorini/base/spelling.h>
 #include <signorini/output/provenance.h>
+#include <signorini/output/sha256.h>
 #include <signorini/output/whole_file.h>
 
 #include <filesystem>

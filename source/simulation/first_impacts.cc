@@ -31,21 +31,22 @@ namespace signorini
 
     /** A body as a side of an impact; one that is held does not give way. */
     template <int dim>
-    Collider collider(const BodyDescription<dim>     &body,
-                      const double                    mass,
-                      const dealii::BoundingBox<dim> &box,
-                      const std::array<double, 3>    &normal)
+    Collider collider(const Mesh<dim>             &mesh,
+                      const unsigned int           number,
+                      const double                 mass,
+                      const std::array<double, 3> &normal)
     {
-      const double nu    = body.material.poissons_ratio;
-      double       depth = 0.;
+      const BodyDescription<dim> &body = mesh.bodies()[number];
+      const double                nu   = body.material.poissons_ratio;
+      dealii::Tensor<1, dim>      along;
       for (unsigned int c = 0; c < dim; ++c)
-        depth += std::abs(normal[c]) * box.side_length(c);
+        along[c] = normal[c];
       return {is_held(body, normal) ? infinite : mass,
               mass / body.material.density,
               body.material.youngs_modulus / (1. - nu * nu),
               body.material.pressure_wave_speed(),
               body.material.density,
-              depth};
+              mesh.extent(number, along)};
     }
 
 
@@ -242,7 +243,7 @@ namespace signorini
       const Collider rigid{infinite, infinite, infinite, infinite, infinite, infinite};
       const auto    &mesh = meshed.discretization.mesh();
       const auto     side = [&](const unsigned int body) {
-        return collider(mesh.bodies()[body], masses[body], mesh.bounding_box(body), touch.normal);
+        return collider(mesh, body, masses[body], touch.normal);
       };
       first.node_spacing = touch.node_spacing;
       first.is_round     = touch.curvature > 0.;

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 by the signorini authors
 
 // What is expected of an impact before it is computed: Hertz's numbers for a steel ball on a rigid
-// plane and for two equal ones, a plane wave for flat faces; the curvature, speed and time of the
-// touch come from the distances of the nodes; and where bodies meet with an edge or do not meet,
-// nothing is said.
+// plane and for two equal ones, the work of the law of cylinders in the plane, a plane wave for
+// flat faces; the curvature, speed and time of the touch come from the distances of the nodes; and
+// where bodies meet with an edge or do not meet, nothing is said.
 
 #include "../contact/contact_scene.h"
 #include "../contact/two_bodies.h"
@@ -70,6 +70,46 @@ TEST(ExpectedImpact, ASteelBallAsHertzSays)
   impact          = expected_impact<3>(touch, steel_ball(), steel_ball());
   EXPECT_NEAR(impact.force, 2309., 1.);
   EXPECT_NEAR(impact.duration, 52.3e-6, 0.1e-6);
+}
+
+TEST(ExpectedImpact, OfCylindersIsAsLargeAsTheirEnergy)
+{
+  // Two steel discs, one of them ten times as soft: the work of F(flattening), integrated, is the
+  // energy of the approach, at any speed. Forces are not proportional to speeds.
+  const double   mass = 7.85e-9 * M_PI * 100.;
+  const Collider stiff{mass, M_PI * 100., 230000., 6e6, 7.85e-9, 20.};
+  const Collider soft{mass, M_PI * 100., 23000., 2e6, 7.85e-9, 20.};
+  const double   modulus = 1. / (1. / 230000. + 1. / 23000.);
+  FirstTouch     touch;
+  touch.time            = 0.;
+  touch.curvature       = 0.2;
+  touch.is_smooth       = true;
+  touch.node_spacing    = 0.1;
+  const auto flattening = [&](const double force) {
+    const double half_width = std::sqrt(4. * force / (0.2 * M_PI * modulus));
+    const double L          = 2. * std::log(40. / half_width) - 1.; // 4 R/a
+    return force * L / M_PI * (1. / 230000. + 1. / 23000.);
+  };
+  double of_slow = 0.;
+  for (const double speed : {10., 1000., 10000.})
+    {
+      touch.speed                 = speed;
+      const ExpectedImpact impact = expected_impact<2>(touch, stiff, soft);
+      constexpr unsigned   n      = 10000;
+      double               work   = 0.;
+      for (unsigned int i = 0; i < n; ++i)
+        {
+          const double before = impact.force * i / n, after = impact.force * (i + 1) / n;
+          const double begin = i == 0 ? 0. : flattening(before);
+          work += (before + after) / 2. * (flattening(after) - begin);
+        }
+      const double energy = 0.5 * mass / 2. * speed * speed;
+      EXPECT_NEAR(work, energy, 1e-3 * energy);
+      // The impulse of half a sine is that of bodies that part as fast as they met.
+      EXPECT_NEAR(2. / M_PI * impact.force * impact.duration, mass * speed, 1e-9 * mass * speed);
+      EXPECT_GT(impact.force / speed, 1.1 * of_slow);
+      of_slow = impact.force / speed;
+    }
 }
 
 TEST(ExpectedImpact, AFlatFaceSendsAPlaneWave)

@@ -31,10 +31,12 @@ namespace signorini
   /**
    * What is to be expected where two sides meet. Round bodies: Hertz, with K = 4/3 E* R^(1/2) in
    * 3d, flattening (5 m v^2 / (4 K))^(2/5), duration 2.943 flattening / v (Johnson, Contact
-   * Mechanics 1985, section 11.4); in 2d the linear law of a cylinder, pi/4 E* per unit of length
-   * and flattening. Flat ones: the pressure Z v of a plane wave, Z = rho c, until it has run
-   * through the shorter body (a much softer one) and back. A body that is wider than the faces that
-   * touch gives way as much less: its mass per depth counts.
+   * Mechanics 1985, section 11.4); in 2d a cylinder is flattened by F L/(pi E*) per unit of length,
+   * L = 2 ln(2 d/a) - 1 with the half-width a of contact and the depth d of the body (Johnson
+   * (5.57), (5.58)), so that F = v (pi E* m/(L - 1/2))^(1/2). Flat ones: the pressure Z v of a
+   * plane wave, Z = rho c, until it has run through the shorter body (a much softer one) and back.
+   * A body that is wider than the faces that touch gives way as much less: its mass per depth
+   * counts.
    * @param touch of smooth surfaces that do meet @param other mass and modulus infinite if rigid
    */
   template <int dim>

@@ -94,6 +94,9 @@ namespace signorini
     /** Largest extent of a body. */
     double body_size(const unsigned int body) const { return extents[body]; }
 
+    /** Of a body along a unit vector, from its first vertex to its last one. Collective. */
+    double extent(unsigned int body, const dealii::Tensor<1, dim> &direction) const;
+
     /** Areas in 2d; cells count with straight edges. Collective. */
     std::vector<double> volumes_of_bodies() const;
 

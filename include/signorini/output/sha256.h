@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#ifndef signorini_base_sha256_h
-#define signorini_base_sha256_h
+#ifndef signorini_output_sha256_h
+#define signorini_output_sha256_h
 
 #include <iosfwd>
 #include <string>

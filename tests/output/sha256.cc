@@ -5,8 +5,8 @@
 // another block and of texts longer than what is read at once; else nobody could compare them with
 // those of other programs.
 
-#include <signorini/base/sha256.h>
 #include <signorini/base/user_error.h>
+#include <signorini/output/sha256.h>
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
-#include <signorini/base/sha256.h>
 #include <signorini/base/user_error.h>
+#include <signorini/output/sha256.h>
 
 #include <openssl/evp.h>
 
