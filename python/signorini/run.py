@@ -69,7 +69,10 @@ class Run:
 
     def interrupt(self):
         """Ask the run to end after its step (SIGINT). It writes a checkpoint, from which resume()
-        goes on."""
+        goes on. To ask again changes nothing: a second signal would end the program at once, as
+        kill() does."""
+        if self._asked_to_end:
+            return
         self._asked_to_end = True
         # mpirun would kill what has not ended after two seconds; its processes tell each other.
         self._send(signal.SIGINT, (self._children() or [self.process.pid])[-1:])

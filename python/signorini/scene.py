@@ -5,6 +5,7 @@
 
 import json
 import pathlib
+import re
 import tempfile
 
 from . import keys, prm
@@ -62,7 +63,9 @@ class Section:
         if listing is None:
             raise AttributeError(f"nothing can be added to the section `{'/'.join(self._path)}`.")
         name = " : ".join(map(str, names))
-        before = [text.strip() for text in self._given(listing).split(",") if text.strip()]
+        # Boundaries of a body, box[2,3], have commas of their own.
+        entries = re.split(r",(?![^\[]*\])", self._given(listing))
+        before = [text.strip() for text in entries if text.strip()]
         if name not in before:
             self[listing] = ", ".join([*before, name])
         self[name] = {}

@@ -84,7 +84,7 @@ namespace signorini
     // Beyond, cells may be coarsened anyway.
     const double reach = Utilities::MPI::max(largest_cell, discretization.communicator()) / least;
     std::vector<ContactNode<dim>> near = surface.near_nodes(step.end.displacement, reach);
-    for (const ContactNode<dim> &node : surface.near_nodes(soon, reach))
+    for (const ContactNode<dim> &node : surface.near_nodes_at(step.end.time + ahead, soon, reach))
       near.push_back(node);
 
     const Vector close = discretization.interpolate_hanging_nodes(closeness(discretization, near));

@@ -21,7 +21,7 @@ namespace signorini
                       *const unfinished = "checkpoint.part", *const manifest = "manifest";
 
     /** To be raised whenever another archive() writes something else. */
-    constexpr unsigned int format = 10;
+    constexpr unsigned int format = 11;
 
     std::string program()
     {

@@ -271,18 +271,24 @@ namespace signorini
 
 
   template <int dim>
+  double ContactSurface<dim>::distance_to(const MovedObstacle<dim> &obstacle,
+                                          const ContactNode<dim>   &node,
+                                          const Vector             &displacement) const
+  {
+    const auto way = obstacle.try_project(obstacle_contact.displaced(node.node, displacement))
+                       .value_or(far_projection<dim>());
+    return way.is_carried(obstacle_contact.end_tolerance()) ? way.gap : way.distance();
+  }
+
+
+  template <int dim>
   std::vector<double> ContactSurface<dim>::distance(const Vector &displacement) const
   {
     std::vector<double> result = normal_gap(displacement);
     for (std::size_t k = 0; k < contact_nodes.size(); ++k)
       if (const ContactNode<dim> &node = contact_nodes[k];
           !descriptions[node.pair].of_two_bodies() && (follows() || std::isinf(result[k])))
-        {
-          const auto way = obstacle_contact.obstacle(node.pair)
-                             .try_project(obstacle_contact.displaced(node.node, displacement))
-                             .value_or(far_projection<dim>());
-          result[k] = way.is_carried(obstacle_contact.end_tolerance()) ? way.gap : way.distance();
-        }
+        result[k] = distance_to(obstacle_contact.obstacle(node.pair), node, displacement);
       else if (std::isinf(result[k]) && follows())
         result[k] = clear_distance(node.pair);
       else

@@ -18,7 +18,7 @@ namespace signorini
   {
     const Facing<dim> &facing = site.facings[site.bounding[0]];
     return site.bounding.size() == 1 && !facing.of_body && facing.is_there()
-           && std::isfinite(facing.gap) && !was_inside(facing) && obstacle(facing).is_at_rest()
+           && std::isfinite(facing.gap) && !was_inside(facing) && obstacle(facing).turn() == 0.
            && !obstacle(facing).is_flat()
            && dirichlet.nodes().count(surface.nodes()[site.first].node) == 0;
   }

@@ -72,7 +72,7 @@ namespace signorini
         {
           const MovedObstacle<dim> &faced = at_obstacles.obstacle(pair);
           some_move                       = some_move || !faced.is_at_rest();
-          some_are_curved = some_are_curved || (faced.is_at_rest() && !faced.is_flat());
+          some_are_curved                 = some_are_curved || !faced.is_flat();
         }
     find_friction();
   }

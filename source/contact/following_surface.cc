@@ -94,6 +94,24 @@ namespace signorini
 
 
   template <int dim>
+  std::vector<ContactNode<dim>> ContactSurface<dim>::near_nodes_at(const double  time,
+                                                                   const Vector &displacement,
+                                                                   const double  reach) const
+  {
+    std::map<unsigned int, MovedObstacle<dim>> then; // by pair
+    if (follows())
+      for (unsigned int pair = 0; pair < descriptions.size(); ++pair)
+        if (!descriptions[pair].of_two_bodies() && !obstacle_contact.obstacle(pair).is_at_rest())
+          then.emplace(pair, obstacle_contact.obstacle(pair)).first->second.move(time, time);
+    std::vector<ContactNode<dim>> result = near_nodes(displacement, reach);
+    for (ContactNode<dim> &node : result)
+      if (const auto obstacle = then.find(node.pair); obstacle != then.end())
+        node.gap = distance_to(obstacle->second, node, displacement);
+    return result;
+  }
+
+
+  template <int dim>
   void ContactSurface<dim>::add_slave_nodes(const DirichletConditions<dim> &dirichlet)
   {
     std::map<unsigned int, ContactNode<dim>> last; // of the rows of each node
@@ -189,6 +207,8 @@ namespace signorini
   template double                      ContactSurface<2>::depth(unsigned int) const;
   template double                      ContactSurface<2>::clear_distance(unsigned int) const;
   template std::vector<ContactNode<2>> ContactSurface<2>::near_nodes(const Vector &, double) const;
+  template std::vector<ContactNode<2>>
+                ContactSurface<2>::near_nodes_at(double, const Vector &, double) const;
   template void ContactSurface<2>::add_slave_nodes(const DirichletConditions<2> &);
   template void ContactSurface<2>::complete_geometry();
   template void ContactSurface<2>::check_that_bodies_are_apart(const Vector &) const;
@@ -197,6 +217,8 @@ namespace signorini
   template double                      ContactSurface<3>::depth(unsigned int) const;
   template double                      ContactSurface<3>::clear_distance(unsigned int) const;
   template std::vector<ContactNode<3>> ContactSurface<3>::near_nodes(const Vector &, double) const;
+  template std::vector<ContactNode<3>>
+                ContactSurface<3>::near_nodes_at(double, const Vector &, double) const;
   template void ContactSurface<3>::add_slave_nodes(const DirichletConditions<3> &);
   template void ContactSurface<3>::complete_geometry();
   template void ContactSurface<3>::check_that_bodies_are_apart(const Vector &) const;

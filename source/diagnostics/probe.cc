@@ -44,6 +44,18 @@ namespace signorini
 
 
   template <int dim>
+  double Probe<dim>::normal_velocity_of_obstacle(const State &state) const
+  {
+    if (surface->pairs()[node_pair].of_two_bodies())
+      return 0.;
+    const ContactNode<dim> &contact_node = surface->nodes()[node];
+    const auto             &obstacles    = surface->at_obstacles();
+    const auto              place = obstacles.displaced(contact_node.node, state.displacement);
+    return contact_node.normal() * obstacles.obstacle(node_pair).velocity(place);
+  }
+
+
+  template <int dim>
   ProbeReading Probe<dim>::read(const State &state) const
   {
     const std::vector<double> displacement = surface->relative_normal(state.displacement),
@@ -58,11 +70,15 @@ namespace signorini
         const FrictionReading<dim> friction     = friction_at(*surface, of_nodes, node);
         const double               scale        = contact_node.distance_per_gap();
         // Zero is added: there is no negative zero in tables.
-        reading.gap                 = distance[node] + 0.;
-        reading.normal_displacement = scale * displacement[node] + 0.;
-        reading.normal_velocity     = scale * velocity[node] + 0.;
-        reading.normal_force        = -contact_node.normal_force(own) + 0.;
-        reading.pressure            = reading.normal_force / contact_node.weight;
+        reading.gap = distance[node] + 0.;
+        if (!surface->faces_nothing(node)) // else there is no normal
+          {
+            reading.normal_displacement = scale * displacement[node] + 0.;
+            reading.normal_velocity =
+              scale * (velocity[node] - normal_velocity_of_obstacle(state)) + 0.;
+          }
+        reading.normal_force = -contact_node.normal_force(own) + 0.;
+        reading.pressure     = reading.normal_force / contact_node.weight;
         for (unsigned int c = 0; c < dim; ++c)
           {
             reading.tangential_force[c] = friction.force[c] + 0.;

@@ -4,6 +4,8 @@
 #include <signorini/discretization/make_triangulation.h>
 #include <signorini/discretization/mesh.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 
@@ -80,6 +82,7 @@ namespace signorini
       for (unsigned int c = 0; c < dim; ++c)
         extents[b] = std::max(extents[b], bounding_box(b).side_length(c));
     largest_extent = *std::max_element(extents.begin(), extents.end());
+    find_lengths();
     update();
   }
 
@@ -197,12 +200,52 @@ namespace signorini
 
 
   template <int dim>
+  void Mesh<dim>::find_lengths()
+  {
+    std::vector<double>                  volumes(descriptions.size(), 0.);
+    std::vector<Tensor<1, dim>>          first(descriptions.size());
+    std::vector<SymmetricTensor<2, dim>> second(descriptions.size());
+    for (const auto &cell : cells.cell_iterators_on_level(0))
+      {
+        const unsigned int body   = cell->material_id();
+        const double       volume = cell->measure();
+        // From the middle of the box, or round-off would be that of its distance.
+        const Tensor<1, dim> middle = cell->center() - bounding_box(body).center();
+        volumes[body] += volume;
+        first[body] += volume * middle;
+        // Exact for parallelepipeds.
+        second[body] += 2. / 3. * volume * symmetrize(outer_product(middle, middle));
+        for (const unsigned int v : cell->vertex_indices())
+          {
+            const Tensor<1, dim> place = cell->vertex(v) - bounding_box(body).center();
+            second[body] +=
+              volume / (3. * cell->n_vertices()) * symmetrize(outer_product(place, place));
+          }
+      }
+    for (unsigned int body = 0; body < descriptions.size(); ++body)
+      {
+        const Tensor<1, dim> middle = first[body] / volumes[body];
+        const auto           about  = second[body] / volumes[body]
+                           - SymmetricTensor<2, dim>(symmetrize(outer_product(middle, middle)));
+        lengths.push_back(std::sqrt(12. * eigenvalues(about)[0]));
+      }
+  }
+
+
+  template <int dim>
+  double Mesh<dim>::lowest_frequency(const unsigned int body) const
+  {
+    return bodies()[body].material.pressure_wave_speed() / lengths[body];
+  }
+
+
+  template <int dim>
   double Mesh<dim>::lowest_frequency() const
   {
     double slowest = std::numeric_limits<double>::max();
     for (const auto &body : bodies())
       slowest = std::min(slowest, body.material.pressure_wave_speed());
-    return slowest / body_size();
+    return slowest / *std::max_element(lengths.begin(), lengths.end());
   }
 
 

@@ -32,7 +32,7 @@ namespace signorini
         touches[surface.pairs()[pair].master] = 1;
     };
     const double round_off = gap_round_off(mesh.body_size());
-    for (const ContactNode<dim> &node : surface.near_nodes(then, round_off))
+    for (const ContactNode<dim> &node : surface.near_nodes_at(state.time + ahead, then, round_off))
       if (node.gap <= round_off)
         note(node.pair);
     if (state.contact_force.size() > 0)

@@ -28,14 +28,16 @@ namespace signorini
   {
     if (!motion)
       return;
-    before  = motion->place(start);
-    after   = motion->place(end);
-    between = motion->places_between(start, end);
+    before   = motion->place(start);
+    after    = motion->place(end);
+    duration = end - start;
+    between  = motion->places_between(start, end);
     for (MovedObstacle &part : parts)
       {
-        part.before  = before;
-        part.after   = after;
-        part.between = between;
+        part.before   = before;
+        part.after    = after;
+        part.duration = duration;
+        part.between  = between;
       }
   }
 

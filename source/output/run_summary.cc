@@ -49,6 +49,10 @@ namespace signorini
       return text.str();
     }
 
+    /** Elastic energy in flight that is worth a line, as part of the largest energy of motion. */
+    constexpr double noticed_vibration = 1e-3;
+    /** Than steps in contact: what they resolve is lost by such steps. */
+    constexpr double much_longer = 3.;
     /** Times the target: an error by steps that asks for shorter ones. */
     constexpr double missed = 1.5;
     /** A larger estimate of an error means little. */
@@ -164,10 +168,16 @@ namespace signorini
     largest_penetration = std::max(largest_penetration, contact.max_penetration);
     largest_slip        = contact.max_slip;
     work_contact += row.booking.contact + row.booking.predictor;
-    phase         = contact.n_active > 0 ? phase + 1 : 0;
+    phase = contact.n_active > 0 ? phase + 1 : 0;
+    if (contact.n_active == 0 && first_contact >= 0.
+        && row.energy.elastic > noticed_vibration * largest_energy
+        && row.report.step_size > much_longer * mean_step)
+      loses_phases = true;
     longest_phase = std::max(longest_phase, phase);
     if (contact.n_active == 0)
       return;
+    has_lost_phases = has_lost_phases || loses_phases;
+    loses_phases    = false;
     ++n_contact_steps;
     mean_step += (row.report.step_size - mean_step) / n_contact_steps;
     if (contact.normal_force > largest_contact.normal_force)
@@ -271,7 +281,7 @@ namespace signorini
 
   void RunSummary::archive(Archive &archive)
   {
-    archive(force_variation, mean_step);
+    archive(force_variation, mean_step, loses_phases, has_lost_phases);
     error_of_steps.archive(archive);
     archive(initial_energy, largest_energy, change, largest_change, largest_residual);
     archive(largest_penetration, work_contact, impulse, work_friction, transferred, largest_slip);
@@ -297,6 +307,10 @@ namespace signorini
     if (error_of_steps.comes_from_earlier_contacts())
       text << "                    most of it because earlier contacts have errors, and later ones "
               "do not come in time\n";
+    if (has_lost_phases)
+      text
+        << "                    without what long steps in flight have lost: bodies vibrated, and "
+           "later contacts may be others\n";
     if (subject.target > 0. && error > missed * subject.target)
       text << "                    the target was " << 100. * subject.target
            << " %: give a `Time/Step size` of about " << std::setprecision(1)

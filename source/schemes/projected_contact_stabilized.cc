@@ -21,11 +21,14 @@ namespace signorini
                                   const double     tau,
                                   const NormalGap &gap)
     {
-      const double    touching = touching_distance(system.length());
-      const NormalGap turned   = tangential_approach(system, velocity);
-      NormalGap       bounds   = gap;
+      const double touching = touching_distance(system.length());
+      Vector       past     = velocity; // what it faces
+      if (const Vector *motion = obstacle_motion(system))
+        past.add(-1. / tau, *motion);
+      const NormalGap turned = tangential_approach(system, past), now = gaps_at_start(system, gap);
+      NormalGap       bounds = gap;
       for (std::size_t k = 0; k < gap.size(); ++k)
-        if (gap[k] <= touching)
+        if (now[k] <= touching)
           bounds[k] += tau * turned[k];
       return bounds;
     }

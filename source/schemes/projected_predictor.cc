@@ -12,10 +12,20 @@ namespace signorini
 {
   namespace
   {
-    /** Whether a node is left open by more than it moves along its normal. */
-    bool is_left_open(const double gap, const double motion, const double touching)
+    /**
+     * Per node, whether an increment leaves it open by more than it moves along its normal, as seen
+     * from what it faces.
+     */
+    std::vector<bool>
+    left_open(DynamicalSystem &system, const Vector &increment, const NormalGap &gap)
     {
-      return gap - motion > std::abs(motion) + touching;
+      const double    touching = touching_distance(system.length());
+      const NormalGap moved    = system.relative_normal(increment),
+                      past     = motion_past_obstacles(system, increment);
+      std::vector<bool> result(gap.size());
+      for (std::size_t k = 0; k < gap.size(); ++k)
+        result[k] = gap[k] - moved[k] > std::abs(past[k]) + touching;
+      return result;
     }
   } // namespace
 
@@ -35,7 +45,7 @@ namespace signorini
   }
 
 
-  bool lift_bounds_stopped_in_vain(const DynamicalSystem    &system,
+  bool lift_bounds_stopped_in_vain(DynamicalSystem          &system,
                                    const ProjectedPredictor &predictor,
                                    const Vector             &increment,
                                    const NormalGap          &gap,
@@ -43,12 +53,12 @@ namespace signorini
   {
     if (predictor.effort.n_active == 0)
       return false; // on all processes
-    const double    touching = touching_distance(system.length());
-    const NormalGap stopped  = system.relative_normal(predictor.increment),
-                    moved    = system.relative_normal(increment);
-    unsigned int n_lifted    = 0;
+    const double            touching = touching_distance(system.length());
+    const NormalGap         stopped  = system.relative_normal(predictor.increment);
+    const std::vector<bool> is_open  = left_open(system, increment, gap);
+    unsigned int            n_lifted = 0;
     for (std::size_t k = 0; k < gap.size(); ++k)
-      if (stopped[k] >= bounds[k] - touching && is_left_open(gap[k], moved[k], touching))
+      if (stopped[k] >= bounds[k] - touching && is_open[k])
         {
           bounds[k] = std::numeric_limits<double>::infinity();
           ++n_lifted;
@@ -68,18 +78,17 @@ namespace signorini
   }
 
 
-  bool lower_bounds_lifted_in_vain(const DynamicalSystem &system,
-                                   const Vector          &increment,
-                                   const NormalGap       &gap,
-                                   const NormalGap       &all_bounds,
-                                   std::vector<bool>     &lifted,
-                                   NormalGap             &bounds)
+  bool lower_bounds_lifted_in_vain(DynamicalSystem   &system,
+                                   const Vector      &increment,
+                                   const NormalGap   &gap,
+                                   const NormalGap   &all_bounds,
+                                   std::vector<bool> &lifted,
+                                   NormalGap         &bounds)
   {
-    const double    touching  = touching_distance(system.length());
-    const NormalGap moved     = system.relative_normal(increment);
-    unsigned int    n_in_vain = 0;
+    const std::vector<bool> is_open   = left_open(system, increment, gap);
+    unsigned int            n_in_vain = 0;
     for (std::size_t k = 0; k < gap.size(); ++k)
-      n_in_vain += lifted[k] && !is_left_open(gap[k], moved[k], touching);
+      n_in_vain += lifted[k] && !is_open[k];
     if (dealii::Utilities::MPI::sum(n_in_vain, increment.get_mpi_communicator()) == 0)
       return false;
     lifted.assign(gap.size(), false);

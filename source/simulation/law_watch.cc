@@ -122,7 +122,7 @@ namespace signorini
           scale = std::max(scale, largest_force);
         // Where a trial has strained what then stays at rest, round-off of that is left.
         scale = std::max(scale,
-                         least_strain * masses[b] * std::pow(mesh.lowest_frequency(), 2)
+                         least_strain * masses[b] * std::pow(mesh.lowest_frequency(b), 2)
                            * mesh.body_size(b));
       }
     return scale > 0. ? error / scale : 0.;

@@ -142,10 +142,12 @@ namespace signorini
   {
     if (new_mesh)
       lowest = std::min(0, -level_below(parameters.first, minimum()));
-    new_mesh           = false;
-    const double touch = time_to_touch(system, state, 2. * parameters.maximum);
+    new_mesh = false;
+    // What is farther away than two steps does not matter yet.
+    now.level          = std::max(now.level, lowest);
+    const double size  = std::ldexp(parameters.first, now.level);
+    const double touch = time_to_touch(system, state, 2. * size);
     approach(touch);
-    now.level = std::max(now.level, lowest);
     now.rest -= now.rest > 0;
     for (unsigned int rejected = 0;; ++rejected)
       {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0 WITH LLVM-exception OR LGPL-2.1-or-later
 // Copyright (C) 2026 by the signorini authors
 
+#include <signorini/base/user_error.h>
 #include <signorini/step_size/contact_events.h>
 #include <signorini/step_size/energy_norm.h>
 
@@ -48,17 +49,30 @@ namespace signorini
   }
 
 
-  double time_to_touch(const DynamicalSystem &system, const State &state, const double horizon)
+  double time_to_touch(DynamicalSystem &system, const State &state, const double horizon)
   {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     if (any_contact(contact_statuses(system, state), state.displacement))
-      return std::numeric_limits<double>::infinity();
-    const NormalGap gap      = system.normal_gap(state.displacement),
-                    approach = system.relative_normal(state.velocity);
+      return infinity;
+    // Contact that follows the motion sees what a step of this size may reach, and moves obstacles.
+    if (MovingContact *following = system.capabilities().moving_contact)
+      try
+        {
+          following->begin_step(state, horizon, StepNormals::of_motion);
+        }
+      catch (const StepError &)
+        {
+          return infinity; // steps that cannot be begun say so themselves
+        }
+    Vector way = state.velocity;
+    way *= horizon;
+    const NormalGap gap      = gaps_at_start(system, system.normal_gap(state.displacement)),
+                    approach = motion_past_obstacles(system, way);
     const double touching    = touching_distance(system.length());
-    double       first       = std::numeric_limits<double>::infinity();
+    double       first       = infinity;
     for (std::size_t k = 0; k < gap.size(); ++k)
-      if (approach[k] * horizon > gap[k] + touching)
-        first = std::min(first, std::max(0., gap[k]) / approach[k]);
+      if (approach[k] > gap[k] + touching)
+        first = std::min(first, horizon * std::max(0., gap[k]) / approach[k]);
     return dealii::Utilities::MPI::min(first, state.displacement.get_mpi_communicator());
   }
 } // namespace signorini

@@ -32,6 +32,23 @@ namespace signorini
 
 
     /**
+     * Each body has those of its own lowest frequency: they decide how far contact turns and shifts
+     * it instead of straining it, so that other bodies must not matter.
+     */
+    template <int dim>
+    Eigen::MatrixXd springs_of_bodies(const Mesh<dim>               &mesh,
+                                      const ContactCoordinates<dim> &coordinates,
+                                      const RigidModes<dim>         &rigid)
+    {
+      Eigen::MatrixXd  springs = rigid.free_amplitudes(coordinates.dirichlet_entries());
+      constexpr size_t n       = RigidModes<dim>::n_motions;
+      for (std::size_t k = 0; k < rigid.bodies().size(); ++k)
+        springs.middleRows(k * n, n) *= mesh.lowest_frequency(rigid.bodies()[k]);
+      return springs * springs.transpose();
+    }
+
+
+    /**
      * Minimise 1/2 c'A c - r'c + a little of c'M c, with springs at the free rigid motions: else a
      * body would turn far, at no cost, where two nodes side by side are in the way.
      * @return c, Cartesian
@@ -49,10 +66,9 @@ namespace signorini
       // Far below the lowest frequency of any body that keeps its shape.
       const double            frequency   = discretization.mesh().lowest_frequency();
       const double            mass_factor = std::pow(1e-4 * frequency, 2);
-      const Eigen::MatrixXd   loose       = rigid.free_amplitudes(coordinates.dirichlet_entries());
       const StepOperator<dim> stiffness(discretization.matrices(), coordinates, {mass_factor, 1.});
       RigidSprings<dim>       matrix(stiffness, rigid);
-      matrix.set(frequency * frequency * loose * loose.transpose());
+      matrix.set(springs_of_bodies(discretization.mesh(), coordinates, rigid));
       coordinates.force_to_contact(right_hand_side);
       const std::vector<unsigned int> &prescribed = coordinates.dirichlet_entries();
       const std::vector<double>        nothing(prescribed.size(), 0.);

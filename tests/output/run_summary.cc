@@ -61,6 +61,40 @@ TEST(RunSummary, SumsOverAllSteps)
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST(RunSummary, VibrationsThatStepsInFlightLoseAreToldIfContactComesBack)
+{
+  const auto text = [](const double flight_step, const double elastic, const bool comes_back) {
+    State      state;
+    RunSubject subject;
+    subject.has_inertia = true;
+    RunSummary summary(subject);
+    summary.start(pressed(state));
+    const auto add = [&](const HistoryRow &row) {
+      state.time += row.report.step_size;
+      summary.add(row);
+    };
+    for (unsigned int phase = 0; phase < (comes_back ? 2 : 1); ++phase)
+      {
+        for (unsigned int step = 0; step < 5; ++step)
+          add(pressed(state));
+        HistoryRow flight       = pressed(state);
+        flight.report.step_size = flight_step;
+        flight.energy.elastic   = elastic;
+        flight.contact          = {};
+        add(flight);
+        add(flight);
+      }
+    return summary.text();
+  };
+  const auto says = [&](const double flight_step, const double elastic, const bool comes_back) {
+    return text(flight_step, elastic, comes_back).find("long steps in flight") != std::string::npos;
+  };
+  EXPECT_TRUE(says(5., 0.1, true));
+  EXPECT_FALSE(says(5., 0.1, false)) << "nothing comes after the flight";
+  EXPECT_FALSE(says(5., 1e-6, true)) << "nothing vibrates";
+  EXPECT_FALSE(says(1., 0.1, true)) << "steps resolve what contact does";
+}
+
 TEST(RunSummary, EnergyIsMeasuredByThatOfTheMotionIfItBeginsAtRest)
 {
   const State      state;

@@ -102,6 +102,11 @@ class Objects(unittest.TestCase):
         self.assertEqual(scene.time["Step size"], 5e-3)
         scene.bodies.add("other", shape="box")
         self.assertEqual(scene["Bodies/Names"], "disc, other")
+        for boundaries in ("other[2,3]", "other[0]", "other[2,3]"):
+            scene.contact.add(boundaries, "floor")
+        self.assertEqual(
+            scene["Contact/Pairs"], "disc : floor, other[2,3] : floor, other[0] : floor"
+        )
         changed = scene.changed({"Bodies/disc/Radius": 3})
         self.assertEqual((changed.bodies.disc.radius, scene.bodies.disc.radius), (3, 2))
 

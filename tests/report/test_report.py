@@ -17,7 +17,8 @@ import unittest
 import numpy
 from small_runs import SOURCE, Runs, change_column
 
-from reporting import charts, citation, log  # noqa: E402  (small_runs knows where)
+from plotting import curves  # noqa: E402  (small_runs knows where)
+from reporting import charts, citation, log
 from reporting.laws import judge_laws
 from reporting.page import make_page
 from reporting.resolution import judge_resolution
@@ -254,6 +255,39 @@ class Pages(unittest.TestCase):
         )
         self.assertEqual(len(found.warnings), 1)
         self.assertIn("9 %", found.warnings[0])
+
+    def test_warnings_of_two_bodies_are_two(self):
+        deep = "  warning: at time 0.1 the body '{}' is 6 % of its size deep in 'f'. Add a pair.\n"
+        strained = "{} time 0.{} the body '{}' is {} % strained at one place"
+        found = log.parse_log(
+            "signorini 1, commit abc\n\nstep 1  time 1\n"
+            + deep.format("disc1")
+            + deep.format("disc2")
+            + "".join(f"  warning: {strained.format('at', n, f'disc{n}', 6)}.\n" for n in (1, 2))
+            + "  energy            changed by 1 %\n  warning: "
+            + ", ".join(strained.format("since", n, f"disc{n}", 7 + n) for n in (1, 2))
+            + " (the most of the run). Less load.\n"
+        )
+        self.assertEqual(len(found.warnings), 3)
+        for number, words in enumerate(("'disc1' is 6 % of", "'disc2' is 6 % of", "9 % strained")):
+            self.assertIn(words, found.warnings[number])
+
+    def test_what_has_hardly_touched_breaks_no_law(self):
+        """Forces of round-off are no measure for the momentum of a body that flies."""
+        folder = RUNS.run("disc", "Output/Forces=true", "Obstacles/floor/Point=0, -10")
+        for column, value in (("multiplier", 1e-13), ("momentum", 2e-13)):
+            change_column(
+                folder / "forces.csv", f"force_disc_{column}_y", lambda n, v: value * (n == 5)
+            )
+        change_column(folder / "history.csv", "contact_force", lambda n, v: 1e-13 * (n == 5))
+        self.assertNotEqual(states(folder)["momentum"], "broken")
+
+    def test_energies_of_a_slow_start_are_parts_of_the_largest(self):
+        """Beside the potential energy of a fall the first motion is nothing."""
+        scale, name = curves.energy_scale(numpy.array([1e-6, 1e-6]), numpy.array([0.0, 2.0]))
+        self.assertEqual((scale, name), (2.0, "largest energy of the run"))
+        scale, name = curves.energy_scale(numpy.array([1.0, 0.9]), numpy.array([0.0, 2.0]))
+        self.assertEqual((scale, name), (1.0, "initial total energy"))
 
 
 if __name__ == "__main__":

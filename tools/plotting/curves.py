@@ -41,9 +41,9 @@ def shade_contact(axes, table):
 
 def energy_scale(total, *parts):
     """What energies are divided by: the initial total energy, or the largest energy of a run that
-    starts at rest."""
+    starts at rest, or nearly so."""
     largest = max(abs(part).max() for part in (total, *parts))
-    if abs(total[0]) > 1e-12 * largest:
+    if abs(total[0]) > 0.01 * largest:
         return abs(total[0]), "initial total energy"
     return (largest or 1.0), "largest energy of the run"
 

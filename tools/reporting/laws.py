@@ -64,7 +64,8 @@ def finite(run):
     ]
     if wrong:
         return Verdict("numbers", BROKEN, f"Not finite: {', '.join(wrong[:5])}.")
-    return Verdict("numbers", KEPT if run.tables else NOT_JUDGED, "All entries are finite.")
+    any_rows = any(len(values) for columns in run.tables.values() for values in columns.values())
+    return Verdict("numbers", KEPT if any_rows else NOT_JUDGED, "All entries are finite.")
 
 
 def needs(run, name, *columns):
@@ -222,8 +223,20 @@ def momentum_of_bodies(run, name):
             other = table[column_name.replace("_multiplier_", "_momentum_")]
             error = max(error, abs(values - other).max())
             force = max(force, abs(values).max())
+    scale = max(force, force_of_motion(run))
     text = "Contact force and change of momentum of a body differ by {} of the largest force"
-    return by_limit(name, part(error, force), limit(run, MOMENTUM), text)
+    return by_limit(name, part(error, scale), limit(run, MOMENTUM), text)
+
+
+def force_of_motion(run):
+    """That takes the momentum of a body, or of all, in the longest step. The solver answers for a
+    part of the motion: of forces that are smaller parts of this nothing is known."""
+    momenta = [column(run, f"momentum_{axis}") for axis in AXES]
+    for column_name, values in run.tables.get("bodies", {}).items():
+        if "_momentum_" in column_name and "_angular_momentum_" not in column_name:
+            momenta.append(values)
+    longest = run.history["step_size"].max()
+    return max(abs(values).max() for values in momenta) / longest if longest > 0.0 else 0.0
 
 
 def penetration(run):

@@ -85,9 +85,21 @@ def read_timer(line, log):
 
 
 def last_of_each(warnings):
-    """A warning comes when it is noticed, and in the summary again with the largest value."""
-    found = {}
+    """A warning comes when it is noticed, and in the summary again with the largest value, there
+    perhaps together with others of its kind."""
+    found = []
     for text in warnings:
-        words = PLACE_IN_TIME.sub("", text).replace("(the most of the run)", "")
-        found[re.sub(r"[\d.e+-]*\d|\W", "", words)] = text
-    return list(found.values())
+        subjects = subjects_of(text)
+        found = [one for one in found if not subjects_of(one) <= subjects] + [text]
+    return found
+
+
+def subjects_of(warning):
+    """What the first sentence is about: names are told apart, values and times are not."""
+    sentence = re.split(r"\.\s", warning, maxsplit=1)[0].replace("(the most of the run)", "")
+    subjects = set()
+    for part in re.split(r", (?=since time )", sentence):
+        words = re.split(r"('[^']*')", PLACE_IN_TIME.sub("", part))
+        words[::2] = [re.sub(r"[\d.e+-]*\d|\W", "", word) for word in words[::2]]
+        subjects.add("".join(words))
+    return subjects

@@ -78,9 +78,10 @@ def steps_in_contact(run):
     begins, ends = (numpy.flatnonzero(numpy.diff(closed) == sign) for sign in (1, -1))
     longest = int((ends - begins).max())
     every = int(run.number("Output/History every", 1)) or 1
-    text = f"The longest contact has {longest * every} step{'s' if longest * every > 1 else ''}"
-    if longest * every < FEW_STEPS and ends[-1] < len(columns[0]):
+    steps = int(min(longest * every, run.history["step"].max()))
+    text = f"The longest contact has {steps} step{'s' if steps > 1 else ''}"
+    if steps < FEW_STEPS and ends[-1] < len(columns[0]):
         return Verdict(name, LOOK, text + ". Force and impulse need some twenty: smaller steps.")
-    if longest * every < ENOUGH_STEPS and ends[-1] < len(columns[0]):
+    if steps < ENOUGH_STEPS and ends[-1] < len(columns[0]):
         text += "; force and impulse are better with twenty"
     return Verdict(name, KEPT, text + ".")

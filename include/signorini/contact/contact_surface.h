@@ -138,6 +138,10 @@ namespace signorini
      */
     std::vector<ContactNode<dim>> near_nodes(const Vector &displacement, double reach) const;
 
+    /** The same at another time than the end of the step, where obstacles move meanwhile. */
+    std::vector<ContactNode<dim>>
+    near_nodes_at(double time, const Vector &displacement, double reach) const;
+
     /**
      * For each body the largest depth of a displaced node of its surface in *any* obstacle of the
      * body, by the true geometry; 0 if there is none. The condition of the steps is linearised
@@ -188,7 +192,10 @@ namespace signorini
     unsigned int                        n_global = 0, n_left_to_dirichlet = 0;
     std::vector<std::string>            assumptions;
 
-    void add_pair_of_bodies(unsigned int pair, const DirichletConditions<dim> &dirichlet);
+    double distance_to(const MovedObstacle<dim> &obstacle,
+                       const ContactNode<dim>   &node,
+                       const Vector             &displacement) const;
+    void   add_pair_of_bodies(unsigned int pair, const DirichletConditions<dim> &dirichlet);
     /**
      * Contact that follows the motion: every node of a slave surface may face the other body one
      * day. Nodes that are prescribed in all directions are left out.

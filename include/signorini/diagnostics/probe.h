@@ -52,6 +52,9 @@ namespace signorini
     dealii::Point<dim>         node_position;
     unsigned int               node_pair = 0;
     unsigned int               owner     = 0;
+
+    /** Along the normal of the node, on its owner: the mean of the last step. */
+    double normal_velocity_of_obstacle(const State &state) const;
   };
 } // namespace signorini
 

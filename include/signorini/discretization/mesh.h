@@ -100,7 +100,12 @@ namespace signorini
     /** Areas in 2d; cells count with straight edges. Collective. */
     std::vector<double> volumes_of_bodies() const;
 
-    /** About the lowest one: the speed of the slowest pressure wave over body_size(). */
+    /**
+     * About the lowest one of a body: the speed of pressure waves over its length, which does not
+     * depend on axes.
+     */
+    double lowest_frequency(unsigned int body) const;
+    /** Below those of all bodies: the slowest wave over the longest body. */
     double lowest_frequency() const;
 
     /** Courant number c_p tau / h of the smallest cell (collective), and of one cell. */
@@ -120,12 +125,15 @@ namespace signorini
     std::vector<dealii::BoundingBox<dim>>                     boxes; ///< of the bodies
     double                                                    largest_extent = 0.;
     std::vector<double>                                       extents; ///< of each body
+    std::vector<double>                                       lengths; ///< of each body
     mutable FunctionCache<dim>                                functions;
 
     void order_cells();
 
     /** In one pass over the coarse cells, as there may be many of them. */
     void find_bounding_boxes();
+    /** Of boxes with the second moments of the bodies along their main axes. */
+    void find_lengths();
 
     /**
      * Move hanging vertices of round bodies onto the straight edges and faces of their coarser

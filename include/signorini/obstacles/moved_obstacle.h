@@ -66,6 +66,13 @@ namespace signorini
     /** Whether it does not move. */
     bool is_at_rest() const { return motion == nullptr; }
 
+    /** Of what of it is here at the end of the step, the mean over the step; 0 without one. */
+    dealii::Tensor<1, dim> velocity(const dealii::Point<dim> &end) const
+    {
+      return motion && duration > 0. ? (end - before.forth(after.back(end))) / duration
+                                     : dealii::Tensor<1, dim>();
+    }
+
     /** The length of a motion through the step, as seen from the obstacle. */
     double relative_motion(const dealii::Point<dim> &start, const dealii::Point<dim> &end) const
     {
@@ -109,8 +116,9 @@ namespace signorini
     std::shared_ptr<const RigidObstacle<dim>>  shape;
     std::shared_ptr<const ObstacleMotion<dim>> motion; ///< null: at rest
     ObstaclePlace<dim>                         before, after;
-    std::vector<ObstaclePlace<dim>>            between; ///< see ObstacleMotion
-    std::vector<MovedObstacle>                 parts;   ///< its sides
+    double                                     duration = 0.; ///< of the step
+    std::vector<ObstaclePlace<dim>>            between;       ///< see ObstacleMotion
+    std::vector<MovedObstacle>                 parts;         ///< its sides
 
     static ObstacleProjection<dim> turned(ObstacleProjection<dim>   way,
                                           const ObstaclePlace<dim> &place)

@@ -98,9 +98,11 @@ namespace signorini
     unsigned int  n_mesh_changes = 0, most_sticking = 0, most_slipping = 0;
     unsigned long fewest_cells = 0, most_cells = 0;
     /** Of laursen-love, per node. */
-    unsigned int   n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
-    unsigned int   n_rejected = 0, n_fallbacks = 0;
-    double         mean_step     = 0.; ///< in contact
+    unsigned int n_impulse_solves = 0, n_impulse_iterations = 0, n_common_impulses = 0;
+    unsigned int n_rejected = 0, n_fallbacks = 0;
+    double       mean_step = 0.; ///< in contact
+    /** In flight between contacts, since the last one and before it: steps that lose vibrations. */
+    bool           loses_phases = false, has_lost_phases = false;
     double         first_contact = -1., last_contact = -1.;
     unsigned int   n_contact_steps = 0, phase = 0, longest_phase = 0; ///< steps with contact
     ContactSummary largest_contact;                                   ///< at the largest force

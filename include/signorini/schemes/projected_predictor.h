@@ -30,7 +30,7 @@ namespace signorini
    * @param bounds of the projection; infinite afterwards at such nodes
    * @return whether there was one, on any process
    */
-  bool lift_bounds_stopped_in_vain(const DynamicalSystem    &system,
+  bool lift_bounds_stopped_in_vain(DynamicalSystem          &system,
                                    const ProjectedPredictor &predictor,
                                    const Vector             &increment,
                                    const NormalGap          &gap,
@@ -46,12 +46,12 @@ namespace signorini
    * @param lifted before the increment was known; none afterwards in this case
    * @return whether it is
    */
-  bool lower_bounds_lifted_in_vain(const DynamicalSystem &system,
-                                   const Vector          &increment,
-                                   const NormalGap       &gap,
-                                   const NormalGap       &all_bounds,
-                                   std::vector<bool>     &lifted,
-                                   NormalGap             &bounds);
+  bool lower_bounds_lifted_in_vain(DynamicalSystem   &system,
+                                   const Vector      &increment,
+                                   const NormalGap   &gap,
+                                   const NormalGap   &all_bounds,
+                                   std::vector<bool> &lifted,
+                                   NormalGap         &bounds);
 } // namespace signorini
 
 #endif

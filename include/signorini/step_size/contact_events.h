@@ -22,11 +22,12 @@ namespace signorini
   bool differ(const ActiveSet &a, const ActiveSet &b, const Vector &like);
 
   /**
-   * The time until the first contact node touches if all keep their velocity. Infinity if that is
-   * beyond the horizon, or if nodes are pressed already: then there is no flight. Nodes that would
-   * enter by less than round-off within the horizon do not count. Collective.
+   * The time until the first contact node touches if all keep their velocity, and obstacles that of
+   * their mean over the horizon. Infinity if that is beyond the horizon, or if nodes are pressed
+   * already: then there is no flight. Nodes that would enter by less than round-off within the
+   * horizon do not count. Contact that follows the motion is that of such a step. Collective.
    */
-  double time_to_touch(const DynamicalSystem &system, const State &state, double horizon);
+  double time_to_touch(DynamicalSystem &system, const State &state, double horizon);
 } // namespace signorini
 
 #endif

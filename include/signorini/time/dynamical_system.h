@@ -311,6 +311,17 @@ namespace signorini
     return gaps;
   }
 
+  /** An increment along the normals of the contact nodes, relative to obstacles that move. */
+  inline NormalGap motion_past_obstacles(DynamicalSystem &system, const Vector &increment)
+  {
+    const Vector *motion = obstacle_motion(system);
+    if (motion == nullptr)
+      return system.relative_normal(increment);
+    Vector past = increment;
+    past -= *motion;
+    return system.relative_normal(past);
+  }
+
   /** See MovingContact; zero where contact does not follow the motion. */
   inline NormalGap tangential_approach(DynamicalSystem &system, const Vector &free_increment)
   {

@@ -61,8 +61,9 @@ namespace signorini
 
     /**
      * By how much a motion that is tangential where the step begins is along the normals of the
-     * step: per contact node, >= 0, and zero but where the node faces something curved at rest.
-     * That is how a node slides into a hollow, and no approach.
+     * step: per contact node, >= 0, and zero but where the node faces something curved that does
+     * not turn. That is how a node slides into a hollow, and no approach.
+     * @param free_increment relative to obstacles that move
      */
     virtual NormalGap tangential_approach(const Vector &free_increment) const = 0;
 
