@@ -4,8 +4,6 @@
 #include <signorini/discretization/make_triangulation.h>
 #include <signorini/discretization/mesh.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 
@@ -13,6 +11,8 @@
 #include <deal.II/fe/fe_system.h>
 
 #include <deal.II/lac/affine_constraints.h>
+
+#include <Eigen/Eigenvalues>
 
 #include <limits>
 
@@ -202,32 +202,37 @@ namespace signorini
   template <int dim>
   void Mesh<dim>::find_lengths()
   {
-    std::vector<double>                  volumes(descriptions.size(), 0.);
-    std::vector<Tensor<1, dim>>          first(descriptions.size());
-    std::vector<SymmetricTensor<2, dim>> second(descriptions.size());
+    using SmallVector = Eigen::Matrix<double, dim, 1>;
+    using SmallMatrix = Eigen::Matrix<double, dim, dim>;
+    std::vector<double>      volumes(descriptions.size(), 0.);
+    std::vector<SmallVector> first(descriptions.size(), SmallVector::Zero());
+    std::vector<SmallMatrix> second(descriptions.size(), SmallMatrix::Zero());
     for (const auto &cell : cells.cell_iterators_on_level(0))
       {
         const unsigned int body   = cell->material_id();
         const double       volume = cell->measure();
         // From the middle of the box, or round-off would be that of its distance.
-        const Tensor<1, dim> middle = cell->center() - bounding_box(body).center();
+        const auto place = [&](const Point<dim> &point) {
+          SmallVector result;
+          for (unsigned int c = 0; c < dim; ++c)
+            result[c] = point[c] - bounding_box(body).center()[c];
+          return result;
+        };
+        const SmallVector middle = place(cell->center());
         volumes[body] += volume;
         first[body] += volume * middle;
         // Exact for parallelepipeds.
-        second[body] += 2. / 3. * volume * symmetrize(outer_product(middle, middle));
+        second[body] += 2. / 3. * volume * middle * middle.transpose();
         for (const unsigned int v : cell->vertex_indices())
-          {
-            const Tensor<1, dim> place = cell->vertex(v) - bounding_box(body).center();
-            second[body] +=
-              volume / (3. * cell->n_vertices()) * symmetrize(outer_product(place, place));
-          }
+          second[body] += volume / (3. * cell->n_vertices()) * place(cell->vertex(v))
+                          * place(cell->vertex(v)).transpose();
       }
     for (unsigned int body = 0; body < descriptions.size(); ++body)
       {
-        const Tensor<1, dim> middle = first[body] / volumes[body];
-        const auto           about  = second[body] / volumes[body]
-                           - SymmetricTensor<2, dim>(symmetrize(outer_product(middle, middle)));
-        lengths.push_back(std::sqrt(12. * eigenvalues(about)[0]));
+        const SmallVector middle = first[body] / volumes[body];
+        const SmallMatrix about  = second[body] / volumes[body] - middle * middle.transpose();
+        const Eigen::SelfAdjointEigenSolver<SmallMatrix> eigen(about, Eigen::EigenvaluesOnly);
+        lengths.push_back(std::sqrt(12. * eigen.eigenvalues()[dim - 1]));
       }
   }
 

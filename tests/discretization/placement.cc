@@ -158,3 +158,35 @@ TEST(Placement, LocalRefinementCanDependOnTheSizeOfCells)
   body.refine_where        = "1.2*h - x";
   EXPECT_EQ(Meshed<2>(body).triangulation.n_global_active_cells(), 2u + 4u + 8u + 32u);
 }
+
+TEST(Placement, HowLongABodyIsAndHowSlowlyItVibratesDependsOnNoAxes)
+{
+  const double wave_speed = box<2>().material.pressure_wave_speed();
+  double       of_disc    = 0.;
+  for (const double degrees : {0., 17., 45., 90.})
+    {
+      BodyDescription<2> plank = box<2>(), disc = ball<2>(2);
+      box_of(plank).upper_corner = Point<2>(3., 0.5);
+      BodyDescription<3> brick   = box<3>();
+      box_of(brick).upper_corner = Point<3>(1., 4., 2.);
+      const double   angle       = degrees * M_PI / 180.;
+      const Point<2> centre(-50., 20.);
+      plank.placement = disc.placement = Placement<2>({{degrees}}, centre, Tensor<1, 2>());
+      brick.placement = Placement<3>({{degrees, 0., degrees}}, Point<3>(), Tensor<1, 3>());
+      const Mesh<2> planar({plank, disc}, MPI_COMM_WORLD);
+      const Mesh<3> solid({brick}, MPI_COMM_WORLD);
+      Tensor<1, 2>  along;
+      along[0] = std::cos(angle);
+      along[1] = std::sin(angle);
+      EXPECT_NEAR(planar.lowest_frequency(0), wave_speed / 3., 1e-9);
+      // The coarse cells of a disc fill a square, and trapezoids are no parallelepipeds.
+      EXPECT_NEAR(planar.lowest_frequency(1), wave_speed / std::sqrt(2.), 0.05 * wave_speed);
+      if (degrees == 0.)
+        of_disc = planar.lowest_frequency(1);
+      EXPECT_NEAR(planar.lowest_frequency(1), of_disc, 1e-9);
+      EXPECT_NEAR(
+        solid.lowest_frequency(0), solid.bodies()[0].material.pressure_wave_speed() / 4., 1e-9);
+      EXPECT_NEAR(planar.extent(0, along), 3., 1e-9);
+      EXPECT_NEAR(planar.extent(1, along), 2., 0.04) << "a polygon";
+    }
+}
