@@ -171,7 +171,7 @@ namespace signorini
   Observation<dim>::observe(const State &state, const StepReport &report, const bool is_last)
   {
     // Obstacles are where the latest step that was tried has put them.
-    meshed->surface.move_obstacles(state.time - report.step_size, state.time);
+    meshed->surface.move_obstacles(std::max(0., state.time - report.step_size), state.time);
     const EnergyBooking booking = ledger.book(state, report, meshed->load(state.time));
     if (!std::isfinite(ledger.current().total()))
       throw RunError("The energy at time " + std::to_string(state.time)
