@@ -6,6 +6,7 @@
 #include <signorini/schemes/scheme_table.h>
 #include <signorini/simulation/observation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
